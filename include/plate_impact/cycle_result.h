@@ -1,0 +1,65 @@
+#ifndef plate_impact_cycle_result_h
+#define plate_impact_cycle_result_h
+
+#include "plate_impact/contact_history.h"
+#include "plate_impact/error_estimator.h"
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <vector>
+
+namespace PlateImpact
+{
+  /// What a scene paid for.
+  struct Work
+  {
+    unsigned int factorizations    = 0;
+    unsigned int linear_solves     = 0;
+    unsigned int contact_steps     = 0; ///< with a force other than zero
+    unsigned int estimator_samples = 0;
+  };
+
+  /// Wall time of the stages of a cycle. [s]
+  struct Seconds
+  {
+    double mesh = 0., assembly = 0., factorization = 0., stepping = 0.,
+           estimation = 0., output = 0.;
+
+    double
+    total() const
+    {
+      return mesh + assembly + factorization + stepping + estimation + output;
+    }
+  };
+
+  /// State of the plate kept for output.
+  struct Snapshot
+  {
+    double          time; ///< [s]
+    Eigen::VectorXd unknowns;
+  };
+
+  /// Result of one mesh. Empty optionals are quantities that the scene does not
+  /// have.
+  struct CycleResult
+  {
+    unsigned int cycle = 0; ///< from 1
+    unsigned int cells = 0, degrees_of_freedom = 0;
+    double       min_cell_size = 0.; ///< [m]
+
+    std::optional<ErrorEstimate> error;
+    unsigned int                 cells_above_limit = 0; ///< xi' >= 1
+    unsigned int cells_at_minimum_size = 0; ///< of these, not to be refined
+
+    std::optional<ContactHistory> history;
+    unsigned int                  steps   = 0;
+    double                        impulse = 0.; ///< [N s]
+    std::vector<Snapshot>         snapshots;
+
+    Work    work;
+    Seconds seconds;
+  };
+} // namespace PlateImpact
+
+#endif

@@ -1,0 +1,36 @@
+#ifndef plate_impact_linear_solver_h
+#define plate_impact_linear_solver_h
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <string>
+
+class Epetra_CrsMatrix;
+
+namespace PlateImpact
+{
+  /// Direct solver for one symmetric positive definite matrix and many right hand
+  /// sides.
+  class LinearSolver
+  {
+  public:
+    virtual ~LinearSolver() = default;
+
+    /// Factorizes a matrix; the caller keeps it unchanged for solve().
+    /// @throws ComputationError when it is not positive definite
+    virtual void
+    factorize(Epetra_CrsMatrix &matrix) = 0;
+
+    /// Solves for x; both have the size of the matrix.
+    virtual void
+    solve(const Eigen::VectorXd &right_hand_side, Eigen::VectorXd &x) = 0;
+  };
+
+  /// The solver that the scene names: `CHOLMOD` (supernodal Cholesky, METIS
+  /// ordering) or `KLU` (LU of Trilinos' Amesos).
+  std::unique_ptr<LinearSolver>
+  make_linear_solver(const std::string &name);
+} // namespace PlateImpact
+
+#endif

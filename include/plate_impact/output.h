@@ -1,0 +1,80 @@
+#ifndef plate_impact_output_h
+#define plate_impact_output_h
+
+#include "plate_impact/cycle_result.h"
+#include "plate_impact/parameters.h"
+
+#include <deal.II/grid/tria.h>
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <functional>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace PlateImpact
+{
+  class PlateModel;
+
+  /// The only writer of results. Every file appears under its name when it is
+  /// complete and not before.
+  class Output
+  {
+  public:
+    /// Creates the directory, removes results of earlier runs from it (files that
+    /// carry the names below) and writes scene.prm, every value used.
+    /// @param scene  must outlive this object
+    /// @throws ComputationError, as all members, when a file cannot be written
+    explicit Output(const Scene &scene);
+
+    /// contact_history.csv, the one of the cycle before becoming
+    /// contact_history_cycle_K.csv; element_errors_cycle_K.csv; mesh_cycle_K.svg.
+    void
+    write_cycle(CycleResult &result, const dealii::Triangulation<2> &mesh);
+
+    /// fields.pvd and a VTU file for every snapshot of the last cycle: deflection,
+    /// rotations, recovered resultants, von Mises stress at the faces, xi'.
+    void
+    write_fields(CycleResult          &result,
+                 const PlateModel     &model,
+                 const ErrorEstimator &estimator);
+
+    /// summary.json and report.html.
+    void
+    finish(const std::string              &outcome,
+           const std::vector<std::string> &warnings);
+
+    /// summary.json of a run that failed, with the cycles before.
+    void
+    write_failure(const std::string &failure);
+
+    /// Directory and names of the files written, for the user.
+    std::string
+    files() const;
+
+  private:
+    void
+    write_file(const std::string                         &name,
+               const std::function<void(std::ostream &)> &write);
+    void
+    write_summary(const std::string              &outcome,
+                  const std::vector<std::string> &warnings);
+
+    const Scene                &scene;
+    const std::filesystem::path directory;
+    std::vector<std::string>    names;
+    nlohmann::ordered_json      cycles = nlohmann::ordered_json::array();
+    std::vector<std::string>    mesh_pictures;
+  };
+
+
+  /// The mesh with its cells coloured by xi' and a scale, as SVG.
+  void
+  write_mesh_svg(std::ostream                   &out,
+                 const dealii::Triangulation<2> &mesh,
+                 const CycleResult              &result);
+} // namespace PlateImpact
+
+#endif

@@ -1,0 +1,119 @@
+#ifndef plate_impact_parameters_h
+#define plate_impact_parameters_h
+
+#include <array>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+/// The entries of a scene, one struct per section. What an entry means, its unit,
+/// its default and what is allowed is written once, where it is declared
+/// (parameters.cc), and printed by `plate-impact defaults`. SI units.
+namespace PlateImpact
+{
+  struct PlateParameters
+  {
+    std::array<double, 2>    side_lengths;
+    double                   thickness;
+    double                   youngs_modulus;
+    double                   poissons_ratio;
+    double                   density;
+    double                   shear_correction_factor;
+    std::vector<std::string> support; ///< one word, or x edges and y edges
+  };
+
+  struct ImpactorParameters
+  {
+    std::string shape;
+    double      radius;
+    double      length;
+    double      mass;
+    double      density;
+    double      youngs_modulus;
+    double      poissons_ratio;
+    double      velocity;
+  };
+
+  struct ContactParameters
+  {
+    std::string law;
+    std::string load_distribution;
+    double      patch_radius;
+    std::string integration;
+  };
+
+  struct DiscretizationParameters
+  {
+    std::string                 element;
+    std::array<unsigned int, 2> initial_cells;
+    std::string                 linear_solver;
+  };
+
+  struct TimeParameters
+  {
+    double      end_time;
+    double      time_step;
+    std::string integrator;
+    double      newmark_beta;
+    double      newmark_gamma;
+  };
+
+  struct AdaptivityParameters
+  {
+    std::string  strategy;
+    double       target_error;
+    unsigned int maximum_cycles;
+    double       size_exponent;
+    double       minimum_cell_size;
+    unsigned int sampling_interval;
+  };
+
+  struct OutputParameters
+  {
+    std::string  directory;
+    bool         write_meshes;
+    bool         write_report;
+    unsigned int field_samples;
+  };
+
+  struct Parameters
+  {
+    PlateParameters          plate;
+    ImpactorParameters       impactor;
+    ContactParameters        contact;
+    DiscretizationParameters discretization;
+    TimeParameters           time;
+    AdaptivityParameters     adaptivity;
+    OutputParameters         output;
+
+    bool
+    has_impactor() const
+    {
+      return impactor.shape != "none";
+    }
+  };
+
+  /// A scene that has passed every check.
+  struct Scene
+  {
+    std::string name; ///< of the file, as given
+    Parameters  parameters;
+    std::string text; ///< every value used, as a scene that repeats the run
+  };
+
+  /// Reads a scene file and the overrides "Section/Entry=value" on top of it,
+  /// checks every entry and the entries against each other, and replaces zeros
+  /// that mean "chosen by the program" by what is chosen: the impactor's mass, the
+  /// patch radius, the minimum cell size.
+  /// @throws InputError with every mistake found: file, line, entry, value and
+  ///         what is allowed
+  Scene
+  read_scene(const std::string              &path,
+             const std::vector<std::string> &overrides);
+
+  /// Prints every entry with its meaning, unit and default, as a valid scene.
+  void
+  print_defaults(std::ostream &out);
+} // namespace PlateImpact
+
+#endif

@@ -1,0 +1,120 @@
+#ifndef plate_impact_plate_model_h
+#define plate_impact_plate_model_h
+
+#include "plate_impact/load_patch.h"
+#include "plate_impact/plate_element.h"
+#include "plate_impact/plate_section.h"
+
+#include <deal.II/dofs/dof_handler.h>
+
+#include <deal.II/lac/affine_constraints.h>
+
+#include <Eigen/Core>
+#include <Epetra_CrsMatrix.h>
+
+#include <memory>
+#include <vector>
+
+namespace PlateImpact
+{
+  /// The plate on one mesh: unknowns, supports, K and M.
+  ///
+  /// Only unknowns that constraints leave free are numbered: hanging nodes,
+  /// supports, symmetry and the centre nodes of the element are resolved within
+  /// each cell, so that matrices and vectors carry no dead entries. K, M and loads
+  /// are those of the whole plate moving symmetrically, that is `multiplicity`
+  /// times those of the part that is meshed (4 for a quadrant): forces and
+  /// energies need no factor anywhere else.
+  ///
+  /// K and M are serial Epetra matrices; unlike TrilinosWrappers::SparseMatrix
+  /// they do not need MPI, whose start costs more than a small scene.
+  class PlateModel
+  {
+  public:
+    /// Numbers the unknowns; the mesh must outlive the model.
+    PlateModel(const dealii::Triangulation<2> &mesh,
+               const PlateElement             &element,
+               const PlateParameters          &plate,
+               double                          multiplicity = 4.);
+
+    /// Builds K and M.
+    void
+    assemble();
+
+    unsigned int
+    n_unknowns() const;
+
+    const Epetra_CrsMatrix &
+    stiffness() const;
+
+    const Epetra_CrsMatrix &
+    mass() const;
+
+    /// Forces conjugate to the unknowns under a unit force on the whole plate,
+    /// distributed over these points; its product with the unknowns is the
+    /// load-weighted deflection.
+    /// @throws ComputationError when a point lies outside of the mesh
+    Eigen::VectorXd
+    load(const std::vector<LoadPoint> &points) const;
+
+    /// Values of a cell's 27 nodal quantities, constraints resolved.
+    /// @param cell      active cell index
+    /// @param unknowns  n_unknowns() x n
+    /// @param values    set to n_cell_dofs x n
+    void
+    cell_values(unsigned int                              cell,
+                const Eigen::Ref<const Eigen::MatrixXd> &unknowns,
+                Eigen::MatrixXd                          &values) const;
+
+    const CellShape &
+    shape(unsigned int cell) const;
+
+    const dealii::Triangulation<2> &
+    mesh() const;
+
+    const PlateElement &
+    element() const;
+
+    const PlateSection &
+    section() const;
+
+  private:
+    struct Contribution
+    {
+      int    unknown;
+      double weight;
+    };
+
+    void
+    constrain(const PlateParameters &plate);
+    void
+    number_unknowns();
+    void
+    find_shapes();
+
+    /// The free unknowns of a cell and the matrix (n_cell_dofs x their number)
+    /// that yields its nodal values from theirs.
+    std::pair<std::vector<int>, Eigen::MatrixXd>
+    expansion(unsigned int cell) const;
+
+    const PlateElement             &plate_element;
+    const PlateSection              plate_section;
+    const double                    multiplicity;
+    dealii::DoFHandler<2>           dof_handler;
+    dealii::AffineConstraints<double> constraints;
+
+    unsigned int n_free = 0;
+
+    /// Nodal value i of cell c is the sum of contributions
+    /// first_contribution[27 c + i] ... first_contribution[27 c + i + 1] - 1.
+    std::vector<std::size_t>  first_contribution;
+    std::vector<Contribution> contributions;
+
+    std::vector<unsigned int> shape_of_cell;
+    std::vector<CellShape>    shapes;
+
+    std::unique_ptr<Epetra_CrsMatrix> K, M;
+  };
+} // namespace PlateImpact
+
+#endif

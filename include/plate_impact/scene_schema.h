@@ -1,0 +1,180 @@
+#ifndef plate_impact_scene_schema_h
+#define plate_impact_scene_schema_h
+
+#include "plate_impact/scene_file.h"
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <array>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace PlateImpact
+{
+  /// What an entry may hold: a test and the words for it that a user reads.
+  class Allowed : public dealii::Patterns::PatternBase
+  {
+  public:
+    Allowed(const std::string                             &words,
+            const std::function<bool(const std::string &)> &test);
+
+    bool
+    match(const std::string &value) const override;
+
+    std::string
+    description(const OutputStyle style = Machine) const override;
+
+    std::unique_ptr<dealii::Patterns::PatternBase>
+    clone() const override;
+
+    static Allowed
+    number_above(double bound);
+    static Allowed
+    number_from(double first);
+    static Allowed
+    number_between(double lower, double upper); ///< both excluded
+    static Allowed
+    whole_number(unsigned int first, unsigned int last);
+    static Allowed
+    one_of(const std::vector<std::string> &words);
+    static Allowed
+    truth();
+    static Allowed
+    anything(const std::string &words);
+
+    /// Between `first` and `last` values of one kind, separated by commas.
+    static Allowed
+    list(const Allowed &item, unsigned int first, unsigned int last);
+
+  private:
+    std::string                              words;
+    std::function<bool(const std::string &)> test;
+  };
+
+
+  /// The entries of a scene, each bound to a variable: declared once, then set
+  /// from assignments with every mistake collected, and printed through deal.II's
+  /// ParameterHandler.
+  class SceneSchema
+  {
+  public:
+    /// The following declarations belong to this section.
+    void
+    begin_section(const std::string &name);
+
+    /// Declares an entry with its default, and sets the variable to it.
+    /// @param documentation  ends with the unit in brackets
+    template <typename T>
+    void
+    declare(const std::string &entry,
+            const std::string &default_value,
+            const Allowed     &allowed,
+            T                 &variable,
+            const std::string &documentation);
+
+    /// Sets an entry that the program has chosen a value for.
+    void
+    set(const std::string &section,
+        const std::string &entry,
+        const double       value);
+
+    /// A sentence for each section of a scene that does not exist.
+    std::vector<std::string>
+    check_sections(const std::vector<Assignment> &openings) const;
+
+    /// Sets the entries and returns a sentence for each that cannot be. Those of
+    /// sections that a file opens and that do not exist are passed over: the
+    /// section is the one mistake.
+    std::vector<std::string>
+    set(const std::vector<Assignment> &assignments);
+
+    /// Where an entry was set ("scene.prm:12"), or "default".
+    std::string
+    origin(const std::string &path) const;
+
+    /// The value of an entry in words.
+    std::string
+    value(const std::string &path) const;
+
+    /// Whether an entry differs from its default.
+    bool
+    is_changed(const std::string &path) const;
+
+    /// The paths "Section/Entry" of a section.
+    std::vector<std::string>
+    entries_of(const std::string &section) const;
+
+    void
+    print(std::ostream &out, bool with_documentation) const;
+
+  private:
+    struct Entry
+    {
+      std::string name;
+      std::string default_value;
+      std::string allowed;
+    };
+
+    /// @return the mistake, empty when there is none
+    std::string
+    set(const Assignment &assignment);
+    std::string
+    unknown(const Assignment &assignment) const;
+    bool
+    has_section(const std::string &name) const;
+
+    dealii::ParameterHandler prm;
+    /// by section, in the order of declaration
+    std::vector<std::pair<std::string, std::vector<Entry>>> sections;
+    /// by path, of the entries that were set
+    std::map<std::string, std::string> origins;
+
+    const Entry *
+    find(const std::string &section, const std::string &entry) const;
+    const Entry &
+    at(const std::string &path) const;
+  };
+
+
+  /// A value that matches its pattern, as the type of its variable.
+  void
+  convert(const std::string &text, double &value);
+  void
+  convert(const std::string &text, unsigned int &value);
+  void
+  convert(const std::string &text, bool &value);
+  void
+  convert(const std::string &text, std::string &value);
+  void
+  convert(const std::string &text, std::vector<std::string> &value);
+  void
+  convert(const std::string &text, std::array<double, 2> &value);
+  void
+  convert(const std::string &text, std::array<unsigned int, 2> &value);
+
+
+
+  template <typename T>
+  void
+  SceneSchema::declare(const std::string &entry,
+                       const std::string &default_value,
+                       const Allowed     &allowed,
+                       T                 &variable,
+                       const std::string &documentation)
+  {
+    sections.back().second.push_back(
+      {entry, default_value, allowed.description()});
+    prm.enter_subsection(sections.back().first);
+    prm.declare_entry(entry, default_value, allowed, documentation);
+    prm.add_action(entry, [&variable](const std::string &text) {
+      convert(text, variable);
+    });
+    prm.leave_subsection();
+  }
+} // namespace PlateImpact
+
+#endif

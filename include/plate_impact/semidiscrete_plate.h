@@ -1,0 +1,68 @@
+#ifndef plate_impact_semidiscrete_plate_h
+#define plate_impact_semidiscrete_plate_h
+
+#include "plate_impact/linear_solver.h"
+#include "plate_impact/plate_model.h"
+
+#include <Eigen/Core>
+#include <Epetra_CrsMatrix.h>
+
+#include <memory>
+
+namespace PlateImpact
+{
+  /// The plate as the time stepper sees it, M z'' + K z = f u: a stiffness, one
+  /// shape u of the load, and solves with K + c M. The same for the unknowns of a
+  /// mesh and for a reduced basis.
+  class SemidiscretePlate
+  {
+  public:
+    virtual ~SemidiscretePlate() = default;
+
+    /// u, the forces conjugate to the unknowns for a unit contact force.
+    virtual const Eigen::VectorXd &
+    load() const = 0;
+
+    /// y = K x.
+    virtual void
+    multiply_stiffness(const Eigen::VectorXd &x, Eigen::VectorXd &y) const = 0;
+
+    /// Factorizes K + c M, eq. 6 with c = 1/(beta dt^2) [1/s^2].
+    virtual void
+    factorize(double c) = 0;
+
+    /// Solves (K + c M) x = b.
+    virtual void
+    solve(const Eigen::VectorXd &b, Eigen::VectorXd &x) = 0;
+  };
+
+
+  /// All unknowns of a mesh.
+  class MeshPlate : public SemidiscretePlate
+  {
+  public:
+    /// @param model   assembled; must outlive this object
+    /// @param load    u, as PlateModel::load() returns it
+    MeshPlate(const PlateModel             &model,
+              const Eigen::VectorXd        &load,
+              std::unique_ptr<LinearSolver> solver);
+
+    const Eigen::VectorXd &
+    load() const override;
+    void
+    multiply_stiffness(const Eigen::VectorXd &x,
+                       Eigen::VectorXd       &y) const override;
+    void
+    factorize(double c) override;
+    void
+    solve(const Eigen::VectorXd &b, Eigen::VectorXd &x) override;
+
+  private:
+    const PlateModel                 &model;
+    const Eigen::VectorXd             u;
+    std::unique_ptr<Epetra_CrsMatrix> effective_stiffness;
+    std::unique_ptr<LinearSolver>     solver;
+  };
+} // namespace PlateImpact
+
+#endif

@@ -1,0 +1,83 @@
+#include "plate_impact/contact_history.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace PlateImpact
+{
+  void
+  ContactHistory::add(const ContactState &state)
+  {
+    history.push_back(state);
+  }
+
+
+
+  const std::vector<ContactState> &
+  ContactHistory::states() const
+  {
+    return history;
+  }
+
+
+
+  const ContactState &
+  ContactHistory::peak() const
+  {
+    return *std::max_element(history.begin(),
+                             history.end(),
+                             [](const ContactState &a, const ContactState &b) {
+                               return a.force < b.force;
+                             });
+  }
+
+
+
+  std::optional<double>
+  ContactHistory::first_contact_end() const
+  {
+    for (std::size_t n = 1; n < history.size(); ++n)
+      {
+        const ContactState &before = history[n - 1], &after = history[n];
+        if (before.indentation > 0. && after.indentation <= 0.)
+          return before.time + (after.time - before.time) * before.indentation /
+                                 (before.indentation - after.indentation);
+      }
+    return {};
+  }
+
+
+
+  unsigned int
+  ContactHistory::n_contacts() const
+  {
+    unsigned int n_contacts = 0;
+    for (std::size_t n = 1; n < history.size(); ++n)
+      if (history[n].indentation > 0. && history[n - 1].indentation <= 0.)
+        ++n_contacts;
+    return n_contacts;
+  }
+
+
+
+  double
+  ContactHistory::max_plate_displacement() const
+  {
+    double largest = 0.;
+    for (const ContactState &state : history)
+      largest = std::max(largest, std::abs(state.plate_displacement));
+    return largest;
+  }
+
+
+
+  double
+  ContactHistory::relative_energy_drift() const
+  {
+    const double initial = history.front().total_energy();
+    double       drift   = 0.;
+    for (const ContactState &state : history)
+      drift = std::max(drift, std::abs(state.total_energy() - initial));
+    return drift / initial;
+  }
+} // namespace PlateImpact

@@ -1,0 +1,276 @@
+#include "plate_impact/impact_analysis.h"
+
+#include "plate_impact/exceptions.h"
+#include "plate_impact/impactor.h"
+#include "plate_impact/linear_solver.h"
+#include "plate_impact/plate_mesh.h"
+#include "plate_impact/semidiscrete_plate.h"
+#include "plate_impact/time_stepper.h"
+
+#include <deal.II/base/timer.h>
+
+#include <algorithm>
+#include <limits>
+#include <sstream>
+
+namespace PlateImpact
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Adds the time until its end to a stage.
+    class Stopwatch
+    {
+    public:
+      explicit Stopwatch(double &seconds)
+        : seconds(seconds)
+      {}
+
+      ~Stopwatch()
+      {
+        seconds += timer.wall_time();
+      }
+
+    private:
+      double     &seconds;
+      const Timer timer;
+    };
+  } // namespace
+
+
+
+  ImpactAnalysis::ImpactAnalysis(const Scene &scene, Console &console)
+    : scene(scene)
+    , parameters(scene.parameters)
+    , console(console)
+    , has_estimator(parameters.has_impactor() &&
+                    (parameters.adaptivity.strategy != "none" ||
+                     parameters.output.write_report ||
+                     parameters.output.field_samples > 0))
+    , element(parameters.discretization.element)
+    , contact_law(parameters.has_impactor() ? make_contact_law(parameters) :
+                                              nullptr)
+    , contact_integration(
+        make_contact_integration(parameters.contact.integration))
+    , adaptation(parameters.has_impactor() ?
+                   make_mesh_adaptation(parameters.adaptivity) :
+                   nullptr)
+    , load_patch(parameters.has_impactor() ?
+                   make_load_patch(parameters.contact) :
+                   std::vector<LoadPoint>())
+  {}
+
+
+
+  void
+  ImpactAnalysis::run()
+  {
+    Output output(scene);
+    try
+      {
+        run_cycles(output);
+      }
+    catch (const ComputationError &error)
+      {
+        output.write_failure(error.what());
+        throw;
+      }
+  }
+
+
+
+  void
+  ImpactAnalysis::run_cycles(Output &output)
+  {
+    double seconds_for_mesh = 0.;
+    {
+      const Stopwatch stopwatch(seconds_for_mesh);
+      mesh = make_plate_quadrant(parameters.plate,
+                                 parameters.discretization.initial_cells);
+    }
+    console.begin(scene);
+    for (unsigned int cycle = 1;; ++cycle)
+      {
+        CycleResult result = compute_cycle(cycle, seconds_for_mesh);
+        output.write_cycle(result, *mesh);
+        std::optional<std::string> end = outcome(result);
+
+        seconds_for_mesh = 0.;
+        if (!end)
+          {
+            const Stopwatch stopwatch(seconds_for_mesh);
+            // the fields of a last mesh need its model: adapt a copy
+            auto adapted = std::make_unique<Triangulation<2>>();
+            adapted->copy_triangulation(*mesh);
+            if (adaptation->adapt(*adapted, *result.error))
+              {
+                estimator.reset();
+                model.reset();
+                mesh = std::move(adapted);
+              }
+            else
+              end = "mesh unchanged";
+          }
+        console.cycle(result);
+        if (end)
+          {
+            if (!result.snapshots.empty())
+              output.write_fields(result, *model, *estimator);
+            output.finish(*end, warnings(result));
+            console.end(*end, result, warnings(result), output.files());
+            return;
+          }
+      }
+  }
+
+
+
+  CycleResult
+  ImpactAnalysis::compute_cycle(const unsigned int cycle,
+                                const double       seconds_for_mesh)
+  {
+    CycleResult result;
+    result.cycle        = cycle;
+    result.seconds.mesh = seconds_for_mesh;
+    {
+      const Stopwatch stopwatch(result.seconds.assembly);
+      model =
+        std::make_unique<PlateModel>(*mesh, element, parameters.plate);
+    }
+    result.cells              = mesh->n_active_cells();
+    result.degrees_of_freedom = model->n_unknowns();
+    result.min_cell_size      = std::numeric_limits<double>::max();
+    for (const auto &cell : mesh->active_cell_iterators())
+      result.min_cell_size = std::min(result.min_cell_size, cell_size(cell));
+
+    // a plate at rest stays at rest
+    if (parameters.has_impactor())
+      run_transient(result);
+    if (has_estimator)
+      estimate_error(result);
+    return result;
+  }
+
+
+
+  void
+  ImpactAnalysis::run_transient(CycleResult &result)
+  {
+    Seconds &seconds = result.seconds;
+    Timer    timer;
+    const auto add_to = [&timer](double &stage) {
+      stage += timer.wall_time();
+      timer.restart();
+    };
+
+    model->assemble();
+    MeshPlate plate(*model,
+                    model->load(load_patch),
+                    make_linear_solver(parameters.discretization.linear_solver));
+    add_to(seconds.assembly);
+    TimeStepper stepper(parameters.time,
+                        plate,
+                        *contact_law,
+                        *contact_integration,
+                        make_impactor(parameters.impactor));
+    add_to(seconds.factorization);
+    if (has_estimator)
+      estimator =
+        std::make_unique<ErrorEstimator>(*model,
+                                         parameters.adaptivity.target_error);
+    add_to(seconds.estimation);
+
+    const unsigned int n_steps  = stepper.n_steps();
+    const unsigned int interval = parameters.adaptivity.sampling_interval;
+    const unsigned int n_fields = parameters.output.field_samples;
+    ContactHistory     history;
+    history.add(stepper.state());
+    for (unsigned int step = 1; step <= n_steps; ++step)
+      {
+        stepper.advance();
+        history.add(stepper.state());
+        const double time = stepper.state().time;
+        // steps at which k n_steps / n_fields passes a whole number
+        if (std::uint64_t(step) * n_fields / n_steps >
+            std::uint64_t(step - 1) * n_fields / n_steps)
+          result.snapshots.push_back({time, stepper.displacement()});
+        if (has_estimator && (step % interval == 0 || step == n_steps))
+          {
+            add_to(seconds.stepping);
+            estimator->add_sample(time, stepper.displacement());
+            add_to(seconds.estimation);
+          }
+        console.progress(result.cycle, step, n_steps);
+      }
+    add_to(seconds.stepping);
+
+    result.history = std::move(history);
+    result.steps   = n_steps;
+    result.impulse = stepper.impulse();
+    result.work.factorizations += 1;
+    result.work.linear_solves += stepper.n_linear_solves();
+    result.work.contact_steps += stepper.n_contact_steps();
+  }
+
+
+
+  void
+  ImpactAnalysis::estimate_error(CycleResult &result)
+  {
+    const Stopwatch stopwatch(result.seconds.estimation);
+    result.error                  = estimator->estimate();
+    result.work.estimator_samples = estimator->n_samples();
+    for (const auto &cell : mesh->active_cell_iterators())
+      if (result.error->element_errors[cell->active_cell_index()] >= 1.)
+        {
+          ++result.cells_above_limit;
+          if (is_smallest(cell, parameters.adaptivity))
+            ++result.cells_at_minimum_size;
+        }
+  }
+
+
+
+  std::optional<std::string>
+  ImpactAnalysis::outcome(const CycleResult &result) const
+  {
+    if (adaptation == nullptr)
+      return "single mesh";
+    if (result.error->eta <= parameters.adaptivity.target_error &&
+        result.cells_above_limit == result.cells_at_minimum_size)
+      return "target reached";
+    if (result.cycle == parameters.adaptivity.maximum_cycles)
+      return "maximum cycles";
+    return {};
+  }
+
+
+
+  std::vector<std::string>
+  ImpactAnalysis::warnings(const CycleResult &result) const
+  {
+    std::vector<std::string> sentences;
+    const auto               warn = [&sentences](const auto &...parts) {
+      std::ostringstream text;
+      (text << ... << parts);
+      sentences.push_back(text.str());
+    };
+    if (!parameters.has_impactor())
+      return sentences;
+    if (parameters.contact.load_distribution == "point")
+      warn("the peak force under a point load depends on the smallest cell (",
+           result.min_cell_size,
+           " m): it drops by about 0.7 % per halving; for a limit choose "
+           "Contact/Load distribution = Hertz disc");
+    if (result.history->states().back().force > 0.)
+      warn("the contact has not ended at Time/End time = ",
+           parameters.time.end_time,
+           " s");
+    if (result.history->peak().time == result.history->states().back().time)
+      warn("the force still grows at Time/End time = ",
+           parameters.time.end_time,
+           " s: the peak force is that of this time only");
+    return sentences;
+  }
+} // namespace PlateImpact

@@ -1,0 +1,61 @@
+#include "plate_impact/load_patch.h"
+
+#include <deal.II/base/numbers.h>
+#include <deal.II/base/quadrature_lib.h>
+
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+
+namespace PlateImpact
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Quadrature of a load on a disc. Gauss points s in [0,1] for the radius,
+    /// whose radius and density (of the force, integrating to one) are given;
+    /// equidistant angles, which integrate smooth functions with the mirror
+    /// symmetries of the plate to high order.
+    std::vector<LoadPoint>
+    disc(const std::function<double(double)> &radius,
+         const std::function<double(double)> &density)
+    {
+      // Shape functions have kinks at cell sides: many points, not a high order
+      const unsigned int     n_radii = 40, n_angles = 40;
+      const QGauss<1>        radial(n_radii);
+      std::vector<LoadPoint> points;
+      points.reserve(n_radii * n_angles);
+      for (unsigned int i = 0; i < n_radii; ++i)
+        for (unsigned int j = 0; j < n_angles; ++j)
+          {
+            const double s     = radial.point(i)[0];
+            const double angle = (j + 0.5) / n_angles * numbers::PI_2;
+            points.push_back(
+              {radius(s) * Point<2>(std::cos(angle), std::sin(angle)),
+               radial.weight(i) * density(s) / n_angles});
+          }
+      return points;
+    }
+  } // namespace
+
+
+
+  std::vector<LoadPoint>
+  make_load_patch(const ContactParameters &contact)
+  {
+    const double c = contact.patch_radius;
+    if (contact.load_distribution == "point")
+      return {{Point<2>(), 1.}};
+    if (contact.load_distribution == "Hertz disc")
+      // s = sqrt(1 - (r/c)^2): p r dr is 3 s^2 ds
+      return disc([c](const double s) { return c * std::sqrt(1. - s * s); },
+                  [](const double s) { return 3. * s * s; });
+    if (contact.load_distribution == "uniform disc")
+      // s = (r/c)^2: p r dr is ds
+      return disc([c](const double s) { return c * std::sqrt(s); },
+                  [](const double) { return 1.; });
+    throw std::logic_error("no load distribution named " +
+                           contact.load_distribution);
+  }
+} // namespace PlateImpact

@@ -1,0 +1,146 @@
+#include "plate_impact/console.h"
+#include "plate_impact/exceptions.h"
+#include "plate_impact/impact_analysis.h"
+#include "plate_impact/parameters.h"
+#include "plate_impact/version.h"
+
+#include <deal.II/base/exceptions.h>
+#include <deal.II/base/multithread_info.h>
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+#include <new>
+#include <sstream>
+
+namespace
+{
+  using namespace PlateImpact;
+
+  enum ExitStatus
+  {
+    success          = 0,
+    wrong_input      = 1,
+    failed_computing = 2
+  };
+
+
+
+  void
+  run(const std::string        &path,
+      const std::string        &output,
+      std::vector<std::string>  overrides,
+      const bool                quiet)
+  {
+    if (!output.empty())
+      overrides.push_back("Output/Directory=" + output);
+    const Scene scene = read_scene(path, overrides);
+    Console     console(quiet);
+    ImpactAnalysis(scene, console).run();
+  }
+
+
+
+  /// Parses the command line and does what it asks for.
+  int
+  execute(const int argc, const char *const *argv)
+  {
+    CLI::App app("Contact force between a sphere and a plate struck at low "
+                 "velocity, on a mesh that adapts itself until a prescribed "
+                 "discretization error is met.",
+                 "plate-impact");
+    app.set_version_flag("--version", "plate-impact " PLATE_IMPACT_VERSION);
+    app.require_subcommand(1);
+    app.footer("Exit status: 0 done, 1 the input is wrong, 2 the computation "
+               "failed.");
+
+    std::string              path, output;
+    std::vector<std::string> overrides;
+    bool                     quiet = false;
+    CLI::App *run_command =
+      app.add_subcommand("run", "Compute the impact that a scene describes");
+    run_command->add_option("scene", path, "Parameter file (.prm)")->required();
+    run_command->add_option("-o,--output",
+                            output,
+                            "Directory of the results, in place of the scene's");
+    run_command
+      ->add_option("-s,--set",
+                   overrides,
+                   "Entry to change: \"Section/Entry=value\"; may be repeated")
+      ->allow_extra_args(false);
+    run_command->add_flag("-q,--quiet", quiet, "Print warnings and errors only");
+    CLI::App *defaults_command = app.add_subcommand(
+      "defaults",
+      "Print every entry with its meaning, unit and default, as a valid scene");
+
+    try
+      {
+        app.parse(argc, argv);
+      }
+    catch (const CLI::ParseError &error)
+      {
+        return app.exit(error) == 0 ? success : wrong_input;
+      }
+
+    if (run_command->parsed())
+      run(path, output, overrides, quiet);
+    else if (defaults_command->parsed())
+      print_defaults(std::cout);
+    return success;
+  }
+
+
+
+  /// The message with "plate-impact: " before every line.
+  void
+  print_error(const std::string &message)
+  {
+    std::istringstream lines(message);
+    for (std::string line; std::getline(lines, line);)
+      std::cerr << "plate-impact: " << line << '\n';
+  }
+} // namespace
+
+
+
+int
+main(const int argc, const char *const *argv)
+{
+#ifdef DEBUG
+  std::cerr << "plate-impact: DEBUG build, many times slower; configure with "
+               "CMAKE_BUILD_TYPE=Release for results\n";
+#endif
+  // Nothing here gains from threads; not starting them saves time.
+  dealii::MultithreadInfo::set_thread_limit(1);
+  try
+    {
+      return execute(argc, argv);
+    }
+  catch (const InputError &error)
+    {
+      print_error(error.what());
+      return wrong_input;
+    }
+  catch (const ComputationError &error)
+    {
+      print_error(error.what());
+    }
+  catch (const std::bad_alloc &)
+    {
+      print_error("not enough memory; try fewer cells, a larger Adaptivity/"
+                  "Minimum cell size or Target error");
+    }
+  catch (const dealii::ExceptionBase &error)
+    {
+      std::ostringstream text;
+      error.print_info(text);
+      print_error("an internal error (please report it with the scene): " +
+                  std::string(error.get_exc_name()) + text.str());
+    }
+  catch (const std::exception &error)
+    {
+      print_error("an internal error (please report it with the scene): " +
+                  std::string(error.what()));
+    }
+  return failed_computing;
+}

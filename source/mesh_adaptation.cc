@@ -1,0 +1,205 @@
+#include "plate_impact/mesh_adaptation.h"
+
+#include "plate_impact/plate_mesh.h"
+
+#include <deal.II/grid/cell_id.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace PlateImpact
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// against round-off in sizes that are powers of two apart
+    constexpr double tolerance = 1e-9;
+
+
+
+    /// Level that brings a cell to its target size.
+    int
+    wanted_level(const Triangulation<2>::active_cell_iterator &cell,
+                 const double                                  target_size,
+                 const double                                  smallest_size)
+    {
+      const double h = cell_size(cell);
+      const int    wanted =
+        static_cast<int>(std::ceil(std::log2(h / target_size) - tolerance));
+      const int allowed = std::max(
+        0, static_cast<int>(std::floor(std::log2(h / smallest_size) + tolerance)));
+      return std::max(0, cell->level() + std::min(wanted, allowed));
+    }
+
+
+
+    /// The wanted level, kept in the user index of the cell or of the ancestor
+    /// that it was refined from.
+    int
+    inherited_level(Triangulation<2>::cell_iterator cell)
+    {
+      while (cell->user_index() == 0 && cell->level() > 0)
+        cell = cell->parent();
+      return static_cast<int>(cell->user_index()) - 1;
+    }
+
+
+
+    void
+    set_level(const Triangulation<2>::cell_iterator &cell, const int level)
+    {
+      cell->set_user_index(level + 1);
+    }
+
+
+
+    /// Flags cells off their wanted level; a family is coarsened when all of its
+    /// cells want it, to what the most demanding of them wants.
+    void
+    flag(Triangulation<2> &mesh)
+    {
+      for (const auto &cell : mesh.active_cell_iterators())
+        {
+          const int wanted = inherited_level(cell);
+          set_level(cell, wanted);
+          if (wanted > cell->level())
+            cell->set_refine_flag();
+          else if (wanted < cell->level())
+            cell->set_coarsen_flag();
+        }
+      mesh.prepare_coarsening_and_refinement();
+      for (const auto &cell : mesh.active_cell_iterators())
+        if (cell->coarsen_flag_set())
+          {
+            const auto parent = cell->parent();
+            int        wanted = 0;
+            for (unsigned int child = 0; child < parent->n_children(); ++child)
+              wanted = std::max(wanted, inherited_level(parent->child(child)));
+            set_level(parent, wanted);
+          }
+    }
+
+
+
+    bool
+    is_flagged(const Triangulation<2> &mesh)
+    {
+      for (const auto &cell : mesh.active_cell_iterators())
+        if (cell->refine_flag_set() || cell->coarsen_flag_set())
+          return true;
+      return false;
+    }
+
+
+
+    std::vector<CellId>
+    sorted_cells(const Triangulation<2> &mesh)
+    {
+      std::vector<CellId> cells;
+      for (const auto &cell : mesh.active_cell_iterators())
+        cells.push_back(cell->id());
+      std::sort(cells.begin(), cells.end());
+      return cells;
+    }
+  } // namespace
+
+
+
+  std::vector<double>
+  target_sizes(const Triangulation<2>     &mesh,
+               const ErrorEstimate        &estimate,
+               const AdaptivityParameters &adaptivity)
+  {
+    const double        largest = mesh.begin(0)->diameter();
+    std::vector<double> sizes(mesh.n_active_cells());
+    for (const auto &cell : mesh.active_cell_iterators())
+      {
+        const unsigned int c  = cell->active_cell_index();
+        const double       xi = estimate.element_errors[c];
+        sizes[c] =
+          std::clamp(cell_size(cell) / std::pow(xi, adaptivity.size_exponent),
+                     std::min(adaptivity.minimum_cell_size, largest),
+                     largest);
+      }
+    return sizes;
+  }
+
+
+
+  bool
+  is_smallest(const Triangulation<2>::cell_iterator &cell,
+              const AdaptivityParameters            &adaptivity)
+  {
+    return 0.5 * cell_size(cell) <
+           adaptivity.minimum_cell_size * (1. - tolerance);
+  }
+
+
+
+  HangingNodeAdaptation::HangingNodeAdaptation(
+    const AdaptivityParameters &adaptivity)
+    : adaptivity(adaptivity)
+  {}
+
+
+
+  bool
+  HangingNodeAdaptation::adapt(Triangulation<2>    &mesh,
+                               const ErrorEstimate &estimate) const
+  {
+    const std::vector<CellId> before = sorted_cells(mesh);
+    const std::vector<double> sizes = target_sizes(mesh, estimate, adaptivity);
+    mesh.clear_user_data();
+    for (const auto &cell : mesh.active_cell_iterators())
+      set_level(cell,
+                wanted_level(cell,
+                             sizes[cell->active_cell_index()],
+                             adaptivity.minimum_cell_size));
+
+    // One level at a time. Cells refined for the sake of their neighbours want to
+    // be coarsened again; prepare_coarsening_and_refinement() takes such flags
+    // back, which ends the loop. The bound is for meshes where it does not.
+    for (unsigned int pass = 0; pass < 64; ++pass)
+      {
+        flag(mesh);
+        if (!is_flagged(mesh))
+          break;
+        mesh.execute_coarsening_and_refinement();
+      }
+    return sorted_cells(mesh) != before;
+  }
+
+
+
+  UniformRefinement::UniformRefinement(const AdaptivityParameters &adaptivity)
+    : adaptivity(adaptivity)
+  {}
+
+
+
+  bool
+  UniformRefinement::adapt(Triangulation<2> &mesh, const ErrorEstimate &) const
+  {
+    if (is_smallest(mesh.begin_active(), adaptivity))
+      return false;
+    mesh.refine_global();
+    return true;
+  }
+
+
+
+  std::unique_ptr<const MeshAdaptation>
+  make_mesh_adaptation(const AdaptivityParameters &adaptivity)
+  {
+    if (adaptivity.strategy == "none")
+      return nullptr;
+    if (adaptivity.strategy == "hanging nodes")
+      return std::make_unique<HangingNodeAdaptation>(adaptivity);
+    if (adaptivity.strategy == "uniform")
+      return std::make_unique<UniformRefinement>(adaptivity);
+    throw std::logic_error("no strategy named " + adaptivity.strategy);
+  }
+} // namespace PlateImpact

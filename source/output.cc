@@ -1,0 +1,354 @@
+#include "plate_impact/output.h"
+
+#include "plate_impact/exceptions.h"
+#include "plate_impact/mesh_adaptation.h"
+#include "plate_impact/plate_mesh.h"
+#include "plate_impact/plate_model.h"
+#include "plate_impact/report.h"
+#include "plate_impact/version.h"
+
+#include <deal.II/base/timer.h>
+
+#include <deal.II/fe/fe_dgq.h>
+#include <deal.II/fe/fe_tools.h>
+
+#include <deal.II/numerics/data_out.h>
+
+#include <fstream>
+#include <regex>
+#include <sstream>
+
+namespace PlateImpact
+{
+  using namespace dealii;
+  namespace fs = std::filesystem;
+
+  namespace
+  {
+    /// Names of results, so that those of an earlier run do not stay beside ours.
+    const std::regex result_name(
+      "summary\\.json|scene\\.prm|report\\.html|fields\\.pvd|"
+      "fields_[0-9]+\\.vtu|contact_history(_cycle_[0-9]+)?\\.csv|"
+      "element_errors_cycle_[0-9]+\\.csv|mesh_cycle_[0-9]+\\.svg|"
+      ".*\\.incomplete");
+
+
+
+    void
+    write_history(std::ostream &out, const ContactHistory &history)
+    {
+      out.precision(17);
+      out << "time,force,indentation,plate_displacement,impactor_displacement,"
+             "impactor_velocity,plate_energy,contact_energy,impactor_energy\n";
+      for (const ContactState &s : history.states())
+        out << s.time << ',' << s.force << ',' << s.indentation << ','
+            << s.plate_displacement << ',' << s.impactor_displacement << ','
+            << s.impactor_velocity << ',' << s.plate_energy << ','
+            << s.contact_energy << ',' << s.impactor_energy << '\n';
+    }
+
+
+
+    void
+    write_element_errors(std::ostream               &out,
+                         const Triangulation<2>     &mesh,
+                         const ErrorEstimate        &error,
+                         const AdaptivityParameters &adaptivity)
+    {
+      const std::vector<double> sizes = target_sizes(mesh, error, adaptivity);
+      out.precision(17);
+      out << "cell,center_x,center_y,size,element_error,target_size\n";
+      for (const auto &cell : mesh.active_cell_iterators())
+        {
+          const unsigned int c = cell->active_cell_index();
+          out << c << ',' << cell->center()[0] << ',' << cell->center()[1] << ','
+              << cell_size(cell) << ',' << error.element_errors[c] << ','
+              << sizes[c] << '\n';
+        }
+    }
+
+
+
+    nlohmann::ordered_json
+    to_json(const CycleResult &result)
+    {
+      nlohmann::ordered_json cycle;
+      cycle["cycle"]              = result.cycle;
+      cycle["cells"]              = result.cells;
+      cycle["degrees_of_freedom"] = result.degrees_of_freedom;
+      cycle["min_cell_size"]      = result.min_cell_size;
+      if (result.error)
+        {
+          cycle["discretization_error"]  = result.error->eta;
+          cycle["max_element_error"]     = result.error->max_element_error();
+          cycle["cells_above_limit"]     = result.cells_above_limit;
+          cycle["cells_at_minimum_size"] = result.cells_at_minimum_size;
+        }
+      if (result.history)
+        {
+          const ContactHistory &history = *result.history;
+          const ContactState   &peak    = history.peak();
+          cycle["peak_force"]           = peak.force;
+          cycle["time_of_peak_force"]   = peak.time;
+          if (const auto end = history.first_contact_end())
+            cycle["first_contact_end"] = *end;
+          cycle["number_of_contacts"] = history.n_contacts();
+          cycle["impulse"]            = result.impulse;
+          cycle["final_impactor_velocity"] =
+            history.states().back().impactor_velocity;
+          cycle["max_plate_displacement"] = history.max_plate_displacement();
+          cycle["plate_displacement_at_peak"] = peak.plate_displacement;
+          if (result.error)
+            cycle["max_effective_stress"] = result.error->max_effective_stress;
+          cycle["relative_energy_drift"] = history.relative_energy_drift();
+          cycle["steps"]                 = result.steps;
+          cycle["work"] = {{"factorizations", result.work.factorizations},
+                           {"linear_solves", result.work.linear_solves},
+                           {"contact_steps", result.work.contact_steps},
+                           {"estimator_samples", result.work.estimator_samples}};
+        }
+      const Seconds &s = result.seconds;
+      cycle["seconds"] = {{"mesh", s.mesh},
+                          {"assembly", s.assembly},
+                          {"factorization", s.factorization},
+                          {"stepping", s.stepping},
+                          {"estimation", s.estimation},
+                          {"output", s.output},
+                          {"total", s.total()}};
+      return cycle;
+    }
+  } // namespace
+
+
+
+  Output::Output(const Scene &scene)
+    : scene(scene)
+    , directory(scene.parameters.output.directory)
+  {
+    std::error_code error;
+    fs::create_directories(directory, error);
+    if (error)
+      throw ComputationError("the output directory " + directory.string() +
+                             " cannot be created: " + error.message());
+    for (const auto &entry : fs::directory_iterator(directory, error))
+      if (std::regex_match(entry.path().filename().string(), result_name))
+        fs::remove(entry.path(), error);
+    if (error)
+      throw ComputationError("earlier results in " + directory.string() +
+                             " cannot be removed: " + error.message());
+    write_file("scene.prm", [&](std::ostream &out) {
+      out << "# Every value used by plate-impact " << PLATE_IMPACT_VERSION
+          << " for " << scene.name << "\n\n"
+          << scene.text;
+    });
+  }
+
+
+
+  void
+  Output::write_file(const std::string                         &name,
+                     const std::function<void(std::ostream &)> &write)
+  {
+    const fs::path path = directory / name, incomplete = path.string() + ".incomplete";
+    std::error_code error;
+    {
+      std::ofstream out(incomplete);
+      write(out);
+      out.close();
+      if (!out)
+        {
+          fs::remove(incomplete, error);
+          throw ComputationError(path.string() + " cannot be written");
+        }
+    }
+    fs::rename(incomplete, path, error);
+    if (error)
+      throw ComputationError(path.string() +
+                             " cannot be written: " + error.message());
+    names.push_back(name);
+  }
+
+
+
+  void
+  Output::write_cycle(CycleResult &result, const Triangulation<2> &mesh)
+  {
+    Timer             timer;
+    const std::string suffix = "_cycle_" + std::to_string(result.cycle);
+    if (result.history)
+      {
+        if (result.cycle > 1)
+          {
+            const std::string earlier = "contact_history_cycle_" +
+                                        std::to_string(result.cycle - 1) + ".csv";
+            std::error_code error;
+            fs::rename(directory / "contact_history.csv",
+                       directory / earlier,
+                       error);
+            if (error)
+              throw ComputationError((directory / earlier).string() +
+                                     " cannot be written: " + error.message());
+            names.push_back(earlier);
+          }
+        write_file("contact_history.csv", [&](std::ostream &out) {
+          write_history(out, *result.history);
+        });
+      }
+    if (result.error)
+      write_file("element_errors" + suffix + ".csv", [&](std::ostream &out) {
+        write_element_errors(out,
+                             mesh,
+                             *result.error,
+                             scene.parameters.adaptivity);
+      });
+    if (scene.parameters.output.write_meshes ||
+        scene.parameters.output.write_report)
+      {
+        std::ostringstream picture;
+        write_mesh_svg(picture, mesh, result);
+        mesh_pictures.push_back(picture.str());
+        if (scene.parameters.output.write_meshes)
+          write_file("mesh" + suffix + ".svg",
+                     [&](std::ostream &out) { out << picture.str(); });
+      }
+    result.seconds.output += timer.wall_time();
+    cycles.push_back(to_json(result));
+  }
+
+
+
+  void
+  Output::write_fields(CycleResult          &result,
+                       const PlateModel     &model,
+                       const ErrorEstimator &estimator)
+  {
+    Timer              timer;
+    const unsigned int n_fields = 9;
+    const std::vector<std::string> field_names = {"deflection",
+                                                  "rotation_x",
+                                                  "rotation_y",
+                                                  "moment_x",
+                                                  "moment_y",
+                                                  "moment_xy",
+                                                  "shear_force_x",
+                                                  "shear_force_y",
+                                                  "von_mises_stress"};
+    // values of every cell at its own nine nodes: what is recovered may differ
+    // from cell to cell at hanging nodes
+    const FE_DGQ<2>     nodal(2);
+    const FESystem<2>   fields_element(nodal, n_fields);
+    DoFHandler<2>       dof_handler(model.mesh());
+    dof_handler.distribute_dofs(fields_element);
+    const std::vector<unsigned int> hierarchic =
+      FETools::lexicographic_to_hierarchic_numbering<2>(2);
+    const FESystem<2> &plate_element = model.element().finite_element();
+
+    std::vector<std::pair<double, std::string>> record;
+    Vector<double>                              fields(dof_handler.n_dofs());
+    Vector<float> element_errors(result.error->element_errors.begin(),
+                                 result.error->element_errors.end());
+    std::vector<types::global_dof_index> dofs(fields_element.n_dofs_per_cell());
+    Eigen::MatrixXd                      values;
+    for (const Snapshot &snapshot : result.snapshots)
+      {
+        const Eigen::MatrixXd resultants =
+          estimator.recovered_resultants(snapshot.unknowns,
+                                         nodal.get_unit_support_points());
+        for (const auto &cell : dof_handler.active_cell_iterators())
+          {
+            const unsigned int c = cell->active_cell_index();
+            model.cell_values(c, snapshot.unknowns, values);
+            cell->get_dof_indices(dofs);
+            for (unsigned int node = 0; node < nodal.n_dofs_per_cell(); ++node)
+              {
+                const auto set = [&](const unsigned int field, const double value) {
+                  fields[dofs[fields_element.component_to_system_index(
+                    field, node)]] = value;
+                };
+                for (unsigned int k = 0; k < n_components; ++k)
+                  set(k,
+                      values(plate_element.component_to_system_index(
+                               k, hierarchic[node]),
+                             0));
+                const Resultants r = resultants.col(c).segment<5>(5 * node);
+                for (unsigned int k = 0; k < 5; ++k)
+                  set(n_components + k, r[k]);
+                set(8, model.section().surface_von_mises_stress(r[0], r[1], r[2]));
+              }
+          }
+        DataOut<2> data_out;
+        data_out.attach_dof_handler(dof_handler);
+        data_out.add_data_vector(fields, field_names);
+        data_out.add_data_vector(element_errors,
+                                 "element_error",
+                                 DataOut<2>::type_cell_data);
+        data_out.build_patches(2);
+        const std::string name = "fields_" + std::to_string(record.size()) + ".vtu";
+        write_file(name, [&](std::ostream &out) { data_out.write_vtu(out); });
+        record.push_back({snapshot.time, name});
+      }
+    write_file("fields.pvd", [&](std::ostream &out) {
+      DataOutBase::write_pvd_record(out, record);
+    });
+    result.seconds.output += timer.wall_time();
+    cycles.back() = to_json(result);
+  }
+
+
+
+  void
+  Output::write_summary(const std::string              &outcome,
+                        const std::vector<std::string> &warnings)
+  {
+    nlohmann::ordered_json summary;
+    summary["scene"]    = scene.name;
+    summary["version"]  = PLATE_IMPACT_VERSION;
+    summary["outcome"]  = outcome;
+    summary["warnings"] = warnings;
+    summary["cycles"]   = cycles;
+    write_file("summary.json",
+               [&](std::ostream &out) { out << summary.dump(2) << '\n'; });
+  }
+
+
+
+  void
+  Output::finish(const std::string              &outcome,
+                 const std::vector<std::string> &warnings)
+  {
+    write_summary(outcome, warnings);
+    if (scene.parameters.output.write_report)
+      write_file("report.html", [&](std::ostream &out) {
+        write_report(out, scene, outcome, warnings, cycles, mesh_pictures);
+      });
+  }
+
+
+
+  void
+  Output::write_failure(const std::string &failure)
+  {
+    try
+      {
+        write_summary("failed: " + failure, {});
+      }
+    catch (const ComputationError &)
+      {
+        // the disk that failed first fails again: the first failure is the news
+      }
+  }
+
+
+
+  std::string
+  Output::files() const
+  {
+    // cycles in one word
+    std::string text;
+    for (const std::string &name : names)
+      if (name.find("_cycle_") == std::string::npos && name.find(".vtu") == std::string::npos)
+        text += (text.empty() ? "" : ", ") + name;
+    return directory.string() + ": " + text +
+           " and, for each cycle, its history, element errors and mesh";
+  }
+} // namespace PlateImpact

@@ -1,0 +1,393 @@
+#include "plate_impact/plate_model.h"
+
+#include "plate_impact/exceptions.h"
+#include "plate_impact/plate_mesh.h"
+
+#include <deal.II/dofs/dof_tools.h>
+
+#include <deal.II/fe/mapping_q1.h>
+
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+
+#include <Epetra_Map.h>
+#include <Epetra_SerialComm.h>
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+
+namespace PlateImpact
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// What a support holds on an edge.
+    struct Support
+    {
+      std::string name;
+      bool        deflection, normal_rotation, tangential_rotation;
+    };
+
+    const std::vector<Support> supports = {
+      {"clamped", true, true, true},
+      {"simply supported", true, false, true},
+      {"soft simply supported", true, false, false},
+      {"free", false, false, false}};
+
+    const Support symmetry = {"symmetry", false, true, false};
+
+
+
+    const Support &
+    find_support(const std::string &name)
+    {
+      for (const Support &support : supports)
+        if (support.name == name)
+          return support;
+      throw std::logic_error("no support named " + name);
+    }
+
+
+
+    /// Components that a support holds on a boundary whose normal is x or y.
+    ComponentMask
+    held_components(const Support &support, const bool normal_is_x)
+    {
+      ComponentMask mask(n_components, false);
+      mask.set(deflection, support.deflection);
+      mask.set(normal_is_x ? rotation_x : rotation_y, support.normal_rotation);
+      mask.set(normal_is_x ? rotation_y : rotation_x,
+               support.tangential_rotation);
+      return mask;
+    }
+
+
+
+    /// Corners relative to the first one in units of the tolerance: equal for
+    /// congruent cells of equal orientation.
+    std::array<long, 6>
+    congruence_key(const Triangulation<2>::active_cell_iterator &cell,
+                   const double                                  tolerance)
+    {
+      std::array<long, 6> key;
+      for (unsigned int v = 1; v < 4; ++v)
+        for (unsigned int d = 0; d < 2; ++d)
+          key[2 * (v - 1) + d] =
+            std::lround((cell->vertex(v)[d] - cell->vertex(0)[d]) / tolerance);
+      return key;
+    }
+
+
+
+    /// A matrix with the entries of a sparsity pattern, all zero.
+    std::unique_ptr<Epetra_CrsMatrix>
+    make_matrix(const DynamicSparsityPattern &pattern)
+    {
+      const int              n = pattern.n_rows();
+      const Epetra_SerialComm communicator;
+      const Epetra_Map        map(n, 0, communicator);
+      std::vector<int>        row_lengths(n);
+      for (int row = 0; row < n; ++row)
+        row_lengths[row] = pattern.row_length(row);
+
+      auto matrix = std::make_unique<Epetra_CrsMatrix>(Copy,
+                                                       map,
+                                                       row_lengths.data(),
+                                                       /*StaticProfile=*/true);
+      std::vector<int>    columns;
+      std::vector<double> zeros;
+      for (int row = 0; row < n; ++row)
+        {
+          columns.clear();
+          for (auto entry = pattern.begin(row); entry != pattern.end(row); ++entry)
+            columns.push_back(entry->column());
+          zeros.assign(columns.size(), 0.);
+          matrix->InsertGlobalValues(row,
+                                     columns.size(),
+                                     zeros.data(),
+                                     columns.data());
+        }
+      matrix->FillComplete();
+      matrix->OptimizeStorage();
+      return matrix;
+    }
+  } // namespace
+
+
+
+  PlateModel::PlateModel(const Triangulation<2> &mesh,
+                         const PlateElement     &element,
+                         const PlateParameters  &plate,
+                         const double            multiplicity)
+    : plate_element(element)
+    , plate_section(plate)
+    , multiplicity(multiplicity)
+    , dof_handler(mesh)
+  {
+    dof_handler.distribute_dofs(element.finite_element());
+    constrain(plate);
+    number_unknowns();
+    find_shapes();
+  }
+
+
+
+  void
+  PlateModel::constrain(const PlateParameters &plate)
+  {
+    DoFTools::make_hanging_node_constraints(dof_handler, constraints);
+    plate_element.add_internal_constraints(dof_handler, constraints);
+
+    const Support &support_x = find_support(plate.support.front());
+    const Support &support_y = find_support(plate.support.back());
+    const auto     hold      = [&](const PlateBoundary boundary,
+                          const Support      &support) {
+      const bool normal_is_x = boundary == symmetry_x || boundary == edge_x;
+      const ComponentMask mask = held_components(support, normal_is_x);
+      if (mask.n_selected_components() > 0)
+        DoFTools::make_zero_boundary_constraints(dof_handler,
+                                                 boundary,
+                                                 constraints,
+                                                 mask);
+    };
+    hold(symmetry_x, symmetry);
+    hold(symmetry_y, symmetry);
+    hold(edge_x, support_x);
+    hold(edge_y, support_y);
+    constraints.close();
+  }
+
+
+
+  void
+  PlateModel::number_unknowns()
+  {
+    std::vector<int> unknown_of_dof(dof_handler.n_dofs(), -1);
+    for (types::global_dof_index dof = 0; dof < dof_handler.n_dofs(); ++dof)
+      if (!constraints.is_constrained(dof))
+        unknown_of_dof[dof] = n_free++;
+
+    std::vector<types::global_dof_index> dofs(n_cell_dofs);
+    first_contribution.push_back(0);
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      {
+        cell->get_dof_indices(dofs);
+        for (const auto dof : dofs)
+          {
+            if (!constraints.is_constrained(dof))
+              contributions.push_back({unknown_of_dof[dof], 1.});
+            else
+              for (const auto &[master, weight] :
+                   *constraints.get_constraint_entries(dof))
+                contributions.push_back({unknown_of_dof[master], weight});
+            first_contribution.push_back(contributions.size());
+          }
+      }
+  }
+
+
+
+  void
+  PlateModel::find_shapes()
+  {
+    const auto     &mesh = dof_handler.get_triangulation();
+    const double    tolerance = 1e-10 * mesh.begin_active(0)->diameter();
+    std::map<std::array<long, 6>, unsigned int> known;
+    shape_of_cell.resize(mesh.n_active_cells());
+    for (const auto &cell : mesh.active_cell_iterators())
+      {
+        const auto [shape, is_new] =
+          known.insert({congruence_key(cell, tolerance), shapes.size()});
+        if (is_new)
+          shapes.push_back(plate_element.shape(cell));
+        shape_of_cell[cell->active_cell_index()] = shape->second;
+      }
+  }
+
+
+
+  std::pair<std::vector<int>, Eigen::MatrixXd>
+  PlateModel::expansion(const unsigned int cell) const
+  {
+    std::vector<int> unknowns;
+    const auto       first = first_contribution.begin() + n_cell_dofs * cell;
+    for (std::size_t k = first[0]; k < first[n_cell_dofs]; ++k)
+      unknowns.push_back(contributions[k].unknown);
+    std::sort(unknowns.begin(), unknowns.end());
+    unknowns.erase(std::unique(unknowns.begin(), unknowns.end()),
+                   unknowns.end());
+
+    Eigen::MatrixXd T = Eigen::MatrixXd::Zero(n_cell_dofs, unknowns.size());
+    for (int i = 0; i < n_cell_dofs; ++i)
+      for (std::size_t k = first[i]; k < first[i + 1]; ++k)
+        {
+          const auto column = std::lower_bound(unknowns.begin(),
+                                               unknowns.end(),
+                                               contributions[k].unknown);
+          T(i, column - unknowns.begin()) += contributions[k].weight;
+        }
+    return {unknowns, T};
+  }
+
+
+
+  void
+  PlateModel::assemble()
+  {
+    const unsigned int     n_cells = mesh().n_active_cells();
+    DynamicSparsityPattern pattern(n_free, n_free);
+    for (unsigned int cell = 0; cell < n_cells; ++cell)
+      {
+        const std::vector<int>                     unknowns = expansion(cell).first;
+        const std::vector<types::global_dof_index> columns(unknowns.begin(),
+                                                           unknowns.end());
+        for (const int row : unknowns)
+          pattern.add_entries(row,
+                              columns.begin(),
+                              columns.end(),
+                              /*indices_are_sorted=*/true);
+      }
+    K = make_matrix(pattern);
+    M = make_matrix(pattern);
+
+    // congruent cells share their matrices
+    std::vector<CellMatrix> K_of_shape, M_of_shape;
+    for (const CellShape &shape : shapes)
+      {
+        K_of_shape.push_back(
+          multiplicity * plate_element.stiffness(shape, plate_section));
+        M_of_shape.push_back(multiplicity *
+                             plate_element.mass(shape, plate_section));
+      }
+
+    using RowMajor =
+      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    for (unsigned int cell = 0; cell < n_cells; ++cell)
+      {
+        auto [unknowns, T] = expansion(cell);
+        const unsigned int s   = shape_of_cell[cell];
+        const RowMajor     K_c = T.transpose() * (K_of_shape[s] * T);
+        const RowMajor     M_c = T.transpose() * (M_of_shape[s] * T);
+        const int          n   = unknowns.size();
+        for (int i = 0; i < n; ++i)
+          {
+            K->SumIntoMyValues(unknowns[i], n, K_c.row(i).data(), unknowns.data());
+            M->SumIntoMyValues(unknowns[i], n, M_c.row(i).data(), unknowns.data());
+          }
+      }
+  }
+
+
+
+  unsigned int
+  PlateModel::n_unknowns() const
+  {
+    return n_free;
+  }
+
+
+
+  const Epetra_CrsMatrix &
+  PlateModel::stiffness() const
+  {
+    return *K;
+  }
+
+
+
+  const Epetra_CrsMatrix &
+  PlateModel::mass() const
+  {
+    return *M;
+  }
+
+
+
+  Eigen::VectorXd
+  PlateModel::load(const std::vector<LoadPoint> &points) const
+  {
+    Eigen::VectorXd       u = Eigen::VectorXd::Zero(n_free);
+    const MappingQ1<2>    mapping;
+    const FESystem<2>    &fe = plate_element.finite_element();
+    std::vector<bool>     is_found(points.size(), false);
+    unsigned int          n_found = 0;
+
+    for (const auto &cell : mesh().active_cell_iterators())
+      {
+        const auto first =
+          first_contribution.begin() + n_cell_dofs * cell->active_cell_index();
+        const auto box = cell->bounding_box();
+        for (std::size_t p = 0; p < points.size(); ++p)
+          if (!is_found[p] && box.point_inside(points[p].point, 1e-9))
+            {
+              const Point<2> unit =
+                mapping.transform_real_to_unit_cell(cell, points[p].point);
+              if (!GeometryInfo<2>::is_inside_unit_cell(unit, 1e-9))
+                continue;
+              is_found[p] = true;
+              ++n_found;
+              for (int node = 0; node < n_cell_dofs / int(n_components); ++node)
+                {
+                  const int i = fe.component_to_system_index(deflection, node);
+                  const double value =
+                    fe.base_element(0).shape_value(node, unit);
+                  for (std::size_t k = first[i]; k < first[i + 1]; ++k)
+                    u[contributions[k].unknown] +=
+                      points[p].weight * value * contributions[k].weight;
+                }
+            }
+        if (n_found == points.size())
+          return u;
+      }
+    throw ComputationError("the load distribution reaches beyond the mesh");
+  }
+
+
+
+  void
+  PlateModel::cell_values(const unsigned int                        cell,
+                          const Eigen::Ref<const Eigen::MatrixXd> &unknowns,
+                          Eigen::MatrixXd                          &values) const
+  {
+    values.setZero(n_cell_dofs, unknowns.cols());
+    const auto first = first_contribution.begin() + n_cell_dofs * cell;
+    for (int i = 0; i < n_cell_dofs; ++i)
+      for (std::size_t k = first[i]; k < first[i + 1]; ++k)
+        values.row(i) +=
+          contributions[k].weight * unknowns.row(contributions[k].unknown);
+  }
+
+
+
+  const CellShape &
+  PlateModel::shape(const unsigned int cell) const
+  {
+    return shapes[shape_of_cell[cell]];
+  }
+
+
+
+  const Triangulation<2> &
+  PlateModel::mesh() const
+  {
+    return dof_handler.get_triangulation();
+  }
+
+
+
+  const PlateElement &
+  PlateModel::element() const
+  {
+    return plate_element;
+  }
+
+
+
+  const PlateSection &
+  PlateModel::section() const
+  {
+    return plate_section;
+  }
+} // namespace PlateImpact

@@ -1,0 +1,63 @@
+#include "plate_impact/semidiscrete_plate.h"
+
+#include <Epetra_Vector.h>
+
+#include <utility>
+
+namespace PlateImpact
+{
+  MeshPlate::MeshPlate(const PlateModel             &model,
+                       const Eigen::VectorXd        &load,
+                       std::unique_ptr<LinearSolver> solver)
+    : model(model)
+    , u(load)
+    , solver(std::move(solver))
+  {}
+
+
+
+  const Eigen::VectorXd &
+  MeshPlate::load() const
+  {
+    return u;
+  }
+
+
+
+  void
+  MeshPlate::multiply_stiffness(const Eigen::VectorXd &x,
+                                Eigen::VectorXd       &y) const
+  {
+    y.resize(x.size());
+    const Epetra_CrsMatrix &K = model.stiffness();
+    const Epetra_Vector x_view(View, K.DomainMap(), const_cast<double *>(x.data()));
+    Epetra_Vector       y_view(View, K.RangeMap(), y.data());
+    K.Multiply(/*TransA=*/false, x_view, y_view);
+  }
+
+
+
+  void
+  MeshPlate::factorize(const double c)
+  {
+    effective_stiffness = std::make_unique<Epetra_CrsMatrix>(model.stiffness());
+
+    // K and M have the same entries in the same order
+    const auto values = [](const Epetra_CrsMatrix &matrix) {
+      int    *rows, *columns;
+      double *values;
+      matrix.ExtractCrsDataPointers(rows, columns, values);
+      return Eigen::Map<Eigen::VectorXd>(values, matrix.NumMyNonzeros());
+    };
+    values(*effective_stiffness) += c * values(model.mass());
+    solver->factorize(*effective_stiffness);
+  }
+
+
+
+  void
+  MeshPlate::solve(const Eigen::VectorXd &b, Eigen::VectorXd &x)
+  {
+    solver->solve(b, x);
+  }
+} // namespace PlateImpact

@@ -1,0 +1,282 @@
+#include "plate_impact/stress_recovery.h"
+
+#include "plate_impact/plate_mesh.h"
+
+#include <deal.II/base/geometry_info.h>
+#include <deal.II/base/quadrature_lib.h>
+
+#include <deal.II/fe/mapping_q1.h>
+
+#include <deal.II/grid/grid_tools.h>
+
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <tuple>
+
+namespace PlateImpact
+{
+  using namespace dealii;
+
+  namespace
+  {
+    using Terms = Eigen::Matrix<double, 1, StressRecovery::n_terms>;
+
+    /// Eq. 10 at a point relative to the patch.
+    Terms
+    polynomial(const Point<2> &centre, const double size, const Point<2> &point)
+    {
+      const double x = (point[0] - centre[0]) / size,
+                   y = (point[1] - centre[1]) / size;
+      Terms        P;
+      P << 1., x, y, x * x, x * y, y * y, x * x * y, x * y * y;
+      return P;
+    }
+
+
+
+    /// Sign of a resultant (M_x, M_y, M_xy, Q_x, Q_y) in a mirror image.
+    double
+    parity(const unsigned int resultant,
+           const bool         mirrored_x,
+           const bool         mirrored_y)
+    {
+      const bool odd_in_x = resultant == 2 || resultant == 3;
+      const bool odd_in_y = resultant == 2 || resultant == 4;
+      return ((mirrored_x && odd_in_x) != (mirrored_y && odd_in_y)) ? -1. : 1.;
+    }
+  } // namespace
+
+
+
+  StressRecovery::StressRecovery(const Triangulation<2> &mesh)
+    : mesh(mesh)
+    , sample_points(mesh.n_active_cells() * samples_per_cell)
+    , vertices_of_cell(mesh.n_active_cells())
+    , is_on_symmetry_x(mesh.n_vertices())
+    , is_on_symmetry_y(mesh.n_vertices())
+    , is_on_edge(mesh.n_vertices())
+    , patches_of_vertex(mesh.n_vertices())
+  {
+    const MappingQ1<2> mapping;
+    const QGauss<2>    points(2);
+    for (const auto &cell : mesh.active_cell_iterators())
+      {
+        const unsigned int c = cell->active_cell_index();
+        for (unsigned int g = 0; g < samples_per_cell; ++g)
+          sample_points[samples_per_cell * c + g] =
+            mapping.transform_unit_to_real_cell(cell, points.point(g));
+        for (unsigned int v = 0; v < 4; ++v)
+          vertices_of_cell[c][v] = cell->vertex_index(v);
+      }
+
+    // includes the coarse cell at a hanging vertex
+    const auto cells = GridTools::vertex_to_cell_map(mesh);
+    cells_at_vertex.resize(cells.size());
+    for (unsigned int vertex = 0; vertex < cells.size(); ++vertex)
+      for (const auto &cell : cells[vertex])
+        cells_at_vertex[vertex].push_back(cell->active_cell_index());
+
+    find_boundaries();
+    assign_patches();
+  }
+
+
+
+  void
+  StressRecovery::find_boundaries()
+  {
+    for (const auto &cell : mesh.active_cell_iterators())
+      for (const unsigned int f : cell->face_indices())
+        if (const auto face = cell->face(f); face->at_boundary())
+          {
+            const types::boundary_id id = face->boundary_id();
+            std::vector<bool>       &marks = id == symmetry_x ? is_on_symmetry_x :
+                                             id == symmetry_y ? is_on_symmetry_y :
+                                                                is_on_edge;
+            for (const unsigned int v : face->vertex_indices())
+              marks[face->vertex_index(v)] = true;
+          }
+  }
+
+
+
+  void
+  StressRecovery::assign_patches()
+  {
+    const auto add_patch = [this](const unsigned int vertex) {
+      patches_of_vertex[vertex] = {static_cast<unsigned int>(patches.size())};
+      patches.push_back(make_patch(vertex));
+    };
+    for (unsigned int vertex = 0; vertex < mesh.n_vertices(); ++vertex)
+      if (!cells_at_vertex[vertex].empty() && !is_on_edge[vertex])
+        add_patch(vertex);
+
+    for (unsigned int vertex = 0; vertex < mesh.n_vertices(); ++vertex)
+      if (is_on_edge[vertex])
+        {
+          std::set<unsigned int> neighbours;
+          for (const unsigned int cell : cells_at_vertex[vertex])
+            for (const unsigned int neighbour : vertices_of_cell[cell])
+              if (!is_on_edge[neighbour])
+                neighbours.insert(patches_of_vertex[neighbour].front());
+          if (neighbours.empty())
+            add_patch(vertex);
+          else
+            patches_of_vertex[vertex].assign(neighbours.begin(),
+                                             neighbours.end());
+        }
+  }
+
+
+
+  std::vector<StressRecovery::Image>
+  StressRecovery::images_around(const unsigned int vertex,
+                                const Image       &seen_from) const
+  {
+    std::vector<Image> images;
+    for (const unsigned int cell : cells_at_vertex[vertex])
+      for (const bool across_x : {false, true})
+        for (const bool across_y : {false, true})
+          if ((!across_x || is_on_symmetry_x[vertex]) &&
+              (!across_y || is_on_symmetry_y[vertex]))
+            images.push_back({cell,
+                              seen_from.mirrored_x != across_x,
+                              seen_from.mirrored_y != across_y});
+    return images;
+  }
+
+
+
+  std::set<StressRecovery::Image>
+  StressRecovery::grown(const std::set<Image> &images) const
+  {
+    std::set<Image> result = images;
+    for (const Image &image : images)
+      for (const unsigned int vertex : vertices_of_cell[image.cell])
+        for (const Image &neighbour : images_around(vertex, image))
+          result.insert(neighbour);
+    return result;
+  }
+
+
+
+  Point<2>
+  StressRecovery::sample_point(const Image &image, const unsigned int point) const
+  {
+    // the planes of symmetry are x = 0 and y = 0
+    Point<2> position = sample_points[samples_per_cell * image.cell + point];
+    if (image.mirrored_x)
+      position[0] = -position[0];
+    if (image.mirrored_y)
+      position[1] = -position[1];
+    return position;
+  }
+
+
+
+  bool
+  StressRecovery::fit(Patch &patch) const
+  {
+    Eigen::MatrixXd P(patch.images.size() * samples_per_cell, n_terms);
+    for (unsigned int i = 0; i < patch.images.size(); ++i)
+      for (unsigned int g = 0; g < samples_per_cell; ++g)
+        P.row(samples_per_cell * i + g) =
+          polynomial(patch.centre, patch.size, sample_point(patch.images[i], g));
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
+    decomposition.setThreshold(1e-6);
+    decomposition.compute(P);
+    patch.fit = decomposition.pseudoInverse();
+    return decomposition.rank() == n_terms;
+  }
+
+
+
+  StressRecovery::Patch
+  StressRecovery::make_patch(const unsigned int vertex) const
+  {
+    Patch patch;
+    patch.centre = mesh.get_vertices()[vertex];
+
+    const std::vector<Image> touching = images_around(vertex, {0, false, false});
+    std::set<Image>          images(touching.begin(), touching.end());
+    while (true)
+      {
+        patch.images.assign(images.begin(), images.end());
+        patch.size = 0.;
+        for (const Image &image : images)
+          for (unsigned int g = 0; g < samples_per_cell; ++g)
+            patch.size =
+              std::max(patch.size,
+                       patch.centre.distance(sample_point(image, g)));
+        const bool            is_determined = fit(patch);
+        const std::set<Image> larger        = grown(images);
+        if (is_determined || larger.size() == images.size())
+          return patch;
+        images = larger;
+      }
+  }
+
+
+
+  Eigen::MatrixXd
+  StressRecovery::coefficients(const Eigen::MatrixXd &samples) const
+  {
+    Eigen::MatrixXd result(n_terms * n_resultants * patches.size(),
+                           samples.cols());
+    Eigen::MatrixXd patch_samples;
+    for (unsigned int p = 0; p < patches.size(); ++p)
+      {
+        const Patch &patch = patches[p];
+        patch_samples.resize(patch.fit.cols(), samples.cols());
+        for (unsigned int k = 0; k < n_resultants; ++k)
+          {
+            for (unsigned int i = 0; i < patch.images.size(); ++i)
+              {
+                const Image &image = patch.images[i];
+                const double sign =
+                  parity(k, image.mirrored_x, image.mirrored_y);
+                for (unsigned int g = 0; g < samples_per_cell; ++g)
+                  patch_samples.row(samples_per_cell * i + g) =
+                    sign *
+                    samples.row(
+                      n_resultants * (samples_per_cell * image.cell + g) + k);
+              }
+            result.middleRows<n_terms>(n_terms * (n_resultants * p + k))
+              .noalias() = patch.fit * patch_samples;
+          }
+      }
+    return result;
+  }
+
+
+
+  void
+  StressRecovery::evaluate(const unsigned int           cell,
+                           const std::vector<Point<2>> &unit_points,
+                           const std::vector<Point<2>> &points,
+                           const Eigen::MatrixXd       &coefficients,
+                           Eigen::MatrixXd             &values) const
+  {
+    const unsigned int n_points = unit_points.size();
+    values.setZero(n_resultants * n_points, coefficients.cols());
+    Eigen::MatrixXd weights(n_points, n_terms);
+    for (unsigned int v = 0; v < 4; ++v)
+      {
+        const auto &used = patches_of_vertex[vertices_of_cell[cell][v]];
+        for (const unsigned int p : used)
+          {
+            for (unsigned int q = 0; q < n_points; ++q)
+              weights.row(q) =
+                GeometryInfo<2>::d_linear_shape_function(unit_points[q], v) /
+                used.size() *
+                polynomial(patches[p].centre, patches[p].size, points[q]);
+            for (unsigned int k = 0; k < n_resultants; ++k)
+              values(Eigen::seqN(k, n_points, int(n_resultants)), Eigen::all) +=
+                weights *
+                coefficients.middleRows<n_terms>(n_terms *
+                                                 (n_resultants * p + k));
+          }
+      }
+  }
+} // namespace PlateImpact
