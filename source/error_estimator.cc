@@ -60,15 +60,23 @@ namespace PlateImpact
 
 
 
-  ErrorEstimator::ErrorEstimator(const PlateModel &model,
-                                 const double      target_error)
+  ErrorEstimator::ErrorEstimator(
+    const PlateModel                &model,
+    const double                     target_error,
+    const std::vector<unsigned int> &singular_cells)
     : model(model)
     , target(target_error)
     , recovery(model.mesh())
+    , is_counted(Eigen::VectorXd::Ones(model.mesh().n_active_cells()))
     , buffer(model.n_unknowns(), buffer_size)
+    , norm_integrals(Norms::Zero())
+    , last_norms(Norms::Zero())
     , xi_integral(Eigen::VectorXd::Zero(model.mesh().n_active_cells()))
     , last_xi(xi_integral)
-  {}
+  {
+    for (const unsigned int cell : singular_cells)
+      is_counted[cell] = 0.;
+  }
 
 
 
@@ -154,21 +162,24 @@ namespace PlateImpact
                             const Eigen::VectorXd &e2,
                             const Eigen::VectorXd &u2)
   {
-    const double    e = std::sqrt(e2.sum());
-    const double    u = std::sqrt(e2.sum() + u2.sum());
-    const double    e_m = target * u / std::sqrt(double(e2.size()));
+    const double counted_e2 = is_counted.dot(e2),
+                 counted_u2 = is_counted.dot(u2);
+    const Norms norms = Norms(counted_e2,
+                              counted_e2 + counted_u2,
+                              e2.sum(),
+                              e2.sum() + u2.sum())
+                          .cwiseSqrt();
+    const double    e_m = target * norms[3] / std::sqrt(double(e2.size()));
     Eigen::VectorXd xi  = Eigen::VectorXd::Zero(e2.size());
     if (e_m > 0.)
       xi = e2.cwiseSqrt() / e_m;
 
     const double half_step = 0.5 * (time - last_time);
-    e_integral += half_step * (last_e + e);
-    u_integral += half_step * (last_u + u);
+    norm_integrals += half_step * (last_norms + norms);
     xi_integral += half_step * (last_xi + xi);
-    last_time = time;
-    last_e    = e;
-    last_u    = u;
-    last_xi   = xi;
+    last_time  = time;
+    last_norms = norms;
+    last_xi    = xi;
   }
 
 
@@ -201,8 +212,13 @@ namespace PlateImpact
   {
     evaluate_buffer();
     ErrorEstimate result;
-    if (u_integral > 0.)
-      result.eta = e_integral / u_integral;
+    if (norm_integrals[1] > 0.)
+      {
+        result.eta              = norm_integrals[0] / norm_integrals[1];
+        result.eta_of_all_cells = norm_integrals[2] / norm_integrals[3];
+      }
+    result.n_singular_cells =
+      std::lround(is_counted.size() - is_counted.sum());
     result.element_errors.assign(xi_integral.size(), 0.);
     if (last_time > 0.)
       Eigen::Map<Eigen::VectorXd>(result.element_errors.data(),

@@ -178,7 +178,8 @@ namespace PlateImpact
     if (has_estimator)
       estimator =
         std::make_unique<ErrorEstimator>(*model,
-                                         parameters.adaptivity.target_error);
+                                         parameters.adaptivity.target_error,
+                                         singular_cells());
     add_to(seconds.estimation);
 
     const unsigned int n_steps  = stepper.n_steps();
@@ -211,6 +212,19 @@ namespace PlateImpact
     result.work.factorizations += 1;
     result.work.linear_solves += stepper.n_linear_solves();
     result.work.contact_steps += stepper.n_contact_steps();
+  }
+
+
+
+  std::vector<unsigned int>
+  ImpactAnalysis::singular_cells() const
+  {
+    std::vector<unsigned int> cells;
+    if (parameters.contact.load_distribution == "point")
+      for (const auto &cell : mesh->active_cell_iterators())
+        if (cell->center().norm() < 0.5 * parameters.plate.thickness)
+          cells.push_back(cell->active_cell_index());
+    return cells;
   }
 
 

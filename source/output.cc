@@ -80,6 +80,12 @@ namespace PlateImpact
       if (result.error)
         {
           cycle["discretization_error"]  = result.error->eta;
+          if (result.error->n_singular_cells > 0)
+            {
+              cycle["singular_cells"] = result.error->n_singular_cells;
+              cycle["discretization_error_of_all_cells"] =
+                result.error->eta_of_all_cells;
+            }
           cycle["max_element_error"]     = result.error->max_element_error();
           cycle["cells_above_limit"]     = result.cells_above_limit;
           cycle["cells_at_minimum_size"] = result.cells_at_minimum_size;

@@ -113,7 +113,7 @@ namespace PlateImpact
         add_patch(vertex);
 
     for (unsigned int vertex = 0; vertex < mesh.n_vertices(); ++vertex)
-      if (is_on_edge[vertex])
+      if (!cells_at_vertex[vertex].empty() && is_on_edge[vertex])
         {
           std::set<unsigned int> neighbours;
           for (const unsigned int cell : cells_at_vertex[vertex])

@@ -45,6 +45,9 @@ namespace PlateImpact
     compute_cycle(unsigned int cycle, double seconds_for_mesh);
     void
     run_transient(CycleResult &result);
+    /// Cells nearer to a point load than half the thickness.
+    std::vector<unsigned int>
+    singular_cells() const;
     void
     estimate_error(CycleResult &result);
 

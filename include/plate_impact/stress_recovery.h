@@ -7,7 +7,9 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <set>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -42,8 +44,8 @@ namespace PlateImpact
     static constexpr unsigned int n_terms = 8, n_resultants = 5,
                                   samples_per_cell = 4;
 
-    /// @param mesh    of the plate with the ids of PlateBoundary; must outlive
-    ///                this object
+    /// @param mesh  of the plate with the ids of PlateBoundary; must outlive this
+    ///              object
     explicit StressRecovery(const dealii::Triangulation<2> &mesh);
 
     /// Coefficients of all patches from samples.
