@@ -20,6 +20,14 @@ namespace PlateImpact
 
 
 
+    /// A cell is coarsened by as many levels as its target size exceeds this
+    /// multiple of it. The error of a cell grows by 2^{p+1} = 8 when it is
+    /// coarsened (p = 2), while the size rule with phi = 1/p counts on 4: without
+    /// the factor the next cycle refines again what this one coarsens.
+    const double coarsening_margin = std::sqrt(2.);
+
+
+
     /// Level that brings a cell to its target size.
     int
     wanted_level(const Triangulation<2>::active_cell_iterator &cell,
@@ -27,11 +35,17 @@ namespace PlateImpact
                  const double                                  smallest_size)
     {
       const double h = cell_size(cell);
-      const int    wanted =
-        static_cast<int>(std::ceil(std::log2(h / target_size) - tolerance));
-      const int allowed = std::max(
-        0, static_cast<int>(std::floor(std::log2(h / smallest_size) + tolerance)));
-      return std::max(0, cell->level() + std::min(wanted, allowed));
+      const auto   levels = [](const double ratio) {
+        return std::ceil(std::log2(ratio) - tolerance);
+      };
+      const double refinement = levels(h / target_size);
+      const double coarsening =
+        std::min(0., levels(coarsening_margin * h / target_size));
+      const double allowed =
+        std::max(0., std::floor(std::log2(h / smallest_size) + tolerance));
+      const double change =
+        refinement > 0. ? std::min(refinement, allowed) : coarsening;
+      return std::max(0, cell->level() + static_cast<int>(change));
     }
 
 
