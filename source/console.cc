@@ -1,9 +1,8 @@
 #include "plate_impact/console.h"
 
-#include <unistd.h>
-
 #include <cstdio>
 #include <iostream>
+#include <unistd.h>
 
 namespace PlateImpact
 {
@@ -17,8 +16,8 @@ namespace PlateImpact
       if (value)
         std::snprintf(text, sizeof(text), format, *value);
       const std::string number = value ? text : "-";
-      return number.size() < 11 ? std::string(11 - number.size(), ' ') + number :
-                                  number;
+      return number.size() < 11 ? std::string(11 - number.size(), ' ') + number
+                                : number;
     }
   } // namespace
 
@@ -97,8 +96,9 @@ namespace PlateImpact
               << column("%.0f", result.cells)
               << column("%.0f", result.degrees_of_freedom)
               << column("%.2f", eta) << column("%.2f", xi)
-              << column("%.6g", peak) << ' ' << column("%.4g", peak_time).substr(1)
-              << "  " << column("%.5g", contact_end)
+              << column("%.6g", peak) << ' '
+              << column("%.4g", peak_time).substr(1) << "  "
+              << column("%.5g", contact_end)
               << column("%.2f", result.seconds.total()) << std::endl;
   }
 

@@ -40,8 +40,9 @@ namespace PlateImpact
       {
         const ContactState &before = history[n - 1], &after = history[n];
         if (before.indentation > 0. && after.indentation <= 0.)
-          return before.time + (after.time - before.time) * before.indentation /
-                                 (before.indentation - after.indentation);
+          return before.time +
+            (after.time - before.time) * before.indentation /
+            (before.indentation - after.indentation);
       }
     return {};
   }

@@ -69,7 +69,7 @@ namespace PlateImpact
                     const double target_compliance)
   {
     return 4. / 3. * std::sqrt(radius) /
-           (impactor_compliance + target_compliance);
+      (impactor_compliance + target_compliance);
   }
 
 
@@ -84,8 +84,10 @@ namespace PlateImpact
       impactor.youngs_modulus;
 
     if (parameters.contact.law == "Sun")
-      return std::make_unique<HertzLaw>(hertz_coefficient(
-        impactor.radius, impactor_compliance, 1. / plate.youngs_modulus));
+      return std::make_unique<HertzLaw>(
+        hertz_coefficient(impactor.radius,
+                          impactor_compliance,
+                          1. / plate.youngs_modulus));
     if (parameters.contact.law == "Hertz")
       return std::make_unique<HertzLaw>(
         hertz_coefficient(impactor.radius,

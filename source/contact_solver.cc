@@ -81,8 +81,8 @@ namespace PlateImpact
     const double distance = end - begin;
     if (std::abs(distance) < 1e-4 * (std::abs(begin) + std::abs(end)))
       return 0.5 * law.stiffness(0.5 * (begin + end));
-    return std::max(
-      0., (law.force(end) - law.mean_force(begin, end)) / distance);
+    return std::max(0.,
+                    (law.force(end) - law.mean_force(begin, end)) / distance);
   }
 
 
@@ -121,13 +121,13 @@ namespace PlateImpact
     double       alpha     = std::clamp(begin, low, high);
     for (unsigned int iteration = 0; iteration < 200; ++iteration)
       {
-        phi                   = integration.force(law, begin, alpha);
-        const double residual = alpha + compliance * phi - free;
+        phi                          = integration.force(law, begin, alpha);
+        const double residual        = alpha + compliance * phi - free;
         (residual > 0. ? high : low) = alpha;
 
-        double next =
-          alpha - residual / (1. + compliance * integration.stiffness(
-                                                  law, begin, alpha));
+        double next = alpha -
+          residual /
+            (1. + compliance * integration.stiffness(law, begin, alpha));
         // written so that a NaN bisects
         if (!(next >= low && next <= high))
           next = 0.5 * (low + high);

@@ -1,7 +1,6 @@
 #include "plate_impact/error_estimator.h"
 
 #include <deal.II/base/geometry_info.h>
-
 #include <deal.II/fe/mapping_q1.h>
 
 #include <algorithm>
@@ -122,7 +121,7 @@ namespace PlateImpact
     const Eigen::MatrixXd coefficients =
       recovery.coefficients(sampled_resultants(unknowns));
 
-    const PlateSection &section = model.section();
+    const PlateSection          &section = model.section();
     const std::vector<Point<2>> &unit_points =
       model.element().bending_quadrature().get_points();
     const unsigned int n_cells = model.mesh().n_active_cells();
@@ -136,17 +135,20 @@ namespace PlateImpact
         model.cell_values(c, unknowns, values);
         resultants.noalias() = shape.strains_at_bending_points * values;
         multiply_by_section(section, resultants);
-        recovery.evaluate(
-          c, unit_points, to_real(cell, unit_points), coefficients, recovered);
+        recovery.evaluate(c,
+                          unit_points,
+                          to_real(cell, unit_points),
+                          coefficients,
+                          recovered);
         recovered -= resultants;
         for (unsigned int n = 0; n < n_times; ++n)
           for (unsigned int q = 0; q < shape.bending_weights.size(); ++q)
             {
               const double weight = shape.bending_weights[q];
-              e2(c, n) += weight * section.energy_density(
-                                     recovered.col(n).segment<5>(5 * q));
-              u2(c, n) += weight * section.energy_density(
-                                     resultants.col(n).segment<5>(5 * q));
+              e2(c, n) += weight *
+                section.energy_density(recovered.col(n).segment<5>(5 * q));
+              u2(c, n) += weight *
+                section.energy_density(resultants.col(n).segment<5>(5 * q));
             }
       }
     update_max_stress(coefficients);
@@ -164,11 +166,9 @@ namespace PlateImpact
   {
     const double counted_e2 = is_counted.dot(e2),
                  counted_u2 = is_counted.dot(u2);
-    const Norms norms = Norms(counted_e2,
-                              counted_e2 + counted_u2,
-                              e2.sum(),
-                              e2.sum() + u2.sum())
-                          .cwiseSqrt();
+    const Norms norms =
+      Norms(counted_e2, counted_e2 + counted_u2, e2.sum(), e2.sum() + u2.sum())
+        .cwiseSqrt();
     const double    e_m = target * norms[3] / std::sqrt(double(e2.size()));
     Eigen::VectorXd xi  = Eigen::VectorXd::Zero(e2.size());
     if (e_m > 0.)
@@ -198,10 +198,11 @@ namespace PlateImpact
                           recovered);
         for (Eigen::Index n = 0; n < recovered.cols(); ++n)
           for (Eigen::Index q = 0; q < recovered.rows(); q += 5)
-            max_stress =
-              std::max(max_stress,
-                       model.section().surface_von_mises_stress(
-                         recovered(q, n), recovered(q + 1, n), recovered(q + 2, n)));
+            max_stress = std::max(
+              max_stress,
+              model.section().surface_von_mises_stress(recovered(q, n),
+                                                       recovered(q + 1, n),
+                                                       recovered(q + 2, n)));
       }
   }
 
@@ -217,8 +218,7 @@ namespace PlateImpact
         result.eta              = norm_integrals[0] / norm_integrals[1];
         result.eta_of_all_cells = norm_integrals[2] / norm_integrals[3];
       }
-    result.n_singular_cells =
-      std::lround(is_counted.size() - is_counted.sum());
+    result.n_singular_cells = std::lround(is_counted.size() - is_counted.sum());
     result.element_errors.assign(xi_integral.size(), 0.);
     if (last_time > 0.)
       Eigen::Map<Eigen::VectorXd>(result.element_errors.data(),
@@ -236,13 +236,17 @@ namespace PlateImpact
   {
     const Eigen::MatrixXd coefficients =
       recovery.coefficients(sampled_resultants(unknowns));
-    Eigen::MatrixXd result(5 * unit_points.size(), model.mesh().n_active_cells());
+    Eigen::MatrixXd result(5 * unit_points.size(),
+                           model.mesh().n_active_cells());
     Eigen::MatrixXd values;
     for (const auto &cell : model.mesh().active_cell_iterators())
       {
         const unsigned int c = cell->active_cell_index();
-        recovery.evaluate(
-          c, unit_points, to_real(cell, unit_points), coefficients, values);
+        recovery.evaluate(c,
+                          unit_points,
+                          to_real(cell, unit_points),
+                          coefficients,
+                          values);
         result.col(c) = values;
       }
     return result;

@@ -1,13 +1,13 @@
 #include "plate_impact/impact_analysis.h"
 
+#include <deal.II/base/timer.h>
+
 #include "plate_impact/exceptions.h"
 #include "plate_impact/impactor.h"
 #include "plate_impact/linear_solver.h"
 #include "plate_impact/plate_mesh.h"
 #include "plate_impact/semidiscrete_plate.h"
 #include "plate_impact/time_stepper.h"
-
-#include <deal.II/base/timer.h>
 
 #include <algorithm>
 #include <limits>
@@ -49,16 +49,15 @@ namespace PlateImpact
                      parameters.output.write_report ||
                      parameters.output.field_samples > 0))
     , element(parameters.discretization.element)
-    , contact_law(parameters.has_impactor() ? make_contact_law(parameters) :
-                                              nullptr)
+    , contact_law(parameters.has_impactor() ? make_contact_law(parameters)
+                                            : nullptr)
     , contact_integration(
         make_contact_integration(parameters.contact.integration))
-    , adaptation(parameters.has_impactor() ?
-                   make_mesh_adaptation(parameters.adaptivity) :
-                   nullptr)
-    , load_patch(parameters.has_impactor() ?
-                   make_load_patch(parameters.contact) :
-                   std::vector<LoadPoint>())
+    , adaptation(parameters.has_impactor()
+                   ? make_mesh_adaptation(parameters.adaptivity)
+                   : nullptr)
+    , load_patch(parameters.has_impactor() ? make_load_patch(parameters.contact)
+                                           : std::vector<LoadPoint>())
   {}
 
 
@@ -135,8 +134,7 @@ namespace PlateImpact
     result.seconds.mesh = seconds_for_mesh;
     {
       const Stopwatch stopwatch(result.seconds.assembly);
-      model =
-        std::make_unique<PlateModel>(*mesh, element, parameters.plate);
+      model = std::make_unique<PlateModel>(*mesh, element, parameters.plate);
     }
     result.cells              = mesh->n_active_cells();
     result.degrees_of_freedom = model->n_unknowns();
@@ -157,8 +155,8 @@ namespace PlateImpact
   void
   ImpactAnalysis::run_transient(CycleResult &result)
   {
-    Seconds &seconds = result.seconds;
-    Timer    timer;
+    Seconds   &seconds = result.seconds;
+    Timer      timer;
     const auto add_to = [&timer](double &stage) {
       stage += timer.wall_time();
       timer.restart();
@@ -167,7 +165,8 @@ namespace PlateImpact
     model->assemble();
     MeshPlate plate(*model,
                     model->load(load_patch),
-                    make_linear_solver(parameters.discretization.linear_solver));
+                    make_linear_solver(
+                      parameters.discretization.linear_solver));
     add_to(seconds.assembly);
     TimeStepper stepper(parameters.time,
                         plate,

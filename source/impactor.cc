@@ -9,11 +9,10 @@ namespace PlateImpact
   Impactor
   make_impactor(const ImpactorParameters &parameters)
   {
-    const double r = parameters.radius;
-    const double mass =
-      parameters.mass > 0. ?
-        parameters.mass :
-        4. / 3. * std::acos(-1.) * r * r * r * parameters.density;
+    const double r    = parameters.radius;
+    const double mass = parameters.mass > 0.
+      ? parameters.mass
+      : 4. / 3. * std::acos(-1.) * r * r * r * parameters.density;
     return {mass, 0., parameters.velocity};
   }
 } // namespace PlateImpact

@@ -11,8 +11,8 @@
 
 #include <stdexcept>
 
-// Present when the BLAS is OpenBLAS. Its threads make solves with a single right
-// hand side slower.
+// Present when the BLAS is OpenBLAS. Its threads make solves with a single
+// right hand side slower.
 extern "C" void
 openblas_set_num_threads(int) __attribute__((weak));
 
@@ -101,8 +101,9 @@ namespace PlateImpact
                             &common))
           throw ComputationError("CHOLMOD cannot solve (status " +
                                  std::to_string(common.status) + ")");
-        x = Eigen::Map<const Eigen::VectorXd>(
-          static_cast<const double *>(solution->x), right_hand_side.size());
+        x = Eigen::Map<const Eigen::VectorXd>(static_cast<const double *>(
+                                                solution->x),
+                                              right_hand_side.size());
       }
 
     private:
@@ -140,7 +141,9 @@ namespace PlateImpact
       {
         x.resize(right_hand_side.size());
         const Epetra_Map &map = problem.GetOperator()->OperatorDomainMap();
-        Epetra_Vector     b(View, map, const_cast<double *>(right_hand_side.data()));
+        Epetra_Vector     b(View,
+                        map,
+                        const_cast<double *>(right_hand_side.data()));
         Epetra_Vector     solution(View, map, x.data());
         problem.SetRHS(&b);
         problem.SetLHS(&solution);

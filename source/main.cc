@@ -1,11 +1,11 @@
+#include <deal.II/base/exceptions.h>
+#include <deal.II/base/multithread_info.h>
+
 #include "plate_impact/console.h"
 #include "plate_impact/exceptions.h"
 #include "plate_impact/impact_analysis.h"
 #include "plate_impact/parameters.h"
 #include "plate_impact/version.h"
-
-#include <deal.II/base/exceptions.h>
-#include <deal.II/base/multithread_info.h>
 
 #include <CLI/CLI.hpp>
 
@@ -27,10 +27,10 @@ namespace
 
 
   void
-  run(const std::string        &path,
-      const std::string        &output,
-      std::vector<std::string>  overrides,
-      const bool                quiet)
+  run(const std::string       &path,
+      const std::string       &output,
+      std::vector<std::string> overrides,
+      const bool               quiet)
   {
     if (!output.empty())
       overrides.push_back("Output/Directory=" + output);
@@ -57,18 +57,21 @@ namespace
     std::string              path, output;
     std::vector<std::string> overrides;
     bool                     quiet = false;
-    CLI::App *run_command =
+    CLI::App                *run_command =
       app.add_subcommand("run", "Compute the impact that a scene describes");
     run_command->add_option("scene", path, "Parameter file (.prm)")->required();
-    run_command->add_option("-o,--output",
-                            output,
-                            "Directory of the results, in place of the scene's");
+    run_command->add_option(
+      "-o,--output",
+      output,
+      "Directory of the results, in place of the scene's");
     run_command
       ->add_option("-s,--set",
                    overrides,
                    "Entry to change: \"Section/Entry=value\"; may be repeated")
       ->allow_extra_args(false);
-    run_command->add_flag("-q,--quiet", quiet, "Print warnings and errors only");
+    run_command->add_flag("-q,--quiet",
+                          quiet,
+                          "Print warnings and errors only");
     CLI::App *defaults_command = app.add_subcommand(
       "defaults",
       "Print every entry with its meaning, unit and default, as a valid scene");

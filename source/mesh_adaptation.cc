@@ -1,8 +1,8 @@
 #include "plate_impact/mesh_adaptation.h"
 
-#include "plate_impact/plate_mesh.h"
-
 #include <deal.II/grid/cell_id.h>
+
+#include "plate_impact/plate_mesh.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,8 +22,8 @@ namespace PlateImpact
 
     /// A cell is coarsened by as many levels as its target size exceeds this
     /// multiple of it. The error of a cell grows by 2^{p+1} = 8 when it is
-    /// coarsened (p = 2), while the size rule with phi = 1/p counts on 4: without
-    /// the factor the next cycle refines again what this one coarsens.
+    /// coarsened (p = 2), while the size rule with phi = 1/p counts on 4:
+    /// without the factor the next cycle refines again what this one coarsens.
     const double coarsening_margin = std::sqrt(2.);
 
 
@@ -34,7 +34,7 @@ namespace PlateImpact
                  const double                                  target_size,
                  const double                                  smallest_size)
     {
-      const double h = cell_size(cell);
+      const double h      = cell_size(cell);
       const auto   levels = [](const double ratio) {
         return std::ceil(std::log2(ratio) - tolerance);
       };
@@ -70,8 +70,8 @@ namespace PlateImpact
 
 
 
-    /// Flags cells off their wanted level; a family is coarsened when all of its
-    /// cells want it, to what the most demanding of them wants.
+    /// Flags cells off their wanted level; a family is coarsened when all of
+    /// its cells want it, to what the most demanding of them wants.
     void
     flag(Triangulation<2> &mesh)
     {
@@ -148,7 +148,7 @@ namespace PlateImpact
               const AdaptivityParameters            &adaptivity)
   {
     return 0.5 * cell_size(cell) <
-           adaptivity.minimum_cell_size * (1. - tolerance);
+      adaptivity.minimum_cell_size * (1. - tolerance);
   }
 
 
@@ -165,7 +165,7 @@ namespace PlateImpact
                                const ErrorEstimate &estimate) const
   {
     const std::vector<CellId> before = sorted_cells(mesh);
-    const std::vector<double> sizes = target_sizes(mesh, estimate, adaptivity);
+    const std::vector<double> sizes  = target_sizes(mesh, estimate, adaptivity);
     mesh.clear_user_data();
     for (const auto &cell : mesh.active_cell_iterators())
       set_level(cell,
@@ -173,9 +173,10 @@ namespace PlateImpact
                              sizes[cell->active_cell_index()],
                              adaptivity.minimum_cell_size));
 
-    // One level at a time. Cells refined for the sake of their neighbours want to
-    // be coarsened again; prepare_coarsening_and_refinement() takes such flags
-    // back, which ends the loop. The bound is for meshes where it does not.
+    // One level at a time. Cells refined for the sake of their neighbours want
+    // to be coarsened again; prepare_coarsening_and_refinement() takes such
+    // flags back, which ends the loop. The bound is for meshes where it does
+    // not.
     for (unsigned int pass = 0; pass < 64; ++pass)
       {
         flag(mesh);

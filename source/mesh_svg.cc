@@ -15,17 +15,17 @@ namespace PlateImpact
   {
     constexpr double lowest = 0.1, highest = 10.;
 
-    /// Colour of xi' on a logarithmic scale from 0.1 to 10: blue below the limit of
-    /// 1, white at it, red above.
+    /// Colour of xi' on a logarithmic scale from 0.1 to 10: blue below the
+    /// limit of 1, white at it, red above.
     std::string
     colour(const double xi)
     {
       const double s =
         std::log(std::clamp(xi, lowest, highest)) / std::log(highest);
-      const std::array<double, 3> blue = {{33, 102, 172}},
+      const std::array<double, 3> blue  = {{33, 102, 172}},
                                   white = {{247, 247, 247}},
                                   red   = {{178, 24, 43}};
-      const std::array<double, 3> &end = s < 0. ? blue : red;
+      const std::array<double, 3> &end  = s < 0. ? blue : red;
       std::ostringstream           text;
       text << "rgb(";
       for (unsigned int i = 0; i < 3; ++i)
@@ -53,7 +53,7 @@ namespace PlateImpact
       for (const double tick : {10., 3., 1., 0.3, 0.1})
         out << "<text x=\"" << left + 24 << "\" y=\""
             << top + 4 +
-                 height * std::log(highest / tick) / std::log(highest / lowest)
+            height * std::log(highest / tick) / std::log(highest / lowest)
             << "\">" << tick << (tick == 1. ? " (limit)" : "") << "</text>\n";
     }
   } // namespace
@@ -76,8 +76,7 @@ namespace PlateImpact
     const double total_width =
       std::max(2 * margin + width + (result.error ? 150. : 0.), 420.);
     const double total_height =
-      header + 2 * margin +
-      std::max(height, result.error ? 330. : 0.);
+      header + 2 * margin + std::max(height, result.error ? 330. : 0.);
 
     out << std::setprecision(8)
         << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 "
@@ -99,10 +98,9 @@ namespace PlateImpact
         for (const unsigned int v : around)
           out << margin + scale * cell->vertex(v)[0] << ','
               << header + margin + height - scale * cell->vertex(v)[1] << ' ';
-        const std::string fill =
-          result.error ?
-            colour(result.error->element_errors[cell->active_cell_index()]) :
-            "none";
+        const std::string fill = result.error
+          ? colour(result.error->element_errors[cell->active_cell_index()])
+          : "none";
         out << "\" fill=\"" << fill << "\"/>\n";
       }
     out << "</g>\n";

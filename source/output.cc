@@ -1,18 +1,16 @@
 #include "plate_impact/output.h"
 
+#include <deal.II/base/timer.h>
+#include <deal.II/fe/fe_dgq.h>
+#include <deal.II/fe/fe_tools.h>
+#include <deal.II/numerics/data_out.h>
+
 #include "plate_impact/exceptions.h"
 #include "plate_impact/mesh_adaptation.h"
 #include "plate_impact/plate_mesh.h"
 #include "plate_impact/plate_model.h"
 #include "plate_impact/report.h"
 #include "plate_impact/version.h"
-
-#include <deal.II/base/timer.h>
-
-#include <deal.II/fe/fe_dgq.h>
-#include <deal.II/fe/fe_tools.h>
-
-#include <deal.II/numerics/data_out.h>
 
 #include <fstream>
 #include <regex>
@@ -25,12 +23,13 @@ namespace PlateImpact
 
   namespace
   {
-    /// Names of results, so that those of an earlier run do not stay beside ours.
-    const std::regex result_name(
-      "summary\\.json|scene\\.prm|report\\.html|fields\\.pvd|"
-      "fields_[0-9]+\\.vtu|contact_history(_cycle_[0-9]+)?\\.csv|"
-      "element_errors_cycle_[0-9]+\\.csv|mesh_cycle_[0-9]+\\.svg|"
-      ".*\\.incomplete");
+    /// Names of results, so that those of an earlier run do not stay beside
+    /// ours.
+    const std::regex
+      result_name("summary\\.json|scene\\.prm|report\\.html|fields\\.pvd|"
+                  "fields_[0-9]+\\.vtu|contact_history(_cycle_[0-9]+)?\\.csv|"
+                  "element_errors_cycle_[0-9]+\\.csv|mesh_cycle_[0-9]+\\.svg|"
+                  ".*\\.incomplete");
 
 
 
@@ -61,8 +60,8 @@ namespace PlateImpact
       for (const auto &cell : mesh.active_cell_iterators())
         {
           const unsigned int c = cell->active_cell_index();
-          out << c << ',' << cell->center()[0] << ',' << cell->center()[1] << ','
-              << cell_size(cell) << ',' << error.element_errors[c] << ','
+          out << c << ',' << cell->center()[0] << ',' << cell->center()[1]
+              << ',' << cell_size(cell) << ',' << error.element_errors[c] << ','
               << sizes[c] << '\n';
         }
     }
@@ -79,7 +78,7 @@ namespace PlateImpact
       cycle["min_cell_size"]      = result.min_cell_size;
       if (result.error)
         {
-          cycle["discretization_error"]  = result.error->eta;
+          cycle["discretization_error"] = result.error->eta;
           if (result.error->n_singular_cells > 0)
             {
               cycle["singular_cells"] = result.error->n_singular_cells;
@@ -111,7 +110,8 @@ namespace PlateImpact
           cycle["work"] = {{"factorizations", result.work.factorizations},
                            {"linear_solves", result.work.linear_solves},
                            {"contact_steps", result.work.contact_steps},
-                           {"estimator_samples", result.work.estimator_samples}};
+                           {"estimator_samples",
+                            result.work.estimator_samples}};
         }
       const Seconds &s = result.seconds;
       cycle["seconds"] = {{"mesh", s.mesh},
@@ -155,7 +155,8 @@ namespace PlateImpact
   Output::write_file(const std::string                         &name,
                      const std::function<void(std::ostream &)> &write)
   {
-    const fs::path path = directory / name, incomplete = path.string() + ".incomplete";
+    const fs::path path       = directory / name,
+                   incomplete = path.string() + ".incomplete";
     std::error_code error;
     {
       std::ofstream out(incomplete);
@@ -186,7 +187,7 @@ namespace PlateImpact
         if (result.cycle > 1)
           {
             const std::string earlier = "contact_history_cycle_" +
-                                        std::to_string(result.cycle - 1) + ".csv";
+              std::to_string(result.cycle - 1) + ".csv";
             std::error_code error;
             fs::rename(directory / "contact_history.csv",
                        directory / earlier,
@@ -228,8 +229,8 @@ namespace PlateImpact
                        const PlateModel     &model,
                        const ErrorEstimator &estimator)
   {
-    Timer              timer;
-    const unsigned int n_fields = 9;
+    Timer                          timer;
+    const unsigned int             n_fields    = 9;
     const std::vector<std::string> field_names = {"deflection",
                                                   "rotation_x",
                                                   "rotation_y",
@@ -241,9 +242,9 @@ namespace PlateImpact
                                                   "von_mises_stress"};
     // values of every cell at its own nine nodes: what is recovered may differ
     // from cell to cell at hanging nodes
-    const FE_DGQ<2>     nodal(2);
-    const FESystem<2>   fields_element(nodal, n_fields);
-    DoFHandler<2>       dof_handler(model.mesh());
+    const FE_DGQ<2>   nodal(2);
+    const FESystem<2> fields_element(nodal, n_fields);
+    DoFHandler<2>     dof_handler(model.mesh());
     dof_handler.distribute_dofs(fields_element);
     const std::vector<unsigned int> hierarchic =
       FETools::lexicographic_to_hierarchic_numbering<2>(2);
@@ -267,19 +268,22 @@ namespace PlateImpact
             cell->get_dof_indices(dofs);
             for (unsigned int node = 0; node < nodal.n_dofs_per_cell(); ++node)
               {
-                const auto set = [&](const unsigned int field, const double value) {
-                  fields[dofs[fields_element.component_to_system_index(
-                    field, node)]] = value;
+                const auto set = [&](const unsigned int field,
+                                     const double       value) {
+                  fields[dofs[fields_element.component_to_system_index(field,
+                                                                       node)]] =
+                    value;
                 };
                 for (unsigned int k = 0; k < n_components; ++k)
                   set(k,
-                      values(plate_element.component_to_system_index(
-                               k, hierarchic[node]),
+                      values(plate_element
+                               .component_to_system_index(k, hierarchic[node]),
                              0));
                 const Resultants r = resultants.col(c).segment<5>(5 * node);
                 for (unsigned int k = 0; k < 5; ++k)
                   set(n_components + k, r[k]);
-                set(8, model.section().surface_von_mises_stress(r[0], r[1], r[2]));
+                set(8,
+                    model.section().surface_von_mises_stress(r[0], r[1], r[2]));
               }
           }
         DataOut<2> data_out;
@@ -289,7 +293,8 @@ namespace PlateImpact
                                  "element_error",
                                  DataOut<2>::type_cell_data);
         data_out.build_patches(2);
-        const std::string name = "fields_" + std::to_string(record.size()) + ".vtu";
+        const std::string name =
+          "fields_" + std::to_string(record.size()) + ".vtu";
         write_file(name, [&](std::ostream &out) { data_out.write_vtu(out); });
         record.push_back({snapshot.time, name});
       }
@@ -352,9 +357,10 @@ namespace PlateImpact
     // cycles in one word
     std::string text;
     for (const std::string &name : names)
-      if (name.find("_cycle_") == std::string::npos && name.find(".vtu") == std::string::npos)
+      if (name.find("_cycle_") == std::string::npos &&
+          name.find(".vtu") == std::string::npos)
         text += (text.empty() ? "" : ", ") + name;
     return directory.string() + ": " + text +
-           " and, for each cycle, its history, element errors and mesh";
+      " and, for each cycle, its history, element errors and mesh";
   }
 } // namespace PlateImpact

@@ -19,30 +19,43 @@ namespace PlateImpact
     void
     declare_bodies(SceneSchema &schema, Parameters &parameters)
     {
-      const Allowed positive = Allowed::number_above(0);
+      const Allowed positive       = Allowed::number_above(0);
       const Allowed poissons_ratio = Allowed::number_between(-1, 0.5);
 
       PlateParameters &plate = parameters.plate;
       schema.begin_section("Plate");
-      schema.declare("Side lengths", "0.2, 0.2", Allowed::list(positive, 2, 2),
+      schema.declare("Side lengths",
+                     "0.2, 0.2",
+                     Allowed::list(positive, 2, 2),
                      plate.side_lengths,
                      "Of the whole plate, along x and y. The impact is at its "
                      "centre. [m]");
       schema.declare("Thickness", "0.008", positive, plate.thickness, "[m]");
-      schema.declare("Young's modulus", "2.1e11", positive,
-                     plate.youngs_modulus, "[Pa]");
-      schema.declare("Poisson's ratio", "0.3", poissons_ratio,
-                     plate.poissons_ratio, "[-]");
+      schema.declare("Young's modulus",
+                     "2.1e11",
+                     positive,
+                     plate.youngs_modulus,
+                     "[Pa]");
+      schema.declare("Poisson's ratio",
+                     "0.3",
+                     poissons_ratio,
+                     plate.poissons_ratio,
+                     "[-]");
       schema.declare("Density", "7800", positive, plate.density, "[kg/m^3]");
-      schema.declare("Shear correction factor", "0.8333333333333333", positive,
+      schema.declare("Shear correction factor",
+                     "0.8333333333333333",
+                     positive,
                      plate.shear_correction_factor,
                      "Factor of the transverse shear stiffness; 5/6 for a "
                      "parabolic shear stress (Reissner). [-]");
       schema.declare(
-        "Support", "clamped",
-        Allowed::list(Allowed::one_of({"clamped", "simply supported",
-                                       "soft simply supported", "free"}),
-                      1, 2),
+        "Support",
+        "clamped",
+        Allowed::list(
+          Allowed::one_of(
+            {"clamped", "simply supported", "soft simply supported", "free"}),
+          1,
+          2),
         plate.support,
         "One word for all four edges, or two: for the edges x = +-a/2 and for "
         "the edges y = +-b/2. 'simply supported' also stops the rotation along "
@@ -50,50 +63,75 @@ namespace PlateImpact
 
       ImpactorParameters &impactor = parameters.impactor;
       schema.begin_section("Impactor");
-      schema.declare("Shape", "sphere",
+      schema.declare("Shape",
+                     "sphere",
                      Allowed::one_of({"sphere", "cylinder", "none"}),
                      impactor.shape,
                      "Cylinder: barrelled, with its axis along x.");
       schema.declare("Radius", "0.01", positive, impactor.radius, "[m]");
-      schema.declare("Length", "0.066667", positive, impactor.length,
+      schema.declare("Length",
+                     "0.066667",
+                     positive,
+                     impactor.length,
                      "Contact length 2l of a cylinder. [m]");
-      schema.declare("Mass", "0", Allowed::number_from(0), impactor.mass,
+      schema.declare("Mass",
+                     "0",
+                     Allowed::number_from(0),
+                     impactor.mass,
                      "0: from the density and the volume of the shape. [kg]");
-      schema.declare("Density", "7800", positive, impactor.density,
-                     "[kg/m^3]");
-      schema.declare("Young's modulus", "2.1e11", positive,
-                     impactor.youngs_modulus, "[Pa]");
-      schema.declare("Poisson's ratio", "0.3", poissons_ratio,
-                     impactor.poissons_ratio, "[-]");
-      schema.declare("Velocity", "1", positive, impactor.velocity,
+      schema.declare("Density", "7800", positive, impactor.density, "[kg/m^3]");
+      schema.declare("Young's modulus",
+                     "2.1e11",
+                     positive,
+                     impactor.youngs_modulus,
+                     "[Pa]");
+      schema.declare("Poisson's ratio",
+                     "0.3",
+                     poissons_ratio,
+                     impactor.poissons_ratio,
+                     "[-]");
+      schema.declare("Velocity",
+                     "1.0",
+                     positive,
+                     impactor.velocity,
                      "Towards the plate. [m/s]");
 
       ContactParameters &contact = parameters.contact;
       schema.begin_section("Contact");
-      schema.declare("Law", "Sun", Allowed::one_of({"Sun", "Hertz", "line"}),
-                     contact.law,
-                     "Sun: F = k alpha^1.5 with the compliance 1/E of the plate, "
-                     "the paper's eq. 17. Hertz: with (1 - nu^2)/E for both "
-                     "bodies. line: the paper's eq. 32, for a cylinder.");
-      schema.declare("Load distribution", "Hertz disc",
-                     Allowed::one_of({"point", "Hertz disc", "uniform disc",
-                                      "line", "strip"}),
-                     contact.load_distribution,
-                     "How the contact force spreads over the plate. The contact "
-                     "law sees the plate's displacement averaged with the same "
-                     "weights. Under 'point' the peak force has no limit under "
-                     "refinement: it drops 0.7 % per halving of the cells.");
-      schema.declare("Patch radius", "0", Allowed::number_from(0),
-                     contact.patch_radius,
-                     "Radius of the disc or half-width of the strip; 0: the Hertz "
-                     "contact radius at the peak force that Zener's equation "
-                     "predicts. [m]");
-      schema.declare("Integration", "energy conserving",
-                     Allowed::one_of({"energy conserving", "collocation"}),
-                     contact.integration,
-                     "energy conserving: the mean force of the law over the "
-                     "step. collocation: the force at the end of the step, as in "
-                     "the paper; it gains energy when the step is coarse.");
+      schema.declare(
+        "Law",
+        "Sun",
+        Allowed::one_of({"Sun", "Hertz", "line"}),
+        contact.law,
+        "Sun: F = k alpha^1.5 with the compliance 1/E of the plate, "
+        "the paper's eq. 17. Hertz: with (1 - nu^2)/E for both "
+        "bodies. line: the paper's eq. 32, for a cylinder.");
+      schema.declare(
+        "Load distribution",
+        "Hertz disc",
+        Allowed::one_of(
+          {"point", "Hertz disc", "uniform disc", "line", "strip"}),
+        contact.load_distribution,
+        "How the contact force spreads over the plate. The contact "
+        "law sees the plate's displacement averaged with the same "
+        "weights. Under 'point' the peak force has no limit under "
+        "refinement: it drops 0.7 % per halving of the cells.");
+      schema.declare(
+        "Patch radius",
+        "0",
+        Allowed::number_from(0),
+        contact.patch_radius,
+        "Radius of the disc or half-width of the strip; 0: the Hertz "
+        "contact radius at the peak force that Zener's equation "
+        "predicts. [m]");
+      schema.declare(
+        "Integration",
+        "energy conserving",
+        Allowed::one_of({"energy conserving", "collocation"}),
+        contact.integration,
+        "energy conserving: the mean force of the law over the "
+        "step. collocation: the force at the end of the step, as in "
+        "the paper; it gains energy when the step is coarse.");
     }
 
 
@@ -105,17 +143,20 @@ namespace PlateImpact
 
       DiscretizationParameters &discretization = parameters.discretization;
       schema.begin_section("Discretization");
-      schema.declare("Element", "heterosis",
-                     Allowed::one_of(
-                       {"serendipity", "heterosis", "Lagrange", "MITC9"}),
-                     discretization.element,
-                     "Deflection and rotations with 8 nodes (serendipity, the "
-                     "paper's), with 8 and 9 (heterosis) or with 9 (Lagrange).");
-      schema.declare("Initial cells", "3, 3",
+      schema.declare(
+        "Element",
+        "heterosis",
+        Allowed::one_of({"serendipity", "heterosis", "Lagrange", "MITC9"}),
+        discretization.element,
+        "Deflection and rotations with 8 nodes (serendipity, the "
+        "paper's), with 8 and 9 (heterosis) or with 9 (Lagrange).");
+      schema.declare("Initial cells",
+                     "3, 3",
                      Allowed::list(Allowed::whole_number(1, 10000), 2, 2),
                      discretization.initial_cells,
                      "On the quadrant, along x and y.");
-      schema.declare("Linear solver", "CHOLMOD",
+      schema.declare("Linear solver",
+                     "CHOLMOD",
                      Allowed::one_of({"CHOLMOD", "KLU"}),
                      discretization.linear_solver,
                      "Direct solver of the effective stiffness: CHOLMOD "
@@ -124,38 +165,62 @@ namespace PlateImpact
       TimeParameters &time = parameters.time;
       schema.begin_section("Time");
       schema.declare("End time", "80e-6", positive, time.end_time, "[s]");
-      schema.declare("Time step", "1e-7", positive, time.time_step,
+      schema.declare("Time step",
+                     "1e-7",
+                     positive,
+                     time.time_step,
                      "Shortened where End time is not a multiple of it. [s]");
-      schema.declare("Integrator", "Newmark",
+      schema.declare("Integrator",
+                     "Newmark",
                      Allowed::one_of({"Newmark", "Ritz vectors"}),
-                     time.integrator, "What is integrated in time: the unknowns of "
+                     time.integrator,
+                     "What is integrated in time: the unknowns of "
                      "the mesh or load-dependent Ritz vectors.");
-      schema.declare("Newmark beta", "0.25", positive, time.newmark_beta,
+      schema.declare("Newmark beta",
+                     "0.25",
+                     positive,
+                     time.newmark_beta,
                      "At least half of gamma: unconditionally stable. [-]");
-      schema.declare("Newmark gamma", "0.5", Allowed::number_from(0.5),
+      schema.declare("Newmark gamma",
+                     "0.5",
+                     Allowed::number_from(0.5),
                      time.newmark_gamma,
                      "Above 0.5 the scheme damps, to first order. [-]");
 
       AdaptivityParameters &adaptivity = parameters.adaptivity;
       schema.begin_section("Adaptivity");
-      schema.declare("Strategy", "hanging nodes",
+      schema.declare("Strategy",
+                     "hanging nodes",
                      Allowed::one_of(
                        {"none", "hanging nodes", "remeshing", "uniform"}),
-                     adaptivity.strategy, "How the mesh follows the error.");
-      schema.declare("Target error", "0.05", Allowed::number_between(0, 1),
+                     adaptivity.strategy,
+                     "How the mesh follows the error.");
+      schema.declare("Target error",
+                     "0.05",
+                     Allowed::number_between(0, 1),
                      adaptivity.target_error,
                      "Overall discretization error eta, a fraction. [-]");
-      schema.declare("Maximum cycles", "6", Allowed::whole_number(1, 1000),
+      schema.declare("Maximum cycles",
+                     "6",
+                     Allowed::whole_number(1, 1000),
                      adaptivity.maximum_cycles,
                      "Meshes computed on, the initial one included.");
-      schema.declare("Size exponent", "0.5", positive, adaptivity.size_exponent,
+      schema.declare("Size exponent",
+                     "0.5",
+                     positive,
+                     adaptivity.size_exponent,
                      "phi in h_new = h_old / xi'^phi: 1/p, or 1/lambda near a "
                      "singularity of strength lambda. [-]");
-      schema.declare("Minimum cell size", "0", Allowed::number_from(0),
-                     adaptivity.minimum_cell_size,
-                     "Of a cell's longer side; 0: a quarter of the patch radius, "
-                     "or of the thickness under a point load. [m]");
-      schema.declare("Sampling interval", "5", Allowed::whole_number(1, 1000000),
+      schema.declare(
+        "Minimum cell size",
+        "0",
+        Allowed::number_from(0),
+        adaptivity.minimum_cell_size,
+        "Of a cell's longer side; 0: a quarter of the patch radius, "
+        "or of the thickness under a point load. [m]");
+      schema.declare("Sampling interval",
+                     "5",
+                     Allowed::whole_number(1, 1000000),
                      adaptivity.sampling_interval,
                      "Time steps between samples of the error estimator.");
     }
@@ -167,16 +232,25 @@ namespace PlateImpact
     {
       OutputParameters &output = parameters.output;
       schema.begin_section("Output");
-      schema.declare("Directory", "output",
+      schema.declare("Directory",
+                     "output",
                      {"the name of a directory",
                       [](const std::string &text) { return !text.empty(); }},
-                     output.directory, "Created where it does not exist.");
-      schema.declare("Write meshes", "true", Allowed::truth(),
-                     output.write_meshes, "SVG, one per cycle.");
-      schema.declare("Write report", "true", Allowed::truth(),
+                     output.directory,
+                     "Created where it does not exist.");
+      schema.declare("Write meshes",
+                     "true",
+                     Allowed::truth(),
+                     output.write_meshes,
+                     "SVG, one per cycle.");
+      schema.declare("Write report",
+                     "true",
+                     Allowed::truth(),
                      output.write_report,
                      "report.html: the run on one page.");
-      schema.declare("Field samples", "0", Allowed::whole_number(0, 100000),
+      schema.declare("Field samples",
+                     "0",
+                     Allowed::whole_number(0, 100000),
                      output.field_samples,
                      "VTU snapshots over the last cycle; 0: none.");
     }
@@ -191,30 +265,44 @@ namespace PlateImpact
     {
       unread.resize(12);
       auto declare = [&, n = 0](const std::string &entry,
-                                      const std::string &default_value,
-                                      const Allowed     &allowed,
-                                      const std::string &text) mutable {
+                                const std::string &default_value,
+                                const Allowed     &allowed,
+                                const std::string &text) mutable {
         schema.declare(entry, default_value, allowed, unread.at(n++), text);
       };
       const Allowed any = Allowed::anything("words separated by commas");
       schema.begin_section("Comparison");
-      declare("Strategies", "uniform, hanging nodes, remeshing", any,
+      declare("Strategies",
+              "uniform, hanging nodes, remeshing",
+              any,
               "Read by `plate-impact compare` only.");
       declare("Elements", "serendipity, heterosis, Lagrange", any, "");
       declare("Maximum cycles", "6", Allowed::whole_number(1, 1000), "");
-      declare("Reference peak force", "0", Allowed::number_from(0),
-              "0: computed by a run much finer than any in the comparison. [N]");
-      declare("Time budget", "60", Allowed::number_above(0),
+      declare(
+        "Reference peak force",
+        "0",
+        Allowed::number_from(0),
+        "0: computed by a run much finer than any in the comparison. [N]");
+      declare("Time budget",
+              "60",
+              Allowed::number_above(0),
               "No curve is continued past it. [s]");
       schema.begin_section("Sweep");
       for (const std::string number : {"1", "2", "3"})
         {
-          declare("Entry " + number, "", Allowed::anything("Section/Entry"),
+          declare("Entry " + number,
+                  "",
+                  Allowed::anything("Section/Entry"),
                   "Read by `plate-impact sweep` only.");
-          declare("Values " + number, "", Allowed::anything("a list or a range"),
+          declare("Values " + number,
+                  "",
+                  Allowed::anything("a list or a range"),
                   "");
         }
-      declare("Combination", "product", Allowed::one_of({"product", "zip"}), "");
+      declare("Combination",
+              "product",
+              Allowed::one_of({"product", "zip"}),
+              "");
     }
 
 
@@ -244,7 +332,7 @@ namespace PlateImpact
             const std::string &text)
     {
       return schema.origin(path) + ": " + path + " = " + schema.value(path) +
-             " " + text;
+        " " + text;
     }
 
 
@@ -253,7 +341,7 @@ namespace PlateImpact
     std::vector<std::string>
     check_availability(const SceneSchema &schema)
     {
-      std::vector<std::string> mistakes;
+      std::vector<std::string>                               mistakes;
       const std::vector<std::pair<std::string, std::string>> unavailable = {
         {"Impactor/Shape", "cylinder"},
         {"Contact/Law", "line"},
@@ -279,7 +367,8 @@ namespace PlateImpact
     check_together(const SceneSchema &schema, const Parameters &parameters)
     {
       std::vector<std::string> mistakes;
-      const auto refuse = [&](const std::string &path, const std::string &text) {
+      const auto               refuse = [&](const std::string &path,
+                              const std::string &text) {
         mistakes.push_back(mistake(schema, path, text));
       };
       const auto in_words = [](const double value) {
@@ -324,10 +413,10 @@ namespace PlateImpact
 
       const auto &cells = parameters.discretization.initial_cells;
       if (static_cast<double>(cells[0]) * cells[1] > 1e6)
-        refuse("Discretization/Initial cells",
-               "are more than a million cells");
-      const double h = 0.5 * std::max(plate.side_lengths[0] / cells[0],
-                                      plate.side_lengths[1] / cells[1]);
+        refuse("Discretization/Initial cells", "are more than a million cells");
+      const double h = 0.5 *
+        std::max(plate.side_lengths[0] / cells[0],
+                 plate.side_lengths[1] / cells[1]);
       if (parameters.adaptivity.minimum_cell_size > h)
         refuse("Adaptivity/Minimum cell size",
                "m is larger than the initial cells, " + in_words(h) + " m");
@@ -350,11 +439,10 @@ namespace PlateImpact
       const bool at_point = parameters.contact.load_distribution == "point";
       if (!at_point && parameters.contact.patch_radius == 0.)
         {
-          const ExpectedPeak peak =
-            zener_peak(*make_contact_law(parameters),
-                       impactor,
-                       PlateSection(parameters.plate));
-          const double radius =
+          const ExpectedPeak peak = zener_peak(*make_contact_law(parameters),
+                                               impactor,
+                                               PlateSection(parameters.plate));
+          const double       radius =
             std::sqrt(parameters.impactor.radius * peak.indentation);
           const auto &sides = parameters.plate.side_lengths;
           if (radius > 0.5 * std::min(sides[0], sides[1]))
@@ -369,8 +457,9 @@ namespace PlateImpact
       if (parameters.adaptivity.minimum_cell_size == 0.)
         schema.set("Adaptivity",
                    "Minimum cell size",
-                   0.25 * (at_point ? parameters.plate.thickness :
-                                      parameters.contact.patch_radius));
+                   0.25 *
+                     (at_point ? parameters.plate.thickness
+                               : parameters.contact.patch_radius));
       return {};
     }
   } // namespace
@@ -378,8 +467,7 @@ namespace PlateImpact
 
 
   Scene
-  read_scene(const std::string              &path,
-             const std::vector<std::string> &overrides)
+  read_scene(const std::string &path, const std::vector<std::string> &overrides)
   {
     std::ifstream in(path);
     SceneFile     file;

@@ -97,7 +97,8 @@ namespace PlateImpact
     const DoFHandler<2>       &dof_handler,
     AffineConstraints<double> &constraints) const
   {
-    // FE_Q(2) numbers the four corners first, then the midsides, then the centre
+    // FE_Q(2) numbers the four corners first, then the midsides, then the
+    // centre
     const unsigned int                   centre = 8;
     std::vector<types::global_dof_index> dofs(n_cell_dofs);
     for (const auto &cell : dof_handler.active_cell_iterators())
@@ -106,7 +107,8 @@ namespace PlateImpact
         for (unsigned int c = 0; c < n_components; ++c)
           if (centre_is_constrained[c])
             {
-              const auto line = dofs[element.component_to_system_index(c, centre)];
+              const auto line =
+                dofs[element.component_to_system_index(c, centre)];
               constraints.add_line(line);
               for (unsigned int node = 0; node < centre; ++node)
                 constraints.add_entry(
@@ -152,8 +154,7 @@ namespace PlateImpact
 
 
   CellShape
-  PlateElement::shape(
-    const Triangulation<2>::active_cell_iterator &cell) const
+  PlateElement::shape(const Triangulation<2>::active_cell_iterator &cell) const
   {
     const UpdateFlags flags =
       update_values | update_gradients | update_JxW_values;
@@ -175,13 +176,14 @@ namespace PlateImpact
         shear.setZero();
         for (unsigned int g = 0; g < shear_points.size(); ++g)
           shear += shear_interpolation(q, g) *
-                   shape.strains_at_shear_points.middleRows<2>(5 * g + 3);
+            shape.strains_at_shear_points.middleRows<2>(5 * g + 3);
       }
 
     shape.shape_values.resize(bending_points.size(),
                               scalar_element.n_dofs_per_cell());
     for (unsigned int q = 0; q < bending_points.size(); ++q)
-      for (unsigned int node = 0; node < scalar_element.n_dofs_per_cell(); ++node)
+      for (unsigned int node = 0; node < scalar_element.n_dofs_per_cell();
+           ++node)
         shape.shape_values(q, node) = bending_values.shape_value(node, q);
     return shape;
   }
@@ -197,7 +199,7 @@ namespace PlateImpact
       {
         const auto B = shape.strains_at_bending_points.middleRows<3>(5 * q);
         K.noalias() += B.transpose() *
-                       (shape.bending_weights[q] * section.bending_stiffness * B);
+          (shape.bending_weights[q] * section.bending_stiffness * B);
       }
     for (unsigned int q = 0; q < shape.shear_weights.size(); ++q)
       {
@@ -214,20 +216,22 @@ namespace PlateImpact
   PlateElement::mass(const CellShape &shape, const PlateSection &section) const
   {
     const Eigen::Map<const Eigen::VectorXd> weights(
-      shape.bending_weights.data(), shape.bending_weights.size());
+      shape.bending_weights.data(),
+      shape.bending_weights.size());
     const Eigen::MatrixXd scalar_mass = shape.shape_values.transpose() *
-                                        weights.asDiagonal() *
-                                        shape.shape_values;
+      weights.asDiagonal() * shape.shape_values;
     CellMatrix M = CellMatrix::Zero();
     for (unsigned int i = 0; i < n_cell_dofs; ++i)
       for (unsigned int j = 0; j < n_cell_dofs; ++j)
         {
-          const auto [component_i, node_i] = element.system_to_component_index(i);
-          const auto [component_j, node_j] = element.system_to_component_index(j);
+          const auto [component_i, node_i] =
+            element.system_to_component_index(i);
+          const auto [component_j, node_j] =
+            element.system_to_component_index(j);
           if (component_i == component_j)
             M(i, j) = scalar_mass(node_i, node_j) *
-                      (component_i == deflection ? section.mass :
-                                                   section.rotary_inertia);
+              (component_i == deflection ? section.mass
+                                         : section.rotary_inertia);
         }
     return M;
   }

@@ -1,13 +1,13 @@
 #include "plate_impact/plate_model.h"
 
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/mapping_q1.h>
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/vector.h>
+#include <deal.II/numerics/vector_tools_interpolate.h>
+
 #include "plate_impact/exceptions.h"
 #include "plate_impact/plate_mesh.h"
-
-#include <deal.II/dofs/dof_tools.h>
-
-#include <deal.II/fe/mapping_q1.h>
-
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
 
 #include <Epetra_Map.h>
 #include <Epetra_SerialComm.h>
@@ -85,14 +85,14 @@ namespace PlateImpact
     std::unique_ptr<Epetra_CrsMatrix>
     make_matrix(const DynamicSparsityPattern &pattern)
     {
-      const int              n = pattern.n_rows();
+      const int               n = pattern.n_rows();
       const Epetra_SerialComm communicator;
       const Epetra_Map        map(n, 0, communicator);
       std::vector<int>        row_lengths(n);
       for (int row = 0; row < n; ++row)
         row_lengths[row] = pattern.row_length(row);
 
-      auto matrix = std::make_unique<Epetra_CrsMatrix>(Copy,
+      auto                matrix = std::make_unique<Epetra_CrsMatrix>(Copy,
                                                        map,
                                                        row_lengths.data(),
                                                        /*StaticProfile=*/true);
@@ -101,7 +101,8 @@ namespace PlateImpact
       for (int row = 0; row < n; ++row)
         {
           columns.clear();
-          for (auto entry = pattern.begin(row); entry != pattern.end(row); ++entry)
+          for (auto entry = pattern.begin(row); entry != pattern.end(row);
+               ++entry)
             columns.push_back(entry->column());
           zeros.assign(columns.size(), 0.);
           matrix->InsertGlobalValues(row,
@@ -164,7 +165,7 @@ namespace PlateImpact
   void
   PlateModel::number_unknowns()
   {
-    std::vector<int> unknown_of_dof(dof_handler.n_dofs(), -1);
+    unknown_of_dof.assign(dof_handler.n_dofs(), -1);
     for (types::global_dof_index dof = 0; dof < dof_handler.n_dofs(); ++dof)
       if (!constraints.is_constrained(dof))
         unknown_of_dof[dof] = n_free++;
@@ -192,8 +193,8 @@ namespace PlateImpact
   void
   PlateModel::find_shapes()
   {
-    const auto     &mesh = dof_handler.get_triangulation();
-    const double    tolerance = 1e-10 * mesh.begin_active(0)->diameter();
+    const auto  &mesh      = dof_handler.get_triangulation();
+    const double tolerance = 1e-10 * mesh.begin_active(0)->diameter();
     std::map<std::array<long, 6>, unsigned int> known;
     shape_of_cell.resize(mesh.n_active_cells());
     for (const auto &cell : mesh.active_cell_iterators())
@@ -240,7 +241,7 @@ namespace PlateImpact
     DynamicSparsityPattern pattern(n_free, n_free);
     for (unsigned int cell = 0; cell < n_cells; ++cell)
       {
-        const std::vector<int>                     unknowns = expansion(cell).first;
+        const std::vector<int> unknowns = expansion(cell).first;
         const std::vector<types::global_dof_index> columns(unknowns.begin(),
                                                            unknowns.end());
         for (const int row : unknowns)
@@ -256,8 +257,8 @@ namespace PlateImpact
     std::vector<CellMatrix> K_of_shape, M_of_shape;
     for (const CellShape &shape : shapes)
       {
-        K_of_shape.push_back(
-          multiplicity * plate_element.stiffness(shape, plate_section));
+        K_of_shape.push_back(multiplicity *
+                             plate_element.stiffness(shape, plate_section));
         M_of_shape.push_back(multiplicity *
                              plate_element.mass(shape, plate_section));
       }
@@ -266,15 +267,21 @@ namespace PlateImpact
       Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     for (unsigned int cell = 0; cell < n_cells; ++cell)
       {
-        auto [unknowns, T] = expansion(cell);
+        auto [unknowns, T]     = expansion(cell);
         const unsigned int s   = shape_of_cell[cell];
         const RowMajor     K_c = T.transpose() * (K_of_shape[s] * T);
         const RowMajor     M_c = T.transpose() * (M_of_shape[s] * T);
         const int          n   = unknowns.size();
         for (int i = 0; i < n; ++i)
           {
-            K->SumIntoMyValues(unknowns[i], n, K_c.row(i).data(), unknowns.data());
-            M->SumIntoMyValues(unknowns[i], n, M_c.row(i).data(), unknowns.data());
+            K->SumIntoMyValues(unknowns[i],
+                               n,
+                               K_c.row(i).data(),
+                               unknowns.data());
+            M->SumIntoMyValues(unknowns[i],
+                               n,
+                               M_c.row(i).data(),
+                               unknowns.data());
           }
       }
   }
@@ -308,11 +315,11 @@ namespace PlateImpact
   Eigen::VectorXd
   PlateModel::load(const std::vector<LoadPoint> &points) const
   {
-    Eigen::VectorXd       u = Eigen::VectorXd::Zero(n_free);
-    const MappingQ1<2>    mapping;
-    const FESystem<2>    &fe = plate_element.finite_element();
-    std::vector<bool>     is_found(points.size(), false);
-    unsigned int          n_found = 0;
+    Eigen::VectorXd    u = Eigen::VectorXd::Zero(n_free);
+    const MappingQ1<2> mapping;
+    const FESystem<2> &fe = plate_element.finite_element();
+    std::vector<bool>  is_found(points.size(), false);
+    unsigned int       n_found = 0;
 
     for (const auto &cell : mesh().active_cell_iterators())
       {
@@ -346,10 +353,24 @@ namespace PlateImpact
 
 
 
+  Eigen::VectorXd
+  PlateModel::interpolate(const Function<2> &field) const
+  {
+    Vector<double> values(dof_handler.n_dofs());
+    VectorTools::interpolate(dof_handler, field, values);
+    Eigen::VectorXd unknowns(n_free);
+    for (types::global_dof_index dof = 0; dof < values.size(); ++dof)
+      if (unknown_of_dof[dof] >= 0)
+        unknowns[unknown_of_dof[dof]] = values[dof];
+    return unknowns;
+  }
+
+
+
   void
-  PlateModel::cell_values(const unsigned int                        cell,
+  PlateModel::cell_values(const unsigned int                       cell,
                           const Eigen::Ref<const Eigen::MatrixXd> &unknowns,
-                          Eigen::MatrixXd                          &values) const
+                          Eigen::MatrixXd                         &values) const
   {
     values.setZero(n_cell_dofs, unknowns.cols());
     const auto first = first_contribution.begin() + n_cell_dofs * cell;

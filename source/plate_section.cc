@@ -17,9 +17,9 @@ namespace PlateImpact
       D * nu, D, 0.,                    //
       0., 0., D * (1. - nu) / 2.;
     bending_compliance = bending_stiffness.inverse();
-    shear_stiffness    = plate.shear_correction_factor * E / (2. * (1. + nu)) * t;
-    mass               = plate.density * t;
-    rotary_inertia     = plate.density * t * t * t / 12.;
+    shear_stiffness = plate.shear_correction_factor * E / (2. * (1. + nu)) * t;
+    mass            = plate.density * t;
+    rotary_inertia  = plate.density * t * t * t / 12.;
   }
 
 
@@ -40,6 +40,6 @@ namespace PlateImpact
                                          const double m_xy) const
   {
     return 6. / (thickness * thickness) *
-           std::sqrt(m_x * m_x - m_x * m_y + m_y * m_y + 3. * m_xy * m_xy);
+      std::sqrt(m_x * m_x - m_x * m_y + m_y * m_y + 3. * m_xy * m_xy);
   }
 } // namespace PlateImpact

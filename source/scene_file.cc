@@ -96,8 +96,9 @@ namespace PlateImpact
         if (name_of_section.empty())
           mistake("'subsection' needs a name");
         else if (!section.empty())
-          mistake("subsection " + name_of_section + " begins within subsection " +
-                  section + "; an 'end' is missing before it");
+          mistake("subsection " + name_of_section +
+                  " begins within subsection " + section +
+                  "; an 'end' is missing before it");
         section = name_of_section;
         scene.sections.push_back({section, "", "", origin});
       }
@@ -116,12 +117,13 @@ namespace PlateImpact
         const std::size_t equals = text.find('=');
         const std::string entry  = simplified(text.substr(0, equals));
         if (equals == std::string::npos || entry.empty())
-          return mistake("'set " + text + "' is not of the form 'set ENTRY = "
-                                          "VALUE'");
+          return mistake("'set " + text +
+                         "' is not of the form 'set ENTRY = "
+                         "VALUE'");
         if (section.empty())
           return mistake("'" + entry + "' is set outside of any subsection");
 
-        const std::string path = section + "/" + entry;
+        const std::string path     = section + "/" + entry;
         const auto [first, is_new] = first_set.insert({path, line_number});
         if (!is_new)
           return mistake(path + " is set twice, first in line " +
@@ -162,8 +164,8 @@ namespace PlateImpact
     const std::size_t equals = text.find('=');
     const std::size_t slash  = text.substr(0, equals).find('/');
     if (equals == std::string::npos || slash == std::string::npos)
-      throw InputError({"--set '" + text +
-                        "' is not of the form 'Section/Entry=value'"});
+      throw InputError(
+        {"--set '" + text + "' is not of the form 'Section/Entry=value'"});
     return {simplified(text.substr(0, slash)),
             simplified(text.substr(slash + 1, equals - slash - 1)),
             simplified(text.substr(equals + 1)),
@@ -191,8 +193,7 @@ namespace PlateImpact
                 std::tolower(static_cast<unsigned char>(b[j]));
               const std::size_t substituted = diagonal + (same ? 0 : 1);
               diagonal                      = row[j + 1];
-              row[j + 1] =
-                std::min({substituted, diagonal + 1, row[j] + 1});
+              row[j + 1] = std::min({substituted, diagonal + 1, row[j] + 1});
             }
         }
       return row.back();

@@ -23,7 +23,7 @@ namespace PlateImpact
         ++begin;
       const auto [last, error] = std::from_chars(begin, end, value);
       return error == std::errc() && last == end &&
-             std::isfinite(static_cast<double>(value));
+        std::isfinite(static_cast<double>(value));
     }
 
 
@@ -74,7 +74,7 @@ namespace PlateImpact
 
 
 
-  Allowed::Allowed(const std::string                             &words,
+  Allowed::Allowed(const std::string                              &words,
                    const std::function<bool(const std::string &)> &test)
     : words(words)
     , test(test)
@@ -183,17 +183,17 @@ namespace PlateImpact
                 const unsigned int first,
                 const unsigned int last)
   {
-    const std::string number =
-      first == last ? std::to_string(first) :
-                      std::to_string(first) + " to " + std::to_string(last);
+    const std::string number = first == last
+      ? std::to_string(first)
+      : std::to_string(first) + " to " + std::to_string(last);
     return {number + " values separated by commas, each: " + item.words,
             [item, first, last](const std::string &text) {
               const std::vector<std::string> items =
                 Utilities::split_string_list(text, ',');
               const bool ends_open = !text.empty() && text.back() == ',';
               return !ends_open && items.size() >= first &&
-                     items.size() <= last &&
-                     std::all_of(items.begin(), items.end(), item.test);
+                items.size() <= last &&
+                std::all_of(items.begin(), items.end(), item.test);
             }};
   }
 
@@ -278,8 +278,8 @@ namespace PlateImpact
     catch (const ParameterHandler::ExcValueDoesNotMatchPattern &)
       {
         mistake = assignment.path() + " = " +
-                  (assignment.value.empty() ? "(nothing)" : assignment.value) +
-                  " is not allowed; expected " + entry->allowed;
+          (assignment.value.empty() ? "(nothing)" : assignment.value) +
+          " is not allowed; expected " + entry->allowed;
       }
     prm.leave_subsection();
     return mistake;
@@ -302,10 +302,10 @@ namespace PlateImpact
         }
     const std::string hint = suggestion(assignment.entry, names);
     return "there is no entry '" + assignment.entry + "' in section " +
-           assignment.section +
-           (hint.empty() && !elsewhere.empty() ?
-              "; it belongs to section " + elsewhere :
-              hint);
+      assignment.section +
+      (hint.empty() && !elsewhere.empty()
+         ? "; it belongs to section " + elsewhere
+         : hint);
   }
 
 
@@ -354,10 +354,9 @@ namespace PlateImpact
   {
     std::ostringstream text;
     prm.print_parameters(text,
-                         with_documentation ?
-                           ParameterHandler::PRM |
-                             ParameterHandler::KeepDeclarationOrder :
-                           ParameterHandler::ShortPRM |
+                         with_documentation ? ParameterHandler::PRM |
+                             ParameterHandler::KeepDeclarationOrder
+                                            : ParameterHandler::ShortPRM |
                              ParameterHandler::KeepDeclarationOrder);
     out << text.str();
   }

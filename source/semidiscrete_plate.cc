@@ -30,8 +30,10 @@ namespace PlateImpact
   {
     y.resize(x.size());
     const Epetra_CrsMatrix &K = model.stiffness();
-    const Epetra_Vector x_view(View, K.DomainMap(), const_cast<double *>(x.data()));
-    Epetra_Vector       y_view(View, K.RangeMap(), y.data());
+    const Epetra_Vector     x_view(View,
+                               K.DomainMap(),
+                               const_cast<double *>(x.data()));
+    Epetra_Vector           y_view(View, K.RangeMap(), y.data());
     K.Multiply(/*TransA=*/false, x_view, y_view);
   }
 

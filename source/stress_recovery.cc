@@ -1,13 +1,11 @@
 #include "plate_impact/stress_recovery.h"
 
-#include "plate_impact/plate_mesh.h"
-
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/base/quadrature_lib.h>
-
 #include <deal.II/fe/mapping_q1.h>
-
 #include <deal.II/grid/grid_tools.h>
+
+#include "plate_impact/plate_mesh.h"
 
 #include <Eigen/QR>
 
@@ -28,7 +26,7 @@ namespace PlateImpact
     {
       const double x = (point[0] - centre[0]) / size,
                    y = (point[1] - centre[1]) / size;
-      Terms        P;
+      Terms P;
       P << 1., x, y, x * x, x * y, y * y, x * x * y, x * y * y;
       return P;
     }
@@ -55,7 +53,7 @@ namespace PlateImpact
     , vertices_of_cell(mesh.n_active_cells())
     , is_on_symmetry_x(mesh.n_vertices())
     , is_on_symmetry_y(mesh.n_vertices())
-    , is_on_edge(mesh.n_vertices())
+    , uses_neighbours(mesh.n_vertices())
     , patches_of_vertex(mesh.n_vertices())
   {
     const MappingQ1<2> mapping;
@@ -77,26 +75,35 @@ namespace PlateImpact
       for (const auto &cell : cells[vertex])
         cells_at_vertex[vertex].push_back(cell->active_cell_index());
 
-    find_boundaries();
+    mark_vertices();
     assign_patches();
   }
 
 
 
   void
-  StressRecovery::find_boundaries()
+  StressRecovery::mark_vertices()
   {
     for (const auto &cell : mesh.active_cell_iterators())
       for (const unsigned int f : cell->face_indices())
         if (const auto face = cell->face(f); face->at_boundary())
           {
-            const types::boundary_id id = face->boundary_id();
-            std::vector<bool>       &marks = id == symmetry_x ? is_on_symmetry_x :
-                                             id == symmetry_y ? is_on_symmetry_y :
-                                                                is_on_edge;
+            const types::boundary_id id    = face->boundary_id();
+            std::vector<bool>       &marks = id == symmetry_x ? is_on_symmetry_x
+                    : id == symmetry_y                        ? is_on_symmetry_y
+                                                              : uses_neighbours;
             for (const unsigned int v : face->vertex_indices())
               marks[face->vertex_index(v)] = true;
           }
+
+    // a hanging vertex is none of the coarse cell's own
+    for (unsigned int vertex = 0; vertex < mesh.n_vertices(); ++vertex)
+      for (const unsigned int cell : cells_at_vertex[vertex])
+        {
+          const auto &own = vertices_of_cell[cell];
+          if (std::find(own.begin(), own.end(), vertex) == own.end())
+            uses_neighbours[vertex] = true;
+        }
   }
 
 
@@ -109,16 +116,16 @@ namespace PlateImpact
       patches.push_back(make_patch(vertex));
     };
     for (unsigned int vertex = 0; vertex < mesh.n_vertices(); ++vertex)
-      if (!cells_at_vertex[vertex].empty() && !is_on_edge[vertex])
+      if (!cells_at_vertex[vertex].empty() && !uses_neighbours[vertex])
         add_patch(vertex);
 
     for (unsigned int vertex = 0; vertex < mesh.n_vertices(); ++vertex)
-      if (!cells_at_vertex[vertex].empty() && is_on_edge[vertex])
+      if (!cells_at_vertex[vertex].empty() && uses_neighbours[vertex])
         {
           std::set<unsigned int> neighbours;
           for (const unsigned int cell : cells_at_vertex[vertex])
             for (const unsigned int neighbour : vertices_of_cell[cell])
-              if (!is_on_edge[neighbour])
+              if (!uses_neighbours[neighbour])
                 neighbours.insert(patches_of_vertex[neighbour].front());
           if (neighbours.empty())
             add_patch(vertex);
@@ -162,7 +169,8 @@ namespace PlateImpact
 
 
   Point<2>
-  StressRecovery::sample_point(const Image &image, const unsigned int point) const
+  StressRecovery::sample_point(const Image       &image,
+                               const unsigned int point) const
   {
     // the planes of symmetry are x = 0 and y = 0
     Point<2> position = sample_points[samples_per_cell * image.cell + point];
@@ -182,7 +190,9 @@ namespace PlateImpact
     for (unsigned int i = 0; i < patch.images.size(); ++i)
       for (unsigned int g = 0; g < samples_per_cell; ++g)
         P.row(samples_per_cell * i + g) =
-          polynomial(patch.centre, patch.size, sample_point(patch.images[i], g));
+          polynomial(patch.centre,
+                     patch.size,
+                     sample_point(patch.images[i], g));
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
     decomposition.setThreshold(1e-6);
     decomposition.compute(P);
@@ -198,8 +208,9 @@ namespace PlateImpact
     Patch patch;
     patch.centre = mesh.get_vertices()[vertex];
 
-    const std::vector<Image> touching = images_around(vertex, {0, false, false});
-    std::set<Image>          images(touching.begin(), touching.end());
+    const std::vector<Image> touching =
+      images_around(vertex, {0, false, false});
+    std::set<Image> images(touching.begin(), touching.end());
     while (true)
       {
         patch.images.assign(images.begin(), images.end());
@@ -237,8 +248,7 @@ namespace PlateImpact
                 const double sign =
                   parity(k, image.mirrored_x, image.mirrored_y);
                 for (unsigned int g = 0; g < samples_per_cell; ++g)
-                  patch_samples.row(samples_per_cell * i + g) =
-                    sign *
+                  patch_samples.row(samples_per_cell * i + g) = sign *
                     samples.row(
                       n_resultants * (samples_per_cell * image.cell + g) + k);
               }

@@ -15,7 +15,8 @@ namespace PlateImpact
     count_steps(const TimeParameters &time)
     {
       const double ratio = time.end_time / time.time_step;
-      return static_cast<unsigned int>(std::max(1., std::ceil(ratio * (1 - 1e-9))));
+      return static_cast<unsigned int>(
+        std::max(1., std::ceil(ratio * (1 - 1e-9))));
     }
 
 
@@ -76,8 +77,7 @@ namespace PlateImpact
     const double known = integration.known_begin_force(current.force);
 
     // free displacement
-    right_hand_side =
-      c1 * Mv - (1. + c2) * Kz + (c2 * known) * plate.load();
+    right_hand_side = c1 * Mv - (1. + c2) * Kz + (c2 * known) * plate.load();
     if (step > 1)
       {
         plate.solve(right_hand_side, increment);
@@ -89,12 +89,10 @@ namespace PlateImpact
     // contact
     const double plate_free =
       current.plate_displacement + plate.load().dot(increment);
-    const double impactor_free =
-      impactor.displacement + dt * impactor.velocity -
-      dt * dt / impactor.mass * (0.5 - beta) * known;
-    const double at_begin = integration.acts_at_begin() ? 1. : 0.;
-    const double compliance =
-      (1. + c2 * at_begin) * unit_displacement +
+    const double impactor_free = impactor.displacement +
+      dt * impactor.velocity - dt * dt / impactor.mass * (0.5 - beta) * known;
+    const double at_begin   = integration.acts_at_begin() ? 1. : 0.;
+    const double compliance = (1. + c2 * at_begin) * unit_displacement +
       dt * dt / impactor.mass * (beta + (0.5 - beta) * at_begin);
     double phi;
     try
@@ -142,16 +140,17 @@ namespace PlateImpact
     if (has_a)
       {
         const Eigen::VectorXd v_begin = v, Mv_begin = Mv;
-        v = from_increment * increment + from_v * v + from_a * a;
+        v  = from_increment * increment + from_v * v + from_a * a;
         Mv = from_increment / c0 * (right_hand_side - K_increment) +
-             from_v * Mv + from_a * Ma;
+          from_v * Mv + from_a * Ma;
         a  = c0 * increment - c1 * v_begin - c2 * a;
         Ma = end_force * plate.load() - Kz;
       }
     else
       {
-        v  = from_increment * increment + from_v * v;
-        Mv = from_increment / c0 * (right_hand_side - K_increment) + from_v * Mv;
+        v = from_increment * increment + from_v * v;
+        Mv =
+          from_increment / c0 * (right_hand_side - K_increment) + from_v * Mv;
       }
   }
 
@@ -160,9 +159,8 @@ namespace PlateImpact
   void
   TimeStepper::move_impactor(const double begin_force, const double end_force)
   {
-    impactor.displacement +=
-      dt * impactor.velocity - dt * dt / impactor.mass *
-                                 ((0.5 - beta) * begin_force + beta * end_force);
+    impactor.displacement += dt * impactor.velocity -
+      dt * dt / impactor.mass * ((0.5 - beta) * begin_force + beta * end_force);
     const double impulse =
       dt * ((1. - gamma) * begin_force + gamma * end_force);
     impactor.velocity -= impulse / impactor.mass;

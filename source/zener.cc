@@ -19,8 +19,8 @@ namespace PlateImpact
     const double v0 = impactor.velocity, m = impactor.mass;
 
     // Neither the energy of the impactor nor the quasi-static balance
-    // F = impedance * v0 can be exceeded: the smaller of the two indentations is
-    // the length scale. The first is found by bisection of the potential.
+    // F = impedance * v0 can be exceeded: the smaller of the two indentations
+    // is the length scale. The first is found by bisection of the potential.
     double low = 0., high = law.indentation(impedance * v0);
     if (law.potential(high) > impactor.kinetic_energy())
       while (high - low > 1e-3 * high)

@@ -20,7 +20,8 @@ namespace PlateImpact
     void
     begin(const Scene &scene);
 
-    /// A line that is overwritten, on a terminal and within long transients only.
+    /// A line that is overwritten, on a terminal and within long transients
+    /// only.
     void
     progress(unsigned int cycle, unsigned int step, unsigned int n_steps);
 
@@ -38,8 +39,8 @@ namespace PlateImpact
     void
     clear_progress();
 
-    const bool quiet, shows_progress;
-    bool       has_progress = false;
+    const bool                            quiet, shows_progress;
+    bool                                  has_progress = false;
     std::chrono::steady_clock::time_point last_progress;
   };
 } // namespace PlateImpact

@@ -27,8 +27,8 @@ namespace PlateImpact
     }
   };
 
-  /// The states of a transient at t = 0 and after every step, in order, and what
-  /// an engineer reads from them. Forces are zero between contacts.
+  /// The states of a transient at t = 0 and after every step, in order, and
+  /// what an engineer reads from them. Forces are zero between contacts.
   class ContactHistory
   {
   public:
@@ -55,8 +55,8 @@ namespace PlateImpact
     double
     max_plate_displacement() const;
 
-    /// Largest deviation of the total energy from its initial value, relative to
-    /// that value.
+    /// Largest deviation of the total energy from its initial value, relative
+    /// to that value.
     double
     relative_energy_drift() const;
 

@@ -29,8 +29,9 @@ namespace PlateImpact
 
     /// Mean of the force over the interval between two indentations,
     /// (U(b) - U(a)) / (b - a) with U the potential: the discrete gradient of
-    /// Gonzalez (1996), doi:10.1007/BF02440162, in one dimension. Implementations
-    /// evaluate it without cancellation when a is close to b. [N]
+    /// Gonzalez (1996), doi:10.1007/BF02440162, in one dimension.
+    /// Implementations evaluate it without cancellation when a is close to b.
+    /// [N]
     virtual double
     mean_force(double a, double b) const = 0;
 

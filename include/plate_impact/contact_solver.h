@@ -8,11 +8,11 @@
 
 namespace PlateImpact
 {
-  /// How the contact force acts within a time step, as the forces that Newmark's
-  /// formulas take at its beginning and at its end. One part of them is known
-  /// when the step begins (`known_begin_force`), the other is the unknown phi of
-  /// the step, which acts at the end and, where `acts_at_begin`, at the beginning
-  /// as well.
+  /// How the contact force acts within a time step, as the forces that
+  /// Newmark's formulas take at its beginning and at its end. One part of them
+  /// is known when the step begins (`known_begin_force`), the other is the
+  /// unknown phi of the step, which acts at the end and, where `acts_at_begin`,
+  /// at the beginning as well.
   class ContactIntegration
   {
   public:
@@ -35,8 +35,8 @@ namespace PlateImpact
     stiffness(const ContactLaw &law, double begin, double end) const = 0;
   };
 
-  /// The force of the law at the end of the step, as in eqs. 28-31 of the paper.
-  /// Gains energy when the contact is stiff for the step.
+  /// The force of the law at the end of the step, as in eqs. 28-31 of the
+  /// paper. Gains energy when the contact is stiff for the step.
   class CollocatedContact : public ContactIntegration
   {
   public:
@@ -67,17 +67,18 @@ namespace PlateImpact
     stiffness(const ContactLaw &law, double begin, double end) const override;
   };
 
-  /// The integration that the scene names: `collocation` or `energy conserving`.
+  /// The integration that the scene names: `collocation` or `energy
+  /// conserving`.
   std::unique_ptr<const ContactIntegration>
   make_contact_integration(const std::string &name);
 
 
   /// Solves the scalar contact equation of a step, alpha + C phi(alpha) =
-  /// alpha_free, for the indentation alpha at its end, and returns the force phi.
-  /// phi never decreases with alpha, so that the left side increases strictly:
-  /// Newton's method within a bracket always finds the one root. Solving for the
-  /// indentation and not, as eq. 31 of the paper, for the force never raises a
-  /// negative number to the power 3/2.
+  /// alpha_free, for the indentation alpha at its end, and returns the force
+  /// phi. phi never decreases with alpha, so that the left side increases
+  /// strictly: Newton's method within a bracket always finds the one root.
+  /// Solving for the indentation and not, as eq. 31 of the paper, for the force
+  /// never raises a negative number to the power 3/2.
   ///
   /// @param begin       indentation at the beginning of the step [m]
   /// @param free        indentation at its end without the force phi [m]

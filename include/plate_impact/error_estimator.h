@@ -1,10 +1,10 @@
 #ifndef plate_impact_error_estimator_h
 #define plate_impact_error_estimator_h
 
+#include <deal.II/base/point.h>
+
 #include "plate_impact/plate_model.h"
 #include "plate_impact/stress_recovery.h"
-
-#include <deal.II/base/point.h>
 
 #include <Eigen/Core>
 
@@ -40,15 +40,15 @@ namespace PlateImpact
   ///   eta       = int ||e|| dt / int (||u||^2 + ||e||^2)^{1/2} dt,
   ///   xi'_i     = 1/T int ||e||_i / e_m dt,
   ///   e_m       = target (||u||^2 + ||e||^2)^{1/2} / n^{1/2},
-  /// with sigma* recovered by patches (StressRecovery), and time integrals by the
-  /// trapezoidal rule over samples. While the plate is at rest e_m is 0 and xi_i
-  /// is taken as 0 (the paper's table has 0/0 at t = 0).
+  /// with sigma* recovered by patches (StressRecovery), and time integrals by
+  /// the trapezoidal rule over samples. While the plate is at rest e_m is 0 and
+  /// xi_i is taken as 0 (the paper's table has 0/0 at t = 0).
   ///
-  /// Under a point load the energy of the exact error is infinite around the load,
-  /// on every mesh: there is nothing to estimate, and nearer than about half the
-  /// thickness plate theory means nothing either. Cells in such a singular zone are
-  /// left out of eta, which then is the error in the rest of the plate and
-  /// converges; what they would add is told beside.
+  /// Under a point load the energy of the exact error is infinite around the
+  /// load, on every mesh: there is nothing to estimate, and nearer than about
+  /// half the thickness plate theory means nothing either. Cells in such a
+  /// singular zone are left out of eta, which then is the error in the rest of
+  /// the plate and converges; what they would add is told beside.
   ///
   /// The estimate is no bound: it judges what the mesh resolves, and sees waves
   /// shorter than its cells only after refinement.
@@ -72,8 +72,9 @@ namespace PlateImpact
     /// Recovered resultants of one state: 5 point + resultant for points of a
     /// cell. For output.
     Eigen::MatrixXd
-    recovered_resultants(const Eigen::VectorXd               &unknowns,
-                         const std::vector<dealii::Point<2>> &unit_points) const;
+    recovered_resultants(
+      const Eigen::VectorXd               &unknowns,
+      const std::vector<dealii::Point<2>> &unit_points) const;
 
     unsigned int
     n_samples() const;
@@ -87,7 +88,9 @@ namespace PlateImpact
     void
     evaluate_buffer();
     void
-    integrate(double time, const Eigen::VectorXd &e2, const Eigen::VectorXd &u2);
+    integrate(double                 time,
+              const Eigen::VectorXd &e2,
+              const Eigen::VectorXd &u2);
     void
     update_max_stress(const Eigen::MatrixXd &coefficients);
 

@@ -1,6 +1,8 @@
 #ifndef plate_impact_impact_analysis_h
 #define plate_impact_impact_analysis_h
 
+#include <deal.II/grid/tria.h>
+
 #include "plate_impact/console.h"
 #include "plate_impact/contact_law.h"
 #include "plate_impact/contact_solver.h"
@@ -12,8 +14,6 @@
 #include "plate_impact/parameters.h"
 #include "plate_impact/plate_element.h"
 #include "plate_impact/plate_model.h"
-
-#include <deal.II/grid/tria.h>
 
 #include <memory>
 #include <optional>
@@ -57,12 +57,12 @@ namespace PlateImpact
     std::vector<std::string>
     warnings(const CycleResult &result) const;
 
-    const Scene                             &scene;
-    const Parameters                        &parameters;
-    Console                                 &console;
-    const bool                               has_estimator;
-    const PlateElement                       element;
-    const std::unique_ptr<const ContactLaw>  contact_law;
+    const Scene                                    &scene;
+    const Parameters                               &parameters;
+    Console                                        &console;
+    const bool                                      has_estimator;
+    const PlateElement                              element;
+    const std::unique_ptr<const ContactLaw>         contact_law;
     const std::unique_ptr<const ContactIntegration> contact_integration;
     const std::unique_ptr<const MeshAdaptation>     adaptation;
     const std::vector<LoadPoint>                    load_patch;

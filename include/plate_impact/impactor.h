@@ -5,9 +5,10 @@ namespace PlateImpact
 {
   struct ImpactorParameters;
 
-  /// The striking body as a point mass: mass [kg], displacement since first touch
-  /// [m] and velocity [m/s], both positive towards the plate. (The paper prints
-  /// its displacement as the double integral of f/m; meant is v0 t minus that.)
+  /// The striking body as a point mass: mass [kg], displacement since first
+  /// touch [m] and velocity [m/s], both positive towards the plate. (The paper
+  /// prints its displacement as the double integral of f/m; meant is v0 t minus
+  /// that.)
   struct Impactor
   {
     double mass;

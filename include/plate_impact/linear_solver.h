@@ -10,8 +10,8 @@ class Epetra_CrsMatrix;
 
 namespace PlateImpact
 {
-  /// Direct solver for one symmetric positive definite matrix and many right hand
-  /// sides.
+  /// Direct solver for one symmetric positive definite matrix and many right
+  /// hand sides.
   class LinearSolver
   {
   public:

@@ -1,16 +1,16 @@
 #ifndef plate_impact_load_patch_h
 #define plate_impact_load_patch_h
 
-#include "plate_impact/parameters.h"
-
 #include <deal.II/base/point.h>
+
+#include "plate_impact/parameters.h"
 
 #include <vector>
 
 namespace PlateImpact
 {
-  /// A point of the plate quadrant and the fraction of the force that acts there
-  /// and at its mirror images.
+  /// A point of the plate quadrant and the fraction of the force that acts
+  /// there and at its mirror images.
   struct LoadPoint
   {
     dealii::Point<2> point;
@@ -20,8 +20,8 @@ namespace PlateImpact
   /// Quadrature of the scene's load distribution over the quadrant; the weights
   /// sum to one. Independent of any mesh: the points lie where the load needs
   /// them, in whatever cells they fall. `point`: the origin. `Hertz disc`:
-  /// pressure ~ sqrt(1 - (r/c)^2), `uniform disc`: constant pressure, both within
-  /// the patch radius c.
+  /// pressure ~ sqrt(1 - (r/c)^2), `uniform disc`: constant pressure, both
+  /// within the patch radius c.
   std::vector<LoadPoint>
   make_load_patch(const ContactParameters &contact);
 } // namespace PlateImpact

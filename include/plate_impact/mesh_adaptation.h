@@ -1,10 +1,10 @@
 #ifndef plate_impact_mesh_adaptation_h
 #define plate_impact_mesh_adaptation_h
 
+#include <deal.II/grid/tria.h>
+
 #include "plate_impact/error_estimator.h"
 #include "plate_impact/parameters.h"
-
-#include <deal.II/grid/tria.h>
 
 #include <memory>
 #include <vector>
@@ -33,7 +33,8 @@ namespace PlateImpact
     /// Changes the mesh.
     /// @return whether the new mesh differs from the old one
     virtual bool
-    adapt(dealii::Triangulation<2> &mesh, const ErrorEstimate &estimate) const = 0;
+    adapt(dealii::Triangulation<2> &mesh,
+          const ErrorEstimate      &estimate) const = 0;
   };
 
 

@@ -1,10 +1,10 @@
 #ifndef plate_impact_output_h
 #define plate_impact_output_h
 
+#include <deal.II/grid/tria.h>
+
 #include "plate_impact/cycle_result.h"
 #include "plate_impact/parameters.h"
-
-#include <deal.II/grid/tria.h>
 
 #include <nlohmann/json.hpp>
 
@@ -23,19 +23,21 @@ namespace PlateImpact
   class Output
   {
   public:
-    /// Creates the directory, removes results of earlier runs from it (files that
-    /// carry the names below) and writes scene.prm, every value used.
+    /// Creates the directory, removes results of earlier runs from it (files
+    /// that carry the names below) and writes scene.prm, every value used.
     /// @param scene  must outlive this object
     /// @throws ComputationError, as all members, when a file cannot be written
     explicit Output(const Scene &scene);
 
     /// contact_history.csv, the one of the cycle before becoming
-    /// contact_history_cycle_K.csv; element_errors_cycle_K.csv; mesh_cycle_K.svg.
+    /// contact_history_cycle_K.csv; element_errors_cycle_K.csv;
+    /// mesh_cycle_K.svg.
     void
     write_cycle(CycleResult &result, const dealii::Triangulation<2> &mesh);
 
-    /// fields.pvd and a VTU file for every snapshot of the last cycle: deflection,
-    /// rotations, recovered resultants, von Mises stress at the faces, xi'.
+    /// fields.pvd and a VTU file for every snapshot of the last cycle:
+    /// deflection, rotations, recovered resultants, von Mises stress at the
+    /// faces, xi'.
     void
     write_fields(CycleResult          &result,
                  const PlateModel     &model,

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-/// The entries of a scene, one struct per section. What an entry means, its unit,
-/// its default and what is allowed is written once, where it is declared
+/// The entries of a scene, one struct per section. What an entry means, its
+/// unit, its default and what is allowed is written once, where it is declared
 /// (parameters.cc), and printed by `plate-impact defaults`. SI units.
 namespace PlateImpact
 {
@@ -103,8 +103,8 @@ namespace PlateImpact
 
   /// Reads a scene file and the overrides "Section/Entry=value" on top of it,
   /// checks every entry and the entries against each other, and replaces zeros
-  /// that mean "chosen by the program" by what is chosen: the impactor's mass, the
-  /// patch radius, the minimum cell size.
+  /// that mean "chosen by the program" by what is chosen: the impactor's mass,
+  /// the patch radius, the minimum cell size.
   /// @throws InputError with every mistake found: file, line, entry, value and
   ///         what is allowed
   Scene

@@ -1,19 +1,15 @@
 #ifndef plate_impact_plate_element_h
 #define plate_impact_plate_element_h
 
-#include "plate_impact/plate_section.h"
-
 #include <deal.II/base/quadrature_lib.h>
-
 #include <deal.II/dofs/dof_handler.h>
-
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/fe_values.h>
-
 #include <deal.II/grid/tria.h>
-
 #include <deal.II/lac/affine_constraints.h>
+
+#include "plate_impact/plate_section.h"
 
 #include <Eigen/Core>
 
@@ -24,9 +20,9 @@
 namespace PlateImpact
 {
   /// Components of the unknowns at a node: deflection [m], positive in the
-  /// direction of impact, and the rotations of the normal in the planes xz and yz
-  /// [rad], which equal the slopes of the deflection where there is no transverse
-  /// shear: gamma = grad w - theta.
+  /// direction of impact, and the rotations of the normal in the planes xz and
+  /// yz [rad], which equal the slopes of the deflection where there is no
+  /// transverse shear: gamma = grad w - theta.
   enum PlateComponent : unsigned int
   {
     deflection = 0,
@@ -62,16 +58,16 @@ namespace PlateImpact
   /// A Reissner-Mindlin plate element: FE_Q(2) for the deflection and both
   /// rotations, 3x3 Gauss points for bending and mass and 2x2 for shear.
   ///
-  /// The centre node makes the difference. Constrained to -1/4 of the corners plus
-  /// 1/2 of the midsides it turns FE_Q(2) into the 8-node serendipity element
-  /// exactly. All components constrained: `serendipity`, the element of the paper;
-  /// the deflection only: `heterosis` (Hughes & Cohen, Comput
-  /// Struct 9, 1978, 445-450); none: `Lagrange`, which has a spurious
-  /// zero-energy mode per element that the assembly does not always suppress.
+  /// The centre node makes the difference. Constrained to -1/4 of the corners
+  /// plus 1/2 of the midsides it turns FE_Q(2) into the 8-node serendipity
+  /// element exactly. All components constrained: `serendipity`, the element of
+  /// the paper; the deflection only: `heterosis` (Hughes & Cohen, Comput Struct
+  /// 9, 1978, 445-450); none: `Lagrange`, which has a spurious zero-energy mode
+  /// per element that the assembly does not always suppress.
   ///
-  /// Reduced integration is used in its equivalent form, an assumed shear strain
-  /// that interpolates the 2x2 points bilinearly: the shear at other points, where
-  /// the raw one is polluted, is then defined as well.
+  /// Reduced integration is used in its equivalent form, an assumed shear
+  /// strain that interpolates the 2x2 points bilinearly: the shear at other
+  /// points, where the raw one is polluted, is then defined as well.
   class PlateElement
   {
   public:
@@ -93,8 +89,9 @@ namespace PlateImpact
 
     /// Adds the constraints that make this element of FE_Q(2).
     void
-    add_internal_constraints(const dealii::DoFHandler<2>       &dof_handler,
-                             dealii::AffineConstraints<double> &constraints) const;
+    add_internal_constraints(
+      const dealii::DoFHandler<2>       &dof_handler,
+      dealii::AffineConstraints<double> &constraints) const;
 
     CellShape
     shape(const dealii::Triangulation<2>::active_cell_iterator &cell) const;

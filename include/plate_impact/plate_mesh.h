@@ -1,16 +1,16 @@
 #ifndef plate_impact_plate_mesh_h
 #define plate_impact_plate_mesh_h
 
-#include "plate_impact/parameters.h"
-
 #include <deal.II/grid/tria.h>
+
+#include "plate_impact/parameters.h"
 
 #include <memory>
 
 namespace PlateImpact
 {
-  /// Boundary ids of the quadrant 0 <= x <= a/2, 0 <= y <= b/2 with the impact at
-  /// the origin.
+  /// Boundary ids of the quadrant 0 <= x <= a/2, 0 <= y <= b/2 with the impact
+  /// at the origin.
   enum PlateBoundary : dealii::types::boundary_id
   {
     symmetry_x = 0, ///< x = 0
@@ -19,9 +19,9 @@ namespace PlateImpact
     edge_y     = 3  ///< y = b/2
   };
 
-  /// The quadrant in equal rectangular cells. Refinement keeps neighbours, across
-  /// vertices too, within one level of each other: patches of the stress recovery
-  /// then mix cells of similar size only.
+  /// The quadrant in equal rectangular cells. Refinement keeps neighbours,
+  /// across vertices too, within one level of each other: patches of the stress
+  /// recovery then mix cells of similar size only.
   std::unique_ptr<dealii::Triangulation<2>>
   make_plate_quadrant(const PlateParameters             &plate,
                       const std::array<unsigned int, 2> &n_cells);

@@ -1,13 +1,13 @@
 #ifndef plate_impact_plate_model_h
 #define plate_impact_plate_model_h
 
+#include <deal.II/base/function.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/lac/affine_constraints.h>
+
 #include "plate_impact/load_patch.h"
 #include "plate_impact/plate_element.h"
 #include "plate_impact/plate_section.h"
-
-#include <deal.II/dofs/dof_handler.h>
-
-#include <deal.II/lac/affine_constraints.h>
 
 #include <Eigen/Core>
 #include <Epetra_CrsMatrix.h>
@@ -21,10 +21,10 @@ namespace PlateImpact
   ///
   /// Only unknowns that constraints leave free are numbered: hanging nodes,
   /// supports, symmetry and the centre nodes of the element are resolved within
-  /// each cell, so that matrices and vectors carry no dead entries. K, M and loads
-  /// are those of the whole plate moving symmetrically, that is `multiplicity`
-  /// times those of the part that is meshed (4 for a quadrant): forces and
-  /// energies need no factor anywhere else.
+  /// each cell, so that matrices and vectors carry no dead entries. K, M and
+  /// loads are those of the whole plate moving symmetrically, that is
+  /// `multiplicity` times those of the part that is meshed (4 for a quadrant):
+  /// forces and energies need no factor anywhere else.
   ///
   /// K and M are serial Epetra matrices; unlike TrilinosWrappers::SparseMatrix
   /// they do not need MPI, whose start costs more than a small scene.
@@ -57,14 +57,18 @@ namespace PlateImpact
     Eigen::VectorXd
     load(const std::vector<LoadPoint> &points) const;
 
+    /// The unknowns of a given field of deflection and rotations.
+    Eigen::VectorXd
+    interpolate(const dealii::Function<2> &field) const;
+
     /// Values of a cell's 27 nodal quantities, constraints resolved.
     /// @param cell      active cell index
     /// @param unknowns  n_unknowns() x n
     /// @param values    set to n_cell_dofs x n
     void
-    cell_values(unsigned int                              cell,
+    cell_values(unsigned int                             cell,
                 const Eigen::Ref<const Eigen::MatrixXd> &unknowns,
-                Eigen::MatrixXd                          &values) const;
+                Eigen::MatrixXd                         &values) const;
 
     const CellShape &
     shape(unsigned int cell) const;
@@ -97,13 +101,14 @@ namespace PlateImpact
     std::pair<std::vector<int>, Eigen::MatrixXd>
     expansion(unsigned int cell) const;
 
-    const PlateElement             &plate_element;
-    const PlateSection              plate_section;
-    const double                    multiplicity;
-    dealii::DoFHandler<2>           dof_handler;
+    const PlateElement               &plate_element;
+    const PlateSection                plate_section;
+    const double                      multiplicity;
+    dealii::DoFHandler<2>             dof_handler;
     dealii::AffineConstraints<double> constraints;
 
-    unsigned int n_free = 0;
+    unsigned int     n_free = 0;
+    std::vector<int> unknown_of_dof; ///< -1 for constrained ones
 
     /// Nodal value i of cell c is the sum of contributions
     /// first_contribution[27 c + i] ... first_contribution[27 c + i + 1] - 1.

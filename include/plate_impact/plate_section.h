@@ -7,15 +7,17 @@
 
 namespace PlateImpact
 {
-  /// Stress resultants M_x, M_y, M_xy [N] and Q_x, Q_y [N/m], or the generalized
-  /// strains conjugate to them: curvatures [1/m] and transverse shear strains.
+  /// Stress resultants M_x, M_y, M_xy [N] and Q_x, Q_y [N/m], or the
+  /// generalized strains conjugate to them: curvatures [1/m] and transverse
+  /// shear strains.
   using Resultants = Eigen::Matrix<double, 5, 1>;
 
   /// The homogeneous isotropic section of a Reissner-Mindlin plate: what its
   /// strains cost and what it weighs. The only place that knows the material. A
   /// flat plate under transverse load has no membrane response, so the paper's
   /// in-plane unknowns are left out; stresses are linear through the thickness,
-  /// so that resultants give the energies of its through-thickness Gauss points.
+  /// so that resultants give the energies of its through-thickness Gauss
+  /// points.
   struct PlateSection
   {
     explicit PlateSection(const PlateParameters &plate);
@@ -33,13 +35,13 @@ namespace PlateImpact
     /// rho t^3 / 12. [kg]
     double rotary_inertia;
 
-    /// Twice the strain energy density of resultants, sigma^T D^-1 sigma, of the
-    /// norms in Table 1 of the paper. [J/m^2]
+    /// Twice the strain energy density of resultants, sigma^T D^-1 sigma, of
+    /// the norms in Table 1 of the paper. [J/m^2]
     double
     energy_density(const Resultants &resultants) const;
 
-    /// Von Mises stress at the faces of the plate, the paper's effective stress:
-    /// sigma = 6 M / t^2, no transverse shear. [Pa]
+    /// Von Mises stress at the faces of the plate, the paper's effective
+    /// stress: sigma = 6 M / t^2, no transverse shear. [Pa]
     double
     surface_von_mises_stress(double m_x, double m_y, double m_xy) const;
 

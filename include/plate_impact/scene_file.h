@@ -26,16 +26,18 @@ namespace PlateImpact
   /// its entries mean.
   struct SceneFile
   {
-    std::vector<Assignment>  assignments;
-    std::vector<Assignment>  sections; ///< where they begin, without an entry
-    std::vector<std::string> mistakes; ///< one sentence each, with file and line
+    std::vector<Assignment> assignments;
+    std::vector<Assignment> sections; ///< where they begin, without an entry
+    std::vector<std::string>
+      mistakes; ///< one sentence each, with file and line
   };
 
-  /// Reads the grammar of deal.II's ParameterHandler (`subsection`, `set`, `end`,
-  /// comments from `#` to the end of the line) line by line. Unlike
-  /// ParameterHandler it goes on after a mistake, so that a user sees all of them
-  /// at once. Byte order marks and Windows line ends are accepted; sections within
-  /// sections, entries set twice and anything else are mistakes.
+  /// Reads the grammar of deal.II's ParameterHandler (`subsection`, `set`,
+  /// `end`, comments from `#` to the end of the line) line by line. Unlike
+  /// ParameterHandler it goes on after a mistake, so that a user sees all of
+  /// them at once. Byte order marks and Windows line ends are accepted;
+  /// sections within sections, entries set twice and anything else are
+  /// mistakes.
   ///
   /// @param name  of the file, for the mistakes
   SceneFile
@@ -46,8 +48,8 @@ namespace PlateImpact
   Assignment
   parse_override(const std::string &text);
 
-  /// The candidate closest to a misspelled name, or an empty string when none is
-  /// close enough to be meant (edit distance beyond a third of its length).
+  /// The candidate closest to a misspelled name, or an empty string when none
+  /// is close enough to be meant (edit distance beyond a third of its length).
   std::string
   closest_name(const std::string              &name,
                const std::vector<std::string> &candidates);

@@ -1,9 +1,9 @@
 #ifndef plate_impact_scene_schema_h
 #define plate_impact_scene_schema_h
 
-#include "plate_impact/scene_file.h"
-
 #include <deal.II/base/parameter_handler.h>
+
+#include "plate_impact/scene_file.h"
 
 #include <array>
 #include <functional>
@@ -19,7 +19,7 @@ namespace PlateImpact
   class Allowed : public dealii::Patterns::PatternBase
   {
   public:
-    Allowed(const std::string                             &words,
+    Allowed(const std::string                              &words,
             const std::function<bool(const std::string &)> &test);
 
     bool
@@ -57,8 +57,8 @@ namespace PlateImpact
 
 
   /// The entries of a scene, each bound to a variable: declared once, then set
-  /// from assignments with every mistake collected, and printed through deal.II's
-  /// ParameterHandler.
+  /// from assignments with every mistake collected, and printed through
+  /// deal.II's ParameterHandler.
   class SceneSchema
   {
   public:
@@ -86,8 +86,8 @@ namespace PlateImpact
     std::vector<std::string>
     check_sections(const std::vector<Assignment> &openings) const;
 
-    /// Sets the entries and returns a sentence for each that cannot be. Those of
-    /// sections that a file opens and that do not exist are passed over: the
+    /// Sets the entries and returns a sentence for each that cannot be. Those
+    /// of sections that a file opens and that do not exist are passed over: the
     /// section is the one mistake.
     std::vector<std::string>
     set(const std::vector<Assignment> &assignments);

@@ -12,8 +12,8 @@
 namespace PlateImpact
 {
   /// The plate as the time stepper sees it, M z'' + K z = f u: a stiffness, one
-  /// shape u of the load, and solves with K + c M. The same for the unknowns of a
-  /// mesh and for a reduced basis.
+  /// shape u of the load, and solves with K + c M. The same for the unknowns of
+  /// a mesh and for a reduced basis.
   class SemidiscretePlate
   {
   public:

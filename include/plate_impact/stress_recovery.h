@@ -2,7 +2,6 @@
 #define plate_impact_stress_recovery_h
 
 #include <deal.II/base/point.h>
-
 #include <deal.II/grid/tria.h>
 
 #include <Eigen/Core>
@@ -19,32 +18,41 @@ namespace PlateImpact
   /// doi:10.1002/nme.1620330702; eqs. 9-15 of the paper) of the five stress
   /// resultants from samples at the 2x2 Gauss points of every cell.
   ///
-  /// Around each vertex a polynomial P a, P = [1, x, y, x^2, xy, y^2, x^2 y, xy^2],
-  /// is fitted to the samples of the cells that touch it, by least squares. In a
-  /// cell the four polynomials of its corners are blended with the bilinear shape
-  /// functions; at the nodes of the element this is the average over patches that
-  /// the paper takes. Since everything is linear in the samples, a patch is one
-  /// small matrix, built once per mesh.
+  /// Around each vertex a polynomial P a, P = [1, x, y, x^2, xy, y^2, x^2 y,
+  /// xy^2], is fitted to the samples of the cells that touch it, by least
+  /// squares. In a cell the four polynomials of its corners are blended with
+  /// the bilinear shape functions; at the nodes of the element this is the
+  /// average over patches that the paper takes. Since everything is linear in
+  /// the samples, a patch is one small matrix, built once per mesh.
   ///
   /// What makes it work on every patch:
-  ///  - coordinates are centred at the vertex and scaled by the patch (in metres the
-  ///    normal matrix of eq. 15 has a condition number of 4e13 for 1 cm), and the
-  ///    fit uses a rank-revealing orthogonal decomposition, not eq. 14;
-  ///  - samples are mirrored across the planes of symmetry: M_x and M_y are even,
-  ///    M_xy odd across both, Q_x odd across x = 0 and even across y = 0, Q_y the
-  ///    other way round;
-  ///  - at a vertex on an edge of the plate the patches of neighbouring vertices
-  ///    in the interior are used, averaged;
-  ///  - a patch whose samples do not determine the polynomial grows by the cells
-  ///    around it: decided by rank, since 2x2 points in two cells side by side are
-  ///    eight and determine six terms.
+  ///  - coordinates are centred at the vertex and scaled by the patch (in
+  ///  metres the
+  ///    normal matrix of eq. 15 has a condition number of 4e13 for 1 cm), and
+  ///    the fit uses a rank-revealing orthogonal decomposition, not eq. 14;
+  ///  - samples are mirrored across the planes of symmetry: M_x and M_y are
+  ///  even,
+  ///    M_xy odd across both, Q_x odd across x = 0 and even across y = 0, Q_y
+  ///    the other way round;
+  ///  - at a vertex on an edge of the plate the patches of neighbouring
+  ///  vertices
+  ///    in the interior are used, averaged. So they are at hanging vertices:
+  ///    the twelve samples of their three cells do determine eight terms, but
+  ///    such a fit follows the error that it should expose (measured on a
+  ///    simply supported plate: cells along a change of level then see half of
+  ///    their error);
+  ///  - a patch whose samples do not determine the polynomial grows by the
+  ///  cells
+  ///    around it: decided by rank, since 2x2 points in two cells side by side
+  ///    are eight and determine six terms.
   class StressRecovery
   {
   public:
     static constexpr unsigned int n_terms = 8, n_resultants = 5,
                                   samples_per_cell = 4;
 
-    /// @param mesh  of the plate with the ids of PlateBoundary; must outlive this
+    /// @param mesh  of the plate with the ids of PlateBoundary; must outlive
+    /// this
     ///              object
     explicit StressRecovery(const dealii::Triangulation<2> &mesh);
 
@@ -60,11 +68,11 @@ namespace PlateImpact
     /// @param points       the same points on the plate [m]
     /// @param values       set to 5 point + resultant by n columns
     void
-    evaluate(unsigned int                            cell,
-             const std::vector<dealii::Point<2>>    &unit_points,
-             const std::vector<dealii::Point<2>>    &points,
-             const Eigen::MatrixXd                  &coefficients,
-             Eigen::MatrixXd                        &values) const;
+    evaluate(unsigned int                         cell,
+             const std::vector<dealii::Point<2>> &unit_points,
+             const std::vector<dealii::Point<2>> &points,
+             const Eigen::MatrixXd               &coefficients,
+             Eigen::MatrixXd                     &values) const;
 
 
   private:
@@ -78,7 +86,7 @@ namespace PlateImpact
       operator<(const Image &other) const
       {
         return std::tie(cell, mirrored_x, mirrored_y) <
-               std::tie(other.cell, other.mirrored_x, other.mirrored_y);
+          std::tie(other.cell, other.mirrored_x, other.mirrored_y);
       }
     };
 
@@ -91,7 +99,7 @@ namespace PlateImpact
     };
 
     void
-    find_boundaries();
+    mark_vertices();
     void
     assign_patches();
     std::vector<Image>
@@ -107,10 +115,10 @@ namespace PlateImpact
 
     const dealii::Triangulation<2> &mesh;
 
-    std::vector<dealii::Point<2>>          sample_points;
-    std::vector<std::vector<unsigned int>> cells_at_vertex;
+    std::vector<dealii::Point<2>>            sample_points;
+    std::vector<std::vector<unsigned int>>   cells_at_vertex;
     std::vector<std::array<unsigned int, 4>> vertices_of_cell;
-    std::vector<bool> is_on_symmetry_x, is_on_symmetry_y, is_on_edge;
+    std::vector<bool> is_on_symmetry_x, is_on_symmetry_y, uses_neighbours;
 
     std::vector<Patch>                     patches;
     std::vector<std::vector<unsigned int>> patches_of_vertex;

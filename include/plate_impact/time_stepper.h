@@ -15,20 +15,20 @@ namespace PlateImpact
   /// Integrates plate and impactor in time: Newmark's method for both and one
   /// scalar contact equation per step (eqs. 19-31 of the paper).
   ///
-  /// A step advances by the increment d of the displacements, which keeps digits
-  /// that the paper's total form loses on small steps:
+  /// A step advances by the increment d of the displacements, which keeps
+  /// digits that the paper's total form loses on small steps:
   ///   K* d = f_1 u + c_2 f_0 u - (1 + c_2) K z + c_1 M v,   K* = K + c_0 M,
   /// c_0 = 1/(beta dt^2), c_1 = 1/(beta dt), c_2 = 1/(2 beta) - 1. The free
   /// displacement is its solution for the part of the forces that is known, the
-  /// unit response z_u = K*^-1 u belongs to the unknown force phi; what the contact
-  /// sees of both is a number each. The vectors K z and M v follow from the
-  /// solution of the step itself, so that a step costs one solve, one product with
-  /// K, and the energies nothing but scalar products.
+  /// unit response z_u = K*^-1 u belongs to the unknown force phi; what the
+  /// contact sees of both is a number each. The vectors K z and M v follow from
+  /// the solution of the step itself, so that a step costs one solve, one
+  /// product with K, and the energies nothing but scalar products.
   class TimeStepper
   {
   public:
-    /// Factorizes the effective stiffness and computes the unit response. Plate,
-    /// law and integration must outlive the stepper.
+    /// Factorizes the effective stiffness and computes the unit response.
+    /// Plate, law and integration must outlive the stepper.
     TimeStepper(const TimeParameters     &time,
                 SemidiscretePlate        &plate,
                 const ContactLaw         &law,
@@ -79,12 +79,12 @@ namespace PlateImpact
     const unsigned int        steps;
     const double              dt, c0, c1, c2;
 
-    Impactor        impactor;
-    ContactState    current;
-    unsigned int    step            = 0;
-    double          total_impulse   = 0.;
-    unsigned int    n_solves        = 0;
-    unsigned int    n_contacts      = 0;
+    Impactor     impactor;
+    ContactState current;
+    unsigned int step          = 0;
+    double       total_impulse = 0.;
+    unsigned int n_solves      = 0;
+    unsigned int n_contacts    = 0;
 
     /// z, v, a and what follows from them; a is needed unless gamma = 2 beta
     Eigen::VectorXd z, v, a, Kz, Mv, Ma;

@@ -16,8 +16,8 @@ namespace PlateImpact
     double time;        ///< [s]
   };
 
-  /// Zener's equation for the impact on an infinite thin plate, whose response to
-  /// a force at a point is the velocity F / (8 sqrt(D rho t)):
+  /// Zener's equation for the impact on an infinite thin plate, whose response
+  /// to a force at a point is the velocity F / (8 sqrt(D rho t)):
   ///   d(alpha)/dt = v - F(alpha) / (8 sqrt(D rho t)),  dv/dt = -F(alpha) / m
   /// (Zener, Phys. Rev. 59, 1941, doi:10.1103/PhysRev.59.669). It holds until
   /// waves return from the edges, for loads that spread over more than the

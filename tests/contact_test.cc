@@ -1,0 +1,210 @@
+#include "plate_impact/contact_law.h"
+#include "plate_impact/contact_solver.h"
+#include "plate_impact/exceptions.h"
+#include "plate_impact/parameters.h"
+#include "plate_impact/plate_section.h"
+#include "plate_impact/zener.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace PlateImpact
+{
+  namespace
+  {
+    const HertzLaw hertz(1.4e10);
+
+
+
+    TEST(ContactLaw, HertzForceIsThePowerThreeHalves)
+    {
+      EXPECT_DOUBLE_EQ(hertz.force(1e-6), 1.4e10 * 1e-9);
+      EXPECT_EQ(hertz.force(0.), 0.);
+      EXPECT_EQ(hertz.force(-1e-6), 0.);
+      EXPECT_EQ(hertz.stiffness(-1e-6), 0.);
+      EXPECT_EQ(hertz.potential(-1e-6), 0.);
+    }
+
+
+
+    TEST(ContactLaw, StiffnessIsTheDerivativeOfForceAndForceThatOfPotential)
+    {
+      for (const double alpha : {1e-9, 1e-6, 1e-3})
+        {
+          const double h = 1e-4 * alpha;
+          EXPECT_NEAR((hertz.force(alpha + h) - hertz.force(alpha - h)) /
+                        (2 * h) / hertz.stiffness(alpha),
+                      1.,
+                      1e-7);
+          EXPECT_NEAR((hertz.potential(alpha + h) -
+                       hertz.potential(alpha - h)) /
+                        (2 * h) / hertz.force(alpha),
+                      1.,
+                      1e-7);
+        }
+    }
+
+
+
+    TEST(ContactLaw, IndentationInvertsForce)
+    {
+      for (const double alpha : {1e-12, 1e-6, 1e-1})
+        EXPECT_NEAR(hertz.indentation(hertz.force(alpha)) / alpha, 1., 1e-14);
+      EXPECT_EQ(hertz.indentation(-1.), 0.);
+    }
+
+
+
+    TEST(ContactLaw, MeanForceTimesDistanceIsTheChangeOfPotential)
+    {
+      for (const double a : {-2e-6, 0., 1e-9, 1e-6, 3e-6})
+        for (const double b : {-1e-6, 0., 2e-9, 1.5e-6, 2.9e-6})
+          if (a != b)
+            {
+              EXPECT_NEAR(hertz.mean_force(a, b) * (b - a),
+                          hertz.potential(b) - hertz.potential(a),
+                          1e-14 * (hertz.potential(a) + hertz.potential(b)));
+            }
+    }
+
+
+
+    TEST(ContactLaw, MeanForceDoesNotCancelForCloseIndentations)
+    {
+      const double a = 1e-6;
+      EXPECT_DOUBLE_EQ(hertz.mean_force(a, a), hertz.force(a));
+      EXPECT_NEAR(hertz.mean_force(a, a * (1. + 1e-12)) / hertz.force(a),
+                  1.,
+                  2e-12);
+    }
+
+
+
+    TEST(ContactLaw, CoefficientsOfTheTwoLawsOfTheSphere)
+    {
+      // steel on steel: impact_cases.json gives K of both laws
+      const double E = 2.1e11, c = (1. - 0.09) / E;
+      EXPECT_NEAR(hertz_coefficient(0.01, c, 1. / E), 14659685863.874344, 1.);
+      EXPECT_NEAR(hertz_coefficient(0.01, c, c), 15384615384.615383, 1.);
+    }
+
+
+
+    TEST(ContactSolver, SolvesTheCollocatedEquation)
+    {
+      const CollocatedContact collocation;
+      for (const double compliance : {1e-20, 1e-12, 1e-8, 1e-4, 1e4})
+        for (const double free : {1e-12, 1e-6, 1e-2})
+          {
+            const double phi =
+              solve_contact(collocation, hertz, 0., free, compliance);
+            const double alpha = hertz.indentation(phi);
+            EXPECT_NEAR((alpha + compliance * phi) / free, 1., 1e-13)
+              << compliance << ' ' << free;
+          }
+    }
+
+
+
+    TEST(ContactSolver, SolvesTheEnergyConservingEquation)
+    {
+      const EnergyConservingContact conserving;
+      for (const double compliance : {1e-20, 1e-12, 1e-8, 1e-4, 1e4})
+        for (const double begin : {-1e-6, 0., 1e-9, 1e-6, 1e-3})
+          for (const double free : {-1e-3, 1e-12, 1e-6, 1e-2})
+            {
+              const double phi =
+                solve_contact(conserving, hertz, begin, free, compliance);
+              const double end = free - compliance * phi;
+              EXPECT_GE(phi, 0.);
+              // where the compliance dominates, round-off of `end` decides
+              const double error = std::abs(hertz.mean_force(begin, end) - phi);
+              EXPECT_LE(error,
+                        1e-13 * phi +
+                          hertz.stiffness(std::max(begin, end)) * 1e-14 *
+                            (std::abs(free) + std::abs(begin)))
+                << compliance << ' ' << begin << ' ' << free;
+            }
+    }
+
+
+
+    TEST(ContactSolver, NoContactIsExactlyNoForce)
+    {
+      const CollocatedContact       collocation;
+      const EnergyConservingContact conserving;
+      EXPECT_EQ(solve_contact(collocation, hertz, -1e-6, -1e-9, 1e-8), 0.);
+      EXPECT_EQ(solve_contact(conserving, hertz, -1e-6, -1e-9, 1e-8), 0.);
+      EXPECT_EQ(solve_contact(collocation, hertz, 1e-6, -1e-9, 1e-8), 0.);
+    }
+
+
+
+    TEST(ContactSolver, RefusesValuesThatAreNotFinite)
+    {
+      const CollocatedContact collocation;
+      EXPECT_THROW(solve_contact(collocation,
+                                 hertz,
+                                 0.,
+                                 std::numeric_limits<double>::quiet_NaN(),
+                                 1e-8),
+                   ComputationError);
+    }
+
+
+
+    /// Section of the steel plate of the paper.
+    PlateSection
+    steel_section(const double thickness)
+    {
+      PlateParameters plate;
+      plate.thickness               = thickness;
+      plate.youngs_modulus          = 2.1e11;
+      plate.poissons_ratio          = 0.3;
+      plate.density                 = 7800.;
+      plate.shear_correction_factor = 5. / 6.;
+      return PlateSection(plate);
+    }
+
+
+
+    TEST(ZenerPeak, RigidPlateIsHertzImpact)
+    {
+      // a plate so thick that nothing is lost into it
+      const Impactor     impactor{0.03, 0., 1.};
+      const ExpectedPeak peak =
+        zener_peak(hertz, impactor, steel_section(100.));
+      const double alpha = std::pow(1.25 * 0.03 / 1.4e10, 0.4);
+      EXPECT_NEAR(peak.indentation / alpha, 1., 1e-4);
+      EXPECT_NEAR(peak.force / hertz.force(alpha), 1., 1e-4);
+      EXPECT_NEAR(peak.time / (1.4716 * alpha), 1., 3e-3);
+    }
+
+
+
+    TEST(ZenerPeak, ThinPlateIsTheQuasistaticLimit)
+    {
+      // the plate gives way at once: F = 8 sqrt(D rho t) v
+      const PlateSection section = steel_section(1e-5);
+      const Impactor     impactor{0.03, 0., 1.};
+      const ExpectedPeak peak = zener_peak(hertz, impactor, section);
+      const double       impedance =
+        8. * std::sqrt(section.bending_stiffness(0, 0) * section.mass);
+      EXPECT_NEAR(peak.force / impedance, 1., 2e-3);
+    }
+
+
+
+    TEST(ZenerPeak, SteelCaseOfThePaper)
+    {
+      // the Kirchhoff plate under a point force of impact_cases.json, 1370.835
+      // N; that plate has rotary inertia, which Zener's equation leaves out
+      const HertzLaw     law(14659685863.874344);
+      const Impactor     impactor{0.03267256359733385, 0., 1.};
+      const ExpectedPeak peak = zener_peak(law, impactor, steel_section(0.008));
+      EXPECT_NEAR(peak.force / 1370.835, 1., 0.03);
+    }
+  } // namespace
+} // namespace PlateImpact

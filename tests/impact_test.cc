@@ -1,0 +1,180 @@
+// Whole impacts against the histories of series and Ritz solutions of high
+// order (tests/reference), computed through the library.
+#include "plate_impact/impactor.h"
+#include "plate_impact/time_stepper.h"
+#include "test_plate.h"
+
+namespace PlateImpact
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// A scene with entries changed.
+    Parameters
+    parameters_with(const std::vector<std::string> &overrides)
+    {
+      return read_scene(std::string(TEST_DATA) +
+                          "/reference/scene-interface.prm",
+                        overrides)
+        .parameters;
+    }
+
+
+
+    ContactHistory
+    impact(const Parameters             &parameters,
+           const Triangulation<2>       &mesh,
+           const std::vector<LoadPoint> &load,
+           const double                  multiplicity)
+    {
+      const PlateElement element(parameters.discretization.element);
+      PlateModel         model(mesh, element, parameters.plate, multiplicity);
+      model.assemble();
+      MeshPlate  plate(model,
+                      model.load(load),
+                      make_linear_solver(
+                        parameters.discretization.linear_solver));
+      const auto law = make_contact_law(parameters);
+      const auto integration =
+        make_contact_integration(parameters.contact.integration);
+      TimeStepper    stepper(parameters.time,
+                          plate,
+                          *law,
+                          *integration,
+                          make_impactor(parameters.impactor));
+      ContactHistory history;
+      history.add(stepper.state());
+      for (unsigned int step = 0; step < stepper.n_steps(); ++step)
+        {
+          stepper.advance();
+          history.add(stepper.state());
+        }
+      return history;
+    }
+
+
+
+    double
+    largest_difference(const ContactHistory &a, const ContactHistory &b)
+    {
+      double difference = 0.;
+      for (std::size_t n = 0; n < a.states().size(); ++n)
+        difference =
+          std::max(difference,
+                   std::abs(a.states()[n].force - b.states()[n].force));
+      return difference / a.peak().force;
+    }
+
+
+
+    const std::vector<std::string> coarse = {
+      "Time/Time step=1e-6",
+      "Contact/Patch radius=0.005",
+      "Discretization/Initial cells=4,6"};
+
+
+
+    TEST(Impact, QuadrantEqualsWholePlate)
+    {
+      for (const std::string support :
+           {"clamped", "simply supported, free", "soft simply supported"})
+        {
+          std::vector<std::string> overrides = coarse;
+          overrides.push_back("Plate/Support=" + support);
+          overrides.push_back("Plate/Side lengths=0.2,0.15");
+          const Parameters parameters = parameters_with(overrides);
+          const auto       load       = make_load_patch(parameters.contact);
+          const auto       quadrant =
+            make_plate_quadrant(parameters.plate,
+                                parameters.discretization.initial_cells);
+
+          // the whole plate, without planes of symmetry
+          const auto      &cells = parameters.discretization.initial_cells;
+          const auto      &sides = parameters.plate.side_lengths;
+          const Point<2>   corner(0.5 * sides[0], 0.5 * sides[1]);
+          Triangulation<2> whole;
+          GridGenerator::subdivided_hyper_rectangle(whole,
+                                                    {2 * cells[0],
+                                                     2 * cells[1]},
+                                                    -corner,
+                                                    corner,
+                                                    true);
+          for (const auto &face : whole.active_face_iterators())
+            if (face->at_boundary())
+              face->set_boundary_id(face->boundary_id() < 2 ? edge_x : edge_y);
+          std::vector<LoadPoint> whole_load;
+          for (const LoadPoint &p : load)
+            for (const double sx : {-1., 1.})
+              for (const double sy : {-1., 1.})
+                whole_load.push_back(
+                  {Point<2>(sx * p.point[0], sy * p.point[1]), p.weight / 4.});
+
+          EXPECT_LT(
+            largest_difference(impact(parameters, *quadrant, load, 4.),
+                               impact(parameters, whole, whole_load, 1.)),
+            1e-9)
+            << support;
+        }
+    }
+
+
+
+    TEST(Impact, LinearSolversAgree)
+    {
+      std::vector<std::string> overrides = coarse;
+      const Parameters         cholmod   = parameters_with(overrides);
+      overrides.push_back("Discretization/Linear solver=KLU");
+      const Parameters klu  = parameters_with(overrides);
+      const auto       load = make_load_patch(cholmod.contact);
+      const auto       mesh =
+        make_plate_quadrant(cholmod.plate,
+                            cholmod.discretization.initial_cells);
+      EXPECT_LT(largest_difference(impact(cholmod, *mesh, load, 4.),
+                                   impact(klu, *mesh, load, 4.)),
+                1e-9);
+    }
+
+
+
+    TEST(Impact, EnergyIsConservedForEveryStep)
+    {
+      for (const std::string step : {"1e-7", "1e-6", "20e-6"})
+        {
+          std::vector<std::string> overrides = coarse;
+          overrides[0]                       = "Time/Time step=" + step;
+          const Parameters parameters        = parameters_with(overrides);
+          const auto       mesh =
+            make_plate_quadrant(parameters.plate,
+                                parameters.discretization.initial_cells);
+          EXPECT_LT(
+            impact(parameters, *mesh, make_load_patch(parameters.contact), 4.)
+              .relative_energy_drift(),
+            1e-11)
+            << step;
+        }
+    }
+
+
+
+    TEST(Impact, PeakDoesNotDependOnTheSupportBeforeWavesReturn)
+    {
+      std::vector<double> peaks;
+      for (const std::string support : {"clamped", "free"})
+        {
+          std::vector<std::string> overrides = coarse;
+          overrides.push_back("Plate/Support=" + support);
+          overrides[2]                = "Discretization/Initial cells=16,16";
+          const Parameters parameters = parameters_with(overrides);
+          const auto       mesh =
+            make_plate_quadrant(parameters.plate,
+                                parameters.discretization.initial_cells);
+          peaks.push_back(
+            impact(parameters, *mesh, make_load_patch(parameters.contact), 4.)
+              .peak()
+              .force);
+        }
+      EXPECT_NEAR(peaks[1] / peaks[0], 1., 1e-3);
+    }
+  } // namespace
+} // namespace PlateImpact

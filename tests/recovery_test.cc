@@ -1,0 +1,368 @@
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/mapping_q1.h>
+
+#include "plate_impact/error_estimator.h"
+#include "plate_impact/stress_recovery.h"
+#include "test_plate.h"
+
+#include <cmath>
+
+namespace PlateImpact
+{
+  using namespace dealii;
+
+  namespace
+  {
+    using ResultantField = std::function<Resultants(const Point<2> &)>;
+
+    /// Largest error of the recovery of a field over corners, midsides and
+    /// inner points of all cells, relative to the largest value there.
+    double
+    recovery_error(const Triangulation<2> &mesh, const ResultantField &field)
+    {
+      const MappingQ1<2> mapping;
+      const QGauss<2>    gauss(2);
+      Eigen::MatrixXd    samples(20 * mesh.n_active_cells(), 1);
+      for (const auto &cell : mesh.active_cell_iterators())
+        for (unsigned int g = 0; g < 4; ++g)
+          samples.block<5, 1>(20 * cell->active_cell_index() + 5 * g, 0) =
+            field(mapping.transform_unit_to_real_cell(cell, gauss.point(g)));
+
+      const StressRecovery  recovery(mesh);
+      const Eigen::MatrixXd coefficients = recovery.coefficients(samples);
+      std::vector<Point<2>> unit_points;
+      for (const double x : {0., 0.3, 0.5, 1.})
+        for (const double y : {0., 0.5, 0.8, 1.})
+          unit_points.emplace_back(x, y);
+      double          error = 0., largest = 0.;
+      Eigen::MatrixXd values;
+      for (const auto &cell : mesh.active_cell_iterators())
+        {
+          std::vector<Point<2>> points;
+          for (const Point<2> &unit : unit_points)
+            points.push_back(mapping.transform_unit_to_real_cell(cell, unit));
+          recovery.evaluate(cell->active_cell_index(),
+                            unit_points,
+                            points,
+                            coefficients,
+                            values);
+          for (unsigned int q = 0; q < points.size(); ++q)
+            {
+              const Resultants exact = field(points[q]);
+              error                  = std::max(
+                error,
+                (values.block<5, 1>(5 * q, 0) - exact).cwiseAbs().maxCoeff());
+              largest = std::max(largest, exact.cwiseAbs().maxCoeff());
+            }
+        }
+      return error / largest;
+    }
+
+
+
+    /// The whole basis of eq. 10 in every resultant, in units of a length.
+    ResultantField
+    full_basis(const double length)
+    {
+      return [length](const Point<2> &p) {
+        const double x = p[0] / length, y = p[1] / length;
+        Resultants   r;
+        for (unsigned int k = 0; k < 5; ++k)
+          r[k] = 1. + (k - 2.) * x + 2. * y + x * x - (1. + k) * x * y +
+            0.5 * y * y + 3. * x * x * y - k * x * y * y;
+        return r;
+      };
+    }
+
+
+
+    /// Those of its terms that have the symmetries of the quadrant.
+    ResultantField
+    symmetric_basis(const double length)
+    {
+      return [length](const Point<2> &p) {
+        const double x = p[0] / length, y = p[1] / length;
+        return (Resultants() << 1. + 2. * x * x - y * y,
+                -2. + x * x + 3. * y * y,
+                4. * x * y,
+                x - 2. * x * y * y,
+                -y + 3. * x * x * y)
+          .finished();
+      };
+    }
+
+
+
+    std::unique_ptr<Triangulation<2>>
+    scaled(std::unique_ptr<Triangulation<2>> mesh, const double length)
+    {
+      GridTools::scale(length, *mesh);
+      return mesh;
+    }
+
+
+
+    TEST(StressRecovery, IsExactForItsBasisAtInteriorEdgeAndCornerNodes)
+    {
+      for (const double length : {1e-6, 1., 1e6})
+        EXPECT_LT(recovery_error(*scaled(unit_square(4), length),
+                                 full_basis(length)),
+                  1e-10);
+    }
+
+
+
+    TEST(StressRecovery, IsExactForItsBasisAtHangingNodes)
+    {
+      for (const double length : {1e-6, 1., 1e6})
+        {
+          auto mesh = unit_square(3);
+          refine_randomly(*mesh, 3);
+          EXPECT_LT(recovery_error(*scaled(std::move(mesh), length),
+                                   full_basis(length)),
+                    1e-9);
+        }
+    }
+
+
+
+    TEST(StressRecovery, IsExactForItsBasisOnDistortedCells)
+    {
+      auto mesh = unit_square(4);
+      distort(*mesh, 0.25);
+      refine_randomly(*mesh, 1);
+      EXPECT_LT(recovery_error(*mesh, full_basis(1.)), 1e-9);
+    }
+
+
+
+    TEST(StressRecovery, IsExactOnTheSymmetryPlanesOfTheSmallestMeshes)
+    {
+      // no patch of these meshes has eight independent samples of its own
+      PlateParameters plate = unit_plate("clamped", 0.1);
+      for (const double length : {1e-6, 1., 1e6})
+        for (const unsigned int n : {1, 2, 3})
+          {
+            plate.side_lengths = {{2. * length, 2. * length}};
+            EXPECT_LT(recovery_error(*make_plate_quadrant(plate, {{n, n}}),
+                                     symmetric_basis(length)),
+                      1e-10)
+              << length << ' ' << n;
+          }
+    }
+
+
+
+    TEST(StressRecovery, IsExactOnOneRowOfCells)
+    {
+      PlateParameters plate = unit_plate("clamped", 0.1);
+      plate.side_lengths    = {{2., 0.4}};
+      EXPECT_LT(recovery_error(*make_plate_quadrant(plate, {{5, 1}}),
+                               symmetric_basis(1.)),
+                1e-10);
+    }
+
+
+
+    TEST(ErrorEstimator, IsZeroForAFieldThatTheElementsHold)
+    {
+      const auto mesh = unit_square(3);
+      refine_randomly(*mesh, 3);
+      const Field field([](const Point<2> &p) {
+        const double x = p[0], y = p[1];
+        return Field::Values{{x * x - 3. * x * y, 2. * x + y, 1. - x + 2. * y}};
+      });
+      for (const std::string &name : PlateElement::names())
+        {
+          const PlateElement element(name);
+          const PlateModel   model(*mesh, element, unit_plate("free", 0.1), 1.);
+          ErrorEstimator     estimator(model, 0.05);
+          estimator.add_sample(1., model.interpolate(field));
+          const ErrorEstimate estimate = estimator.estimate();
+          EXPECT_LT(estimate.eta, 1e-10) << name;
+          EXPECT_LT(estimate.max_element_error(), 1e-8) << name;
+        }
+    }
+
+
+
+    TEST(ErrorEstimator, IsZeroWhileThePlateIsAtRest)
+    {
+      const auto         mesh = unit_square(2);
+      const PlateElement element("heterosis");
+      const PlateModel   model(*mesh, element, unit_plate("clamped", 0.1), 1.);
+      ErrorEstimator     estimator(model, 0.05);
+      estimator.add_sample(1., Eigen::VectorXd::Zero(model.n_unknowns()));
+      EXPECT_EQ(estimator.estimate().eta, 0.);
+      EXPECT_EQ(estimator.estimate().max_element_error(), 0.);
+    }
+
+
+
+    TEST(ErrorEstimator, IntegratesOverTimeByTheTrapezoidalRule)
+    {
+      // twice the field has twice both norms: eta stays, whatever the times,
+      // and the buffer of samples is passed
+      const auto            mesh = unit_square(3);
+      const PlateElement    element("heterosis");
+      const PlateModel      model(*mesh, element, unit_plate("free", 0.1), 1.);
+      const Eigen::VectorXd z = model.interpolate(Field([](const Point<2> &p) {
+        return Field::Values{{std::sin(3. * p[0]), p[1] * p[1] * p[1], 0.}};
+      }));
+      ErrorEstimator        once(model, 0.05), often(model, 0.05);
+      once.add_sample(2., z);
+      for (unsigned int n = 1; n <= 40; ++n)
+        often.add_sample(0.1 * n, (n + 1) * z);
+      EXPECT_NEAR(often.estimate().eta / once.estimate().eta, 1., 1e-12);
+      // xi is constant but at t = 0, where it is 0: half an interval is lost
+      EXPECT_NEAR(once.estimate().element_errors[4] /
+                    often.estimate().element_errors[4],
+                  0.5 / (1. - 0.5 / 40.),
+                  1e-12);
+    }
+
+
+
+    // Navier's solution: simply supported plate of side 1 in the unit quadrant
+    // of half side 1/2 under q = cos(pi x) cos(pi y), in Mindlin's theory
+    struct NavierPlate
+    {
+      explicit NavierPlate(const PlateSection &section)
+        : section(section)
+      {
+        const double D = section.bending_stiffness(0, 0), pi = numbers::PI;
+        rotation = 1. / (4. * D * pi * pi * pi);
+        deflection_amplitude =
+          rotation / pi + 1. / (2. * pi * pi * section.shear_stiffness);
+      }
+
+      Resultants
+      resultants(const Point<2> &p) const
+      {
+        const double pi = numbers::PI, cx = std::cos(pi * p[0]),
+                     cy = std::cos(pi * p[1]), sx = std::sin(pi * p[0]),
+                     sy = std::sin(pi * p[1]);
+        const Eigen::Vector3d curvatures(-pi * rotation * cx * cy,
+                                         -pi * rotation * cx * cy,
+                                         2. * pi * rotation * sx * sy);
+        Resultants            r;
+        r.head<3>() = section.bending_stiffness * curvatures;
+        const double shear =
+          section.shear_stiffness * (rotation - pi * deflection_amplitude);
+        r.tail<2>() << shear * sx * cy, shear * cx * sy;
+        return r;
+      }
+
+      const PlateSection section;
+      double             rotation, deflection_amplitude;
+    };
+
+
+
+    struct Effectivity
+    {
+      double overall, smallest_of_cells, largest_of_cells;
+    };
+
+
+
+    /// Estimated over true error of the static simply supported plate.
+    Effectivity
+    effectivity(const std::string &element_name, const Triangulation<2> &mesh)
+    {
+      const PlateParameters plate = unit_plate("simply supported", 0.05);
+      const PlateElement    element(element_name);
+      PlateModel            model(mesh, element, plate, 1.);
+      model.assemble();
+      const Eigen::VectorXd z =
+        solve_static(model,
+                     model.load(pressure_load(mesh, [](const Point<2> &p) {
+                       return std::cos(numbers::PI * p[0]) *
+                         std::cos(numbers::PI * p[1]);
+                     })));
+      ErrorEstimator estimator(model, 0.05);
+      estimator.add_sample(1., z);
+      const ErrorEstimate estimate = estimator.estimate();
+
+      const NavierPlate    exact(model.section());
+      const MappingQ1<2>   mapping;
+      const Quadrature<2> &quadrature = element.bending_quadrature();
+      Eigen::MatrixXd      values;
+      std::vector<double>  e2(mesh.n_active_cells(), 0.);
+      double               total_e2 = 0., total_u2 = 0.;
+      for (const auto &cell : mesh.active_cell_iterators())
+        {
+          const unsigned int c = cell->active_cell_index();
+          model.cell_values(c, z, values);
+          const Eigen::VectorXd strains =
+            model.shape(c).strains_at_bending_points * values;
+          for (unsigned int q = 0; q < quadrature.size(); ++q)
+            {
+              Resultants r;
+              r.head<3>() =
+                model.section().bending_stiffness * strains.segment<3>(5 * q);
+              r.tail<2>() =
+                model.section().shear_stiffness * strains.segment<2>(5 * q + 3);
+              const Resultants e =
+                exact.resultants(
+                  mapping.transform_unit_to_real_cell(cell,
+                                                      quadrature.point(q))) -
+                r;
+              const double weight = model.shape(c).bending_weights[q];
+              e2[c] += weight * model.section().energy_density(e);
+              total_u2 += weight * model.section().energy_density(r);
+            }
+          total_e2 += e2[c];
+        }
+
+      // xi' of one sample is half of ||e||_i / e_m: invert to ||e||_i
+      const double true_eta = std::sqrt(total_e2 / (total_e2 + total_u2));
+      Effectivity  result{estimate.eta / true_eta, 1e9, 0.};
+      const double u = std::sqrt(total_u2 / (1. - estimate.eta * estimate.eta));
+      for (unsigned int c = 0; c < e2.size(); ++c)
+        {
+          const double e_m = 0.05 * u / std::sqrt(double(e2.size()));
+          const double ratio =
+            2. * estimate.element_errors[c] * e_m / std::sqrt(e2[c]);
+          result.smallest_of_cells = std::min(result.smallest_of_cells, ratio);
+          result.largest_of_cells  = std::max(result.largest_of_cells, ratio);
+        }
+      return result;
+    }
+
+
+
+    TEST(ErrorEstimator, EffectivityOnUniformMeshes)
+    {
+      PlateParameters plate = unit_plate("simply supported", 0.05);
+      for (const std::string &name : PlateElement::names())
+        for (const unsigned int n : {8, 16})
+          {
+            const auto mesh   = make_plate_quadrant(plate, {{n, n}});
+            const auto result = effectivity(name, *mesh);
+            EXPECT_GT(result.overall, 0.9) << name << ' ' << n;
+            EXPECT_LT(result.overall, 1.1) << name << ' ' << n;
+          }
+    }
+
+
+
+    TEST(ErrorEstimator, EffectivityWithHangingNodes)
+    {
+      PlateParameters plate = unit_plate("simply supported", 0.05);
+      for (const std::string &name : PlateElement::names())
+        {
+          const auto mesh = make_plate_quadrant(plate, {{6, 6}});
+          for (const auto &cell : mesh->active_cell_iterators())
+            if (cell->center().norm() < 0.25)
+              cell->set_refine_flag();
+          mesh->execute_coarsening_and_refinement();
+          const auto result = effectivity(name, *mesh);
+          EXPECT_GT(result.overall, 0.9) << name;
+          EXPECT_LT(result.overall, 1.1) << name;
+          EXPECT_GT(result.smallest_of_cells, 0.7) << name;
+          EXPECT_LT(result.largest_of_cells, 1.7) << name;
+        }
+    }
+  } // namespace
+} // namespace PlateImpact

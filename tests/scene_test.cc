@@ -1,0 +1,272 @@
+#include "plate_impact/exceptions.h"
+#include "plate_impact/parameters.h"
+#include "plate_impact/scene_file.h"
+#include "test_plate.h"
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace PlateImpact
+{
+  namespace
+  {
+    TEST(SceneFile, TakesAssignmentsApart)
+    {
+      std::istringstream in("\xEF\xBB\xBFsubsection Plate # the target\r\n"
+                            "\tset  Thickness   =  0.01   # [m]\r\n"
+                            "  set Support = clamped, simply   supported\n"
+                            "end\n");
+      const SceneFile    file = scan_scene(in, "a.prm");
+      EXPECT_TRUE(file.mistakes.empty());
+      ASSERT_EQ(file.assignments.size(), 2u);
+      EXPECT_EQ(file.assignments[0].path(), "Plate/Thickness");
+      EXPECT_EQ(file.assignments[0].value, "0.01");
+      EXPECT_EQ(file.assignments[0].origin, "a.prm:2");
+      EXPECT_EQ(file.assignments[1].value, "clamped, simply supported");
+    }
+
+
+
+    TEST(SceneFile, ClosestNameIsOfferedForTyposOnly)
+    {
+      const std::vector<std::string> names = {"Thickness",
+                                              "Density",
+                                              "Support"};
+      EXPECT_EQ(closest_name("Thicknes", names), "Thickness");
+      EXPECT_EQ(closest_name("density", names), "Density");
+      EXPECT_EQ(closest_name("Colour", names), "");
+    }
+
+
+
+    TEST(SceneFile, OverridesAreSectionSlashEntryEqualsValue)
+    {
+      const Assignment a = parse_override("Time/End time = 1e-4");
+      EXPECT_EQ(a.path(), "Time/End time");
+      EXPECT_EQ(a.value, "1e-4");
+      EXPECT_THROW(parse_override("End time=1"), InputError);
+      EXPECT_THROW(parse_override("Time/End time"), InputError);
+    }
+
+
+
+    class SceneText
+    {
+    public:
+      explicit SceneText(const std::string &text)
+        : path(
+            (std::filesystem::temp_directory_path() /
+             ("plate-impact-" +
+              std::to_string(reinterpret_cast<std::uintptr_t>(this)) + ".prm"))
+              .string())
+      {
+        std::ofstream(path) << text;
+      }
+
+      ~SceneText()
+      {
+        std::filesystem::remove(path);
+      }
+
+      Scene
+      read(const std::vector<std::string> &overrides = {}) const
+      {
+        return read_scene(path, overrides);
+      }
+
+      /// The message that it is refused with, its path replaced.
+      std::string
+      refusal() const
+      {
+        try
+          {
+            read();
+          }
+        catch (const InputError &error)
+          {
+            std::string text = error.what();
+            for (std::size_t at; (at = text.find(path)) != std::string::npos;)
+              text.replace(at, path.size(), "scene");
+            return text;
+          }
+        return "accepted";
+      }
+
+    private:
+      const std::string path;
+    };
+
+
+
+    TEST(Scene, EmptySceneIsTheSteelCase)
+    {
+      const Parameters p = SceneText("").read().parameters;
+      EXPECT_EQ(p.plate.thickness, 0.008);
+      EXPECT_DOUBLE_EQ(p.plate.shear_correction_factor, 5. / 6.);
+      EXPECT_EQ(p.discretization.initial_cells[1], 3u);
+      EXPECT_NEAR(p.impactor.mass, 0.0326725636, 1e-9);
+      // what the program chooses: Hertz radius at Zener's peak, a quarter of it
+      EXPECT_NEAR(p.contact.patch_radius, 0.454e-3, 1e-6);
+      EXPECT_EQ(p.adaptivity.minimum_cell_size, 0.25 * p.contact.patch_radius);
+    }
+
+
+
+    TEST(Scene, MinimumSizeUnderAPointLoadIsAQuarterOfTheThickness)
+    {
+      const Parameters p =
+        SceneText("").read({"Contact/Load distribution=point"}).parameters;
+      EXPECT_EQ(p.adaptivity.minimum_cell_size, 0.002);
+    }
+
+
+
+    TEST(Scene, PublicInterfaceIsAcceptedWithItsValues)
+    {
+      const Scene scene =
+        read_scene(std::string(TEST_DATA) + "/reference/scene-interface.prm",
+                   {});
+      EXPECT_EQ(scene.text, SceneText("").read().text);
+    }
+
+
+
+    TEST(Scene, TextRepeatsTheRun)
+    {
+      const Scene scene = SceneText("subsection Plate\n"
+                                    "set Thickness = 0.0123456789012345\nend\n")
+                            .read();
+      EXPECT_EQ(SceneText(scene.text).read().text, scene.text);
+      EXPECT_EQ(SceneText(scene.text).read().parameters.plate.thickness,
+                0.0123456789012345);
+    }
+
+
+
+    TEST(Scene, DefaultsAreAValidScene)
+    {
+      std::ostringstream text;
+      print_defaults(text);
+      EXPECT_EQ(SceneText(text.str()).read().text, SceneText("").read().text);
+    }
+
+
+
+    struct Mistake
+    {
+      std::string scene, expected;
+    };
+
+    class SceneMistake : public testing::TestWithParam<Mistake>
+    {};
+
+    TEST_P(SceneMistake, IsToldInOneSentence)
+    {
+      EXPECT_EQ(SceneText(GetParam().scene).refusal(), GetParam().expected);
+    }
+
+    std::string
+    in_section(const std::string &section, const std::string &line)
+    {
+      return "subsection " + section + "\n" + line + "\nend\n";
+    }
+
+    INSTANTIATE_TEST_SUITE_P(
+      Scene,
+      SceneMistake,
+      testing::Values(
+        Mistake{
+          in_section("Plate", "set Thicknes = 1"),
+          "scene:2: there is no entry 'Thicknes' in section Plate; did you "
+          "mean 'Thickness'?"},
+        Mistake{in_section("Plate", "set Velocity = 1"),
+                "scene:2: there is no entry 'Velocity' in section Plate; it "
+                "belongs to section Impactor"},
+        Mistake{in_section("Plat", "set Thickness = 1"),
+                "scene:1: there is no section 'Plat'; did you mean 'Plate'?"},
+        Mistake{
+          in_section("Plate", "set Thickness = -1"),
+          "scene:2: Plate/Thickness = -1 is not allowed; expected a number "
+          "above 0"},
+        Mistake{
+          in_section("Plate", "set Thickness ="),
+          "scene:2: Plate/Thickness = (nothing) is not allowed; expected a "
+          "number above 0"},
+        Mistake{in_section("Plate", "set Thickness = 1e400"),
+                "scene:2: Plate/Thickness = 1e400 is not allowed; expected a "
+                "number above 0"},
+        Mistake{
+          in_section("Plate", "set Thickness = nan"),
+          "scene:2: Plate/Thickness = nan is not allowed; expected a number "
+          "above 0"},
+        Mistake{in_section("Plate", "set Thickness = 8 mm"),
+                "scene:2: Plate/Thickness = 8 mm is not allowed; expected a "
+                "number above 0"},
+        Mistake{
+          in_section("Plate", "set Poisson's ratio = 0.5"),
+          "scene:2: Plate/Poisson's ratio = 0.5 is not allowed; expected a "
+          "number above -1 and below 0.5"},
+        Mistake{in_section("Plate", "set Side lengths = 0.2"),
+                "scene:2: Plate/Side lengths = 0.2 is not allowed; expected 2 "
+                "values separated by commas, each: a number above 0"},
+        Mistake{
+          in_section("Plate", "set Support = glued"),
+          "scene:2: Plate/Support = glued is not allowed; expected 1 to 2 "
+          "values separated by commas, each: clamped | simply supported | "
+          "soft simply supported | free"},
+        Mistake{
+          in_section("Discretization", "set Initial cells = 3, 2.5"),
+          "scene:2: Discretization/Initial cells = 3, 2.5 is not allowed; "
+          "expected 2 values separated by commas, each: a whole number "
+          "from 1 to 10000"},
+        Mistake{"set Thickness = 1\n",
+                "scene:1: 'Thickness' is set outside of any subsection"},
+        Mistake{"subsection Plate\nset Thickness = 0.01\nset Thickness = "
+                "0.02\nend\n",
+                "scene:3: Plate/Thickness is set twice, first in line 2"},
+        Mistake{"subsection Plate\nset Thickness = 0.01\n",
+                "scene:2: the file ends within subsection Plate; an 'end' is "
+                "missing"},
+        Mistake{"end\n", "scene:1: 'end' without a 'subsection' before it"},
+        Mistake{
+          "Plate.Thickness: 1\n",
+          "scene:1: 'Plate.Thickness: 1' is not understood; a line is "
+          "'subsection NAME', 'set ENTRY = VALUE', 'end' or a comment after "
+          "'#'"},
+        Mistake{in_section("Plate", "set Thickness = 0.15"),
+                "scene:2: Plate/Thickness = 0.15 m is too thick for a plate "
+                "theory; expected at most half the shorter side, 0.1 m"},
+        Mistake{
+          in_section("Contact", "set Patch radius = 0.11"),
+          "scene:2: Contact/Patch radius = 0.11 m reaches beyond the plate; "
+          "expected at most half the shorter side, 0.1 m"},
+        Mistake{
+          in_section("Time", "set Time step = 1e-4"),
+          "scene:2: Time/Time step = 1e-4 s is longer than End time, 8e-05 "
+          "s"},
+        Mistake{
+          in_section("Time", "set Newmark gamma = 0.6"),
+          "default: Time/Newmark beta = 0.25 is below half of Newmark "
+          "gamma, so that the scheme is unstable on fine meshes; expected "
+          "at least 0.3\n"
+          "default: Contact/Integration = energy conserving needs Newmark "
+          "beta = 0.25 and Newmark gamma = 0.5, which alone conserve "
+          "energy; with others set Integration = collocation"},
+        Mistake{in_section("Impactor", "set Shape = cylinder"),
+                "scene:2: Impactor/Shape = cylinder is not available yet"},
+        Mistake{in_section("Time", "set Integrator = Ritz vectors"),
+                "scene:2: Time/Integrator = Ritz vectors is not available yet"},
+        Mistake{in_section("Sweep", "set Values 1 = 1, 2"),
+                "scene:2: Sweep/Values 1 = 1, 2 is not available yet"},
+        Mistake{
+          "subsection Plate\nset Thicknes = 1\nset Density = "
+          "0\nend\nsubsection Time\nset End time = soon\nend\n",
+          "scene:2: there is no entry 'Thicknes' in section Plate; did you "
+          "mean 'Thickness'?\n"
+          "scene:3: Plate/Density = 0 is not allowed; expected a number "
+          "above 0\n"
+          "scene:6: Time/End time = soon is not allowed; expected a number "
+          "above 0"}));
+  } // namespace
+} // namespace PlateImpact

@@ -1,0 +1,149 @@
+#include "test_plate.h"
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/grid_tools.h>
+
+#include "plate_impact/linear_solver.h"
+
+#include <Epetra_Vector.h>
+
+#include <fstream>
+#include <random>
+
+namespace PlateImpact
+{
+  using namespace dealii;
+
+  PlateParameters
+  unit_plate(const std::string &support, const double thickness)
+  {
+    PlateParameters plate;
+    plate.side_lengths            = {{1., 1.}};
+    plate.thickness               = thickness;
+    plate.youngs_modulus          = 1.;
+    plate.poissons_ratio          = 0.3;
+    plate.density                 = 1.;
+    plate.shear_correction_factor = 5. / 6.;
+    plate.support                 = {support};
+    return plate;
+  }
+
+
+
+  std::unique_ptr<Triangulation<2>>
+  unit_square(const unsigned int n_cells)
+  {
+    auto mesh = std::make_unique<Triangulation<2>>(
+      Triangulation<2>::limit_level_difference_at_vertices);
+    GridGenerator::subdivided_hyper_cube(*mesh, n_cells);
+    mesh->set_all_manifold_ids(numbers::flat_manifold_id);
+    for (const auto &face : mesh->active_face_iterators())
+      if (face->at_boundary())
+        face->set_boundary_id(edge_x);
+    return mesh;
+  }
+
+
+
+  void
+  distort(Triangulation<2> &mesh, const double fraction)
+  {
+    GridTools::distort_random(fraction, mesh, /*keep_boundary=*/true, 17);
+  }
+
+
+
+  void
+  refine_randomly(Triangulation<2> &mesh, const unsigned int n_times)
+  {
+    std::mt19937 generator(4711);
+    for (unsigned int i = 0; i < n_times; ++i)
+      {
+        for (const auto &cell : mesh.active_cell_iterators())
+          if (generator() % 3 == 0)
+            cell->set_refine_flag();
+        mesh.execute_coarsening_and_refinement();
+      }
+  }
+
+
+
+  std::vector<LoadPoint>
+  pressure_load(const Triangulation<2>                        &mesh,
+                const std::function<double(const Point<2> &)> &pressure)
+  {
+    const FE_Q<2>          element(1);
+    const QGauss<2>        quadrature(4);
+    FEValues<2>            values(element,
+                       quadrature,
+                       update_quadrature_points | update_JxW_values);
+    std::vector<LoadPoint> points;
+    for (const auto &cell : mesh.active_cell_iterators())
+      {
+        values.reinit(cell);
+        for (unsigned int q = 0; q < quadrature.size(); ++q)
+          points.push_back(
+            {values.quadrature_point(q),
+             pressure(values.quadrature_point(q)) * values.JxW(q)});
+      }
+    return points;
+  }
+
+
+
+  Eigen::VectorXd
+  solve_static(const PlateModel &model, const Eigen::VectorXd &load)
+  {
+    Epetra_CrsMatrix K      = model.stiffness();
+    const auto       solver = make_linear_solver("CHOLMOD");
+    solver->factorize(K);
+    Eigen::VectorXd z;
+    solver->solve(load, z);
+    return z;
+  }
+
+
+
+  Eigen::VectorXd
+  multiply(const Epetra_CrsMatrix &matrix, const Eigen::VectorXd &x)
+  {
+    Eigen::VectorXd     y(x.size());
+    const Epetra_Vector x_view(View,
+                               matrix.DomainMap(),
+                               const_cast<double *>(x.data()));
+    Epetra_Vector       y_view(View, matrix.RangeMap(), y.data());
+    matrix.Multiply(false, x_view, y_view);
+    return y;
+  }
+
+
+
+  Eigen::MatrixXd
+  dense(const Epetra_CrsMatrix &matrix)
+  {
+    Eigen::MatrixXd result =
+      Eigen::MatrixXd::Zero(matrix.NumMyRows(), matrix.NumMyRows());
+    for (int row = 0; row < matrix.NumMyRows(); ++row)
+      {
+        int     n;
+        double *values;
+        int    *columns;
+        matrix.ExtractMyRowView(row, n, values, columns);
+        for (int k = 0; k < n; ++k)
+          result(row, columns[k]) = values[k];
+      }
+    return result;
+  }
+
+
+
+  nlohmann::json
+  reference(const std::string &name)
+  {
+    std::ifstream in(std::string(TEST_DATA) + "/reference/" + name);
+    return nlohmann::json::parse(in);
+  }
+} // namespace PlateImpact

@@ -1,0 +1,77 @@
+#ifndef plate_impact_tests_test_plate_h
+#define plate_impact_tests_test_plate_h
+
+#include <deal.II/grid/tria.h>
+
+#include "plate_impact/parameters.h"
+#include "plate_impact/plate_mesh.h"
+#include "plate_impact/plate_model.h"
+
+#include <nlohmann/json.hpp>
+
+#include <memory>
+#include <string>
+
+namespace PlateImpact
+{
+  /// A plate of unit material with the given support and thickness, side 1.
+  PlateParameters
+  unit_plate(const std::string &support, double thickness);
+
+  /// The unit square without planes of symmetry: all sides are edges.
+  std::unique_ptr<dealii::Triangulation<2>>
+  unit_square(unsigned int n_cells);
+
+  /// Moves interior vertices at random by up to a fraction of the cell size.
+  void
+  distort(dealii::Triangulation<2> &mesh, double fraction);
+
+  /// Refines cells at random, with hanging nodes; reproducible.
+  void
+  refine_randomly(dealii::Triangulation<2> &mesh, unsigned int n_times);
+
+  /// Points of a load with a pressure p(x,y), from the Gauss points of a mesh.
+  std::vector<LoadPoint>
+  pressure_load(
+    const dealii::Triangulation<2>                        &mesh,
+    const std::function<double(const dealii::Point<2> &)> &pressure);
+
+  /// K z = f.
+  Eigen::VectorXd
+  solve_static(const PlateModel &model, const Eigen::VectorXd &load);
+
+  /// y = A x.
+  Eigen::VectorXd
+  multiply(const Epetra_CrsMatrix &matrix, const Eigen::VectorXd &x);
+
+  Eigen::MatrixXd
+  dense(const Epetra_CrsMatrix &matrix);
+
+  /// A file of tests/reference.
+  nlohmann::json
+  reference(const std::string &name);
+
+  /// Deflection and rotations given by a function of a point.
+  class Field : public dealii::Function<2>
+  {
+  public:
+    using Values = std::array<double, 3>;
+
+    explicit Field(const std::function<Values(const dealii::Point<2> &)> &field)
+      : dealii::Function<2>(3)
+      , field(field)
+    {}
+
+    double
+    value(const dealii::Point<2> &point,
+          const unsigned int      component) const override
+    {
+      return field(point)[component];
+    }
+
+  private:
+    const std::function<Values(const dealii::Point<2> &)> field;
+  };
+} // namespace PlateImpact
+
+#endif

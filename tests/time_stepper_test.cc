@@ -1,0 +1,324 @@
+#include "plate_impact/exceptions.h"
+#include "plate_impact/time_stepper.h"
+#include "test_plate.h"
+
+#include <cmath>
+
+namespace PlateImpact
+{
+  namespace
+  {
+    /// A mass on a spring, or nothing that moves when the load is zero.
+    class SpringPlate : public SemidiscretePlate
+    {
+    public:
+      SpringPlate(const double stiffness, const double mass, const double load)
+        : k(stiffness)
+        , m(mass)
+        , u(Eigen::VectorXd::Constant(1, load))
+      {}
+
+      const Eigen::VectorXd &
+      load() const override
+      {
+        return u;
+      }
+
+      void
+      multiply_stiffness(const Eigen::VectorXd &x,
+                         Eigen::VectorXd       &y) const override
+      {
+        y = k * x;
+      }
+
+      void
+      factorize(const double c) override
+      {
+        effective = k + c * m;
+      }
+
+      void
+      solve(const Eigen::VectorXd &b, Eigen::VectorXd &x) override
+      {
+        x = b / effective;
+      }
+
+    private:
+      const double          k, m;
+      const Eigen::VectorXd u;
+      double                effective = 0.;
+    };
+
+
+
+    TimeParameters
+    time_parameters(const double end_time,
+                    const double step,
+                    const double beta  = 0.25,
+                    const double gamma = 0.5)
+    {
+      TimeParameters time;
+      time.end_time      = end_time;
+      time.time_step     = step;
+      time.newmark_beta  = beta;
+      time.newmark_gamma = gamma;
+      return time;
+    }
+
+
+
+    /// The history of an impact to its end.
+    ContactHistory
+    run(SemidiscretePlate        &plate,
+        const TimeParameters     &time,
+        const ContactLaw         &law,
+        const ContactIntegration &integration,
+        const Impactor           &impactor)
+    {
+      TimeStepper    stepper(time, plate, law, integration, impactor);
+      ContactHistory history;
+      history.add(stepper.state());
+      for (unsigned int step = 0; step < stepper.n_steps(); ++step)
+        {
+          stepper.advance();
+          history.add(stepper.state());
+        }
+      return history;
+    }
+
+
+
+    const HertzLaw                law(1e10);
+    const EnergyConservingContact conserving;
+    const CollocatedContact       collocation;
+    const Impactor                ball{0.03, 0., 1.};
+
+    // exact impact on a rigid target (Johnson, Contact Mechanics, sec. 11.4)
+    const double exact_indentation = std::pow(1.25 * ball.mass / 1e10, 0.4);
+    const double exact_duration    = 2.9432659 * exact_indentation;
+
+
+
+    TEST(TimeStepper, RigidTargetIsTheExactHertzImpact)
+    {
+      SpringPlate rigid(1., 1., 0.);
+      for (const ContactIntegration *integration :
+           std::initializer_list<const ContactIntegration *>{&conserving,
+                                                             &collocation})
+        {
+          const ContactHistory history =
+            run(rigid,
+                time_parameters(1.5 * exact_duration, exact_duration / 2000.),
+                law,
+                *integration,
+                ball);
+          EXPECT_NEAR(history.peak().force / law.force(exact_indentation),
+                      1.,
+                      1e-5);
+          EXPECT_NEAR(history.peak().time / exact_duration, 0.5, 1e-3);
+          EXPECT_NEAR(*history.first_contact_end() / exact_duration, 1., 1e-5);
+          EXPECT_NEAR(history.states().back().impactor_velocity, -1., 1e-4);
+          EXPECT_EQ(history.n_contacts(), 1);
+        }
+    }
+
+
+
+    TEST(TimeStepper, EnergyConservingReboundIsAsFastAsTheImpactForEveryStep)
+    {
+      SpringPlate rigid(1., 1., 0.);
+      for (const double ratio : {1e-3, 0.1, 0.5, 1., 5., 20.})
+        {
+          const double step = ratio * exact_duration;
+          EXPECT_NEAR(run(rigid,
+                          time_parameters(exact_duration + 3. * step, step),
+                          law,
+                          conserving,
+                          ball)
+                        .states()
+                        .back()
+                        .impactor_velocity,
+                      -1.,
+                      1e-11)
+            << ratio;
+        }
+    }
+
+
+
+    TEST(TimeStepper, CollocationGainsEnergyOnCoarseSteps)
+    {
+      // what the paper's scheme does, and why it is not the default
+      SpringPlate  rigid(1., 1., 0.);
+      const double step = exact_duration;
+      EXPECT_LT(
+        run(rigid, time_parameters(4. * step, step), law, collocation, ball)
+          .states()
+          .back()
+          .impactor_velocity,
+        -1.2);
+    }
+
+
+
+    /// Plate whose period is about the contact time.
+    SpringPlate
+    compliant_plate()
+    {
+      const double omega = 5. / exact_duration;
+      return SpringPlate(0.1 * omega * omega, 0.1, 1.);
+    }
+
+
+
+    double
+    convergence_ratio(const ContactIntegration &integration,
+                      const double              beta,
+                      const double              gamma,
+                      const unsigned int        n)
+    {
+      SpringPlate plate       = compliant_plate();
+      const auto  velocity_at = [&](const unsigned int n_steps) {
+        // before the contact ends: the solution is smooth
+        return run(plate,
+                   time_parameters(0.6 * exact_duration,
+                                   0.6 * exact_duration / n_steps,
+                                   beta,
+                                   gamma),
+                   law,
+                   integration,
+                   ball)
+          .states()
+          .back()
+          .impactor_velocity;
+      };
+      const double coarse = velocity_at(n), medium = velocity_at(2 * n),
+                   fine = velocity_at(4 * n);
+      return (coarse - medium) / (medium - fine);
+    }
+
+
+
+    TEST(TimeStepper, AverageAccelerationIsOfSecondOrder)
+    {
+      EXPECT_NEAR(convergence_ratio(conserving, 0.25, 0.5, 400), 4., 0.1);
+      EXPECT_NEAR(convergence_ratio(collocation, 0.25, 0.5, 400), 4., 0.1);
+      EXPECT_NEAR(convergence_ratio(collocation, 1. / 3., 0.5, 400), 4., 0.1);
+    }
+
+
+
+    TEST(TimeStepper, DampedNewmarkIsOfFirstOrder)
+    {
+      EXPECT_NEAR(convergence_ratio(collocation, 0.3025, 0.6, 4000), 2., 0.1);
+      EXPECT_NEAR(convergence_ratio(collocation, 0.5, 0.6, 4000), 2., 0.1);
+    }
+
+
+
+    TEST(TimeStepper, ImpulseIsTheChangeOfMomentumAndTheIntegralOfTheForce)
+    {
+      SpringPlate plate = compliant_plate();
+      TimeStepper stepper(time_parameters(2. * exact_duration,
+                                          exact_duration / 500.),
+                          plate,
+                          law,
+                          conserving,
+                          ball);
+      double      integral = 0., last_force = 0., last_time = 0.;
+      for (unsigned int step = 0; step < stepper.n_steps(); ++step)
+        {
+          stepper.advance();
+          const ContactState &state = stepper.state();
+          integral +=
+            0.5 * (state.force + last_force) * (state.time - last_time);
+          last_force = state.force;
+          last_time  = state.time;
+        }
+      const double change =
+        ball.mass * (ball.velocity - stepper.state().impactor_velocity);
+      EXPECT_NEAR(stepper.impulse() / change, 1., 1e-12);
+      EXPECT_NEAR(integral / change, 1., 1e-4);
+    }
+
+
+
+    TEST(TimeStepper, EndTimeIsReachedExactly)
+    {
+      SpringPlate plate = compliant_plate();
+      TimeStepper stepper(time_parameters(1e-4, 3e-5),
+                          plate,
+                          law,
+                          conserving,
+                          ball);
+      EXPECT_EQ(stepper.n_steps(), 4);
+      for (unsigned int step = 0; step < 4; ++step)
+        stepper.advance();
+      EXPECT_DOUBLE_EQ(stepper.state().time, 1e-4);
+      EXPECT_EQ(
+        TimeStepper(time_parameters(80e-6, 1e-7), plate, law, conserving, ball)
+          .n_steps(),
+        800);
+    }
+
+
+
+    TEST(TimeStepper, PlateEnergyIsThatOfItsMatrices)
+    {
+      // The stepper follows K z and M v without products with K and M; here
+      // they are formed. The velocity of average acceleration follows from z.
+      const auto            mesh  = unit_square(4);
+      const PlateParameters plate = unit_plate("clamped", 0.1);
+      const PlateElement    element("heterosis");
+      PlateModel            model(*mesh, element, plate, 1.);
+      model.assemble();
+      MeshPlate       meshed(model,
+                       model.load({{dealii::Point<2>(0.5, 0.5), 1.}}),
+                       make_linear_solver("CHOLMOD"));
+      const HertzLaw  soft(1.);
+      const double    dt = 0.05;
+      TimeStepper     stepper(time_parameters(5., dt),
+                          meshed,
+                          soft,
+                          conserving,
+                          {1., 0., 1.});
+      Eigen::VectorXd z = stepper.displacement(), v = z;
+      double          largest = 0.;
+      for (unsigned int step = 0; step < stepper.n_steps(); ++step)
+        {
+          stepper.advance();
+          v                   = 2. / dt * (stepper.displacement() - z) - v;
+          z                   = stepper.displacement();
+          const double energy = 0.5 *
+            (z.dot(multiply(model.stiffness(), z)) +
+             v.dot(multiply(model.mass(), v)));
+          largest = std::max(largest, energy);
+          EXPECT_NEAR(stepper.state().plate_energy, energy, 1e-10);
+        }
+      EXPECT_GT(largest, 0.01);
+    }
+
+
+
+    TEST(TimeStepper, ValuesThatAreNotFiniteStopTheRunAndNameTheStep)
+    {
+      SpringPlate broken(std::numeric_limits<double>::infinity(), 1., 1.);
+      TimeStepper stepper(time_parameters(1e-4, 1e-5),
+                          broken,
+                          law,
+                          conserving,
+                          ball);
+      try
+        {
+          for (unsigned int step = 0; step < 10; ++step)
+            stepper.advance();
+          FAIL();
+        }
+      catch (const ComputationError &error)
+        {
+          EXPECT_NE(std::string(error.what()).find("step 1"), std::string::npos)
+            << error.what();
+        }
+    }
+  } // namespace
+} // namespace PlateImpact
