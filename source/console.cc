@@ -1,5 +1,6 @@
 #include "plate_impact/console.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
 #include <unistd.h>
@@ -8,16 +9,24 @@ namespace PlateImpact
 {
   namespace
   {
-    /// A number in a column, or a dash.
     std::string
-    column(const char *format, const std::optional<double> &value)
+    formatted(const char *format, const double value)
     {
       char text[64];
-      if (value)
-        std::snprintf(text, sizeof(text), format, *value);
-      const std::string number = value ? text : "-";
-      return number.size() < 11 ? std::string(11 - number.size(), ' ') + number
-                                : number;
+      std::snprintf(text, sizeof(text), format, value);
+      return text;
+    }
+
+
+
+    /// A number, or a dash, at the right end of a column of some width.
+    std::string
+    column(const std::size_t            width,
+           const char                  *format,
+           const std::optional<double> &value)
+    {
+      const std::string text = value ? formatted(format, *value) : "-";
+      return std::string(width - std::min(width, text.size()), ' ') + text;
     }
   } // namespace
 
@@ -36,11 +45,9 @@ namespace PlateImpact
   {
     if (quiet)
       return;
-    std::cout << scene.name << '\n'
-              << " cycle      cells   unknowns      eta %    max xi'   peak "
-                 "force    at time  contact end    seconds\n"
-              << "                                                            "
-                 "N         us           us\n";
+    std::cout << scene.name << "\n"
+              << " cycle      cells   unknowns      eta %    max xi'"
+                 " peak force N      at us  contact end    seconds\n";
   }
 
 
@@ -92,14 +99,13 @@ namespace PlateImpact
         if (const auto end = result.history->first_contact_end())
           contact_end = 1e6 * *end;
       }
-    std::cout << column("%.0f", result.cycle).substr(5)
-              << column("%.0f", result.cells)
-              << column("%.0f", result.degrees_of_freedom)
-              << column("%.2f", eta) << column("%.2f", xi)
-              << column("%.6g", peak) << ' '
-              << column("%.4g", peak_time).substr(1) << "  "
-              << column("%.5g", contact_end)
-              << column("%.2f", result.seconds.total()) << std::endl;
+    std::cout << column(6, "%.0f", result.cycle)
+              << column(11, "%.0f", result.cells)
+              << column(11, "%.0f", result.degrees_of_freedom)
+              << column(11, "%.2f", eta) << column(11, "%.2f", xi)
+              << column(13, "%.6g", peak) << column(11, "%.4g", peak_time)
+              << column(13, "%.5g", contact_end)
+              << column(11, "%.2f", result.seconds.total()) << std::endl;
   }
 
 
@@ -108,21 +114,22 @@ namespace PlateImpact
   Console::end(const std::string              &outcome,
                const CycleResult              &last,
                const std::vector<std::string> &warnings,
-               const std::string              &files)
+               const std::string              &results)
   {
+    if (!quiet)
+      {
+        std::cout << "\nOutcome     " << outcome;
+        if (last.cells_at_minimum_size > 0)
+          std::cout << " (" << last.cells_at_minimum_size
+                    << " cells at the minimum size keep xi' >= 1)";
+        if (last.history)
+          std::cout << "\nPeak force  "
+                    << formatted("%.6g", last.history->peak().force) << " N at "
+                    << formatted("%.4g", 1e6 * last.history->peak().time)
+                    << " us";
+        std::cout << "\nResults     " << results << std::endl;
+      }
     for (const std::string &warning : warnings)
-      std::cerr << "warning: " << warning << '\n';
-    if (quiet)
-      return;
-    std::cout << "\nOutcome:    " << outcome;
-    if (last.cells_at_minimum_size > 0)
-      std::cout << " (" << last.cells_at_minimum_size
-                << " cells at the minimum size keep xi' >= 1)";
-    if (last.history)
-      std::printf("\nPeak force: %.6g N at %.4g us",
-                  last.history->peak().force,
-                  1e6 * last.history->peak().time);
-    std::fflush(stdout);
-    std::cout << "\nFiles:      " << files << std::endl;
+      std::cerr << "warning: " << warning << std::endl;
   }
 } // namespace PlateImpact

@@ -117,7 +117,7 @@ namespace PlateImpact
             if (!result.snapshots.empty())
               output.write_fields(result, *model, *estimator);
             output.finish(*end, warnings(result));
-            console.end(*end, result, warnings(result), output.files());
+            console.end(*end, result, warnings(result), output.main_files());
             return;
           }
       }

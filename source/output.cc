@@ -26,10 +26,10 @@ namespace PlateImpact
     /// Names of results, so that those of an earlier run do not stay beside
     /// ours.
     const std::regex
-      result_name("summary\\.json|scene\\.prm|report\\.html|fields\\.pvd|"
+      result_name("(summary\\.json|scene\\.prm|report\\.html|fields\\.pvd|"
                   "fields_[0-9]+\\.vtu|contact_history(_cycle_[0-9]+)?\\.csv|"
-                  "element_errors_cycle_[0-9]+\\.csv|mesh_cycle_[0-9]+\\.svg|"
-                  ".*\\.incomplete");
+                  "element_errors_cycle_[0-9]+\\.csv|mesh_cycle_[0-9]+\\.svg)"
+                  "(\\.incomplete)?");
 
 
 
@@ -172,7 +172,6 @@ namespace PlateImpact
     if (error)
       throw ComputationError(path.string() +
                              " cannot be written: " + error.message());
-    names.push_back(name);
   }
 
 
@@ -195,7 +194,6 @@ namespace PlateImpact
             if (error)
               throw ComputationError((directory / earlier).string() +
                                      " cannot be written: " + error.message());
-            names.push_back(earlier);
           }
         write_file("contact_history.csv", [&](std::ostream &out) {
           write_history(out, *result.history);
@@ -352,15 +350,13 @@ namespace PlateImpact
 
 
   std::string
-  Output::files() const
+  Output::main_files() const
   {
-    // cycles in one word
     std::string text;
-    for (const std::string &name : names)
-      if (name.find("_cycle_") == std::string::npos &&
-          name.find(".vtu") == std::string::npos)
-        text += (text.empty() ? "" : ", ") + name;
-    return directory.string() + ": " + text +
-      " and, for each cycle, its history, element errors and mesh";
+    for (const std::string name :
+         {"report.html", "summary.json", "contact_history.csv", "fields.pvd"})
+      if (fs::exists(directory / name))
+        text += (text.empty() ? "" : ", ") + (directory / name).string();
+    return text;
   }
 } // namespace PlateImpact

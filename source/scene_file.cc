@@ -30,6 +30,19 @@ namespace PlateImpact
 
 
 
+    /// Without white space at both ends.
+    std::string
+    trimmed(const std::string &text)
+    {
+      const char       *space = " \t\r";
+      const std::size_t first = text.find_first_not_of(space);
+      return first == std::string::npos
+        ? ""
+        : text.substr(first, text.find_last_not_of(space) - first + 1);
+    }
+
+
+
     bool
     is_text(const std::string &line)
     {
@@ -55,15 +68,14 @@ namespace PlateImpact
         if (!is_text(raw))
           return mistake("this line holds control characters; a scene is a "
                          "text file");
-        const std::string line = simplified(raw.substr(0, raw.find('#')));
+        const std::string line = trimmed(raw.substr(0, raw.find('#')));
         if (line.empty())
           return;
 
-        const std::string command = line.substr(0, line.find(' '));
-        const std::string rest =
-          simplified(line.substr(std::min(line.size(), command.size())));
+        const std::string command = line.substr(0, line.find_first_of(" \t"));
+        const std::string rest    = trimmed(line.substr(command.size()));
         if (command == "subsection")
-          open(rest);
+          open(simplified(rest));
         else if (command == "end" && rest.empty())
           close();
         else if (command == "set")
@@ -129,7 +141,7 @@ namespace PlateImpact
           return mistake(path + " is set twice, first in line " +
                          std::to_string(first->second));
         scene.assignments.push_back(
-          {section, entry, simplified(text.substr(equals + 1)), origin});
+          {section, entry, trimmed(text.substr(equals + 1)), origin});
       }
 
       const std::string                   name;
@@ -168,7 +180,7 @@ namespace PlateImpact
         {"--set '" + text + "' is not of the form 'Section/Entry=value'"});
     return {simplified(text.substr(0, slash)),
             simplified(text.substr(slash + 1, equals - slash - 1)),
-            simplified(text.substr(equals + 1)),
+            trimmed(text.substr(equals + 1)),
             "--set"};
   }
 

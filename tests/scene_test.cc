@@ -15,7 +15,7 @@ namespace PlateImpact
     {
       std::istringstream in("\xEF\xBB\xBFsubsection Plate # the target\r\n"
                             "\tset  Thickness   =  0.01   # [m]\r\n"
-                            "  set Support = clamped, simply   supported\n"
+                            "  set Support = clamped, simply supported\n"
                             "end\n");
       const SceneFile    file = scan_scene(in, "a.prm");
       EXPECT_TRUE(file.mistakes.empty());

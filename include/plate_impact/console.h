@@ -33,7 +33,7 @@ namespace PlateImpact
     end(const std::string              &outcome,
         const CycleResult              &last,
         const std::vector<std::string> &warnings,
-        const std::string              &files);
+        const std::string              &results);
 
   private:
     void

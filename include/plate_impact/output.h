@@ -52,9 +52,9 @@ namespace PlateImpact
     void
     write_failure(const std::string &failure);
 
-    /// Directory and names of the files written, for the user.
+    /// The files to look at first, for the user.
     std::string
-    files() const;
+    main_files() const;
 
   private:
     void
@@ -66,7 +66,6 @@ namespace PlateImpact
 
     const Scene                &scene;
     const std::filesystem::path directory;
-    std::vector<std::string>    names;
     nlohmann::ordered_json      cycles = nlohmann::ordered_json::array();
     std::vector<std::string>    mesh_pictures;
   };
