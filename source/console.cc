@@ -45,6 +45,10 @@ namespace PlateImpact
   {
     if (quiet)
       return;
+#ifdef DEBUG
+    std::cout << "DEBUG build, many times slower; configure with "
+                 "CMAKE_BUILD_TYPE=Release for results\n";
+#endif
     std::cout << scene.name << "\n"
               << " cycle      cells   unknowns      eta %    max xi'"
                  " peak force N      at us  contact end    seconds\n";

@@ -4,7 +4,7 @@
 #include "plate_impact/console.h"
 #include "plate_impact/exceptions.h"
 #include "plate_impact/impact_analysis.h"
-#include "plate_impact/parameters.h"
+#include "plate_impact/scene.h"
 #include "plate_impact/version.h"
 
 #include <CLI/CLI.hpp>
@@ -109,10 +109,6 @@ namespace
 int
 main(const int argc, const char *const *argv)
 {
-#ifdef DEBUG
-  std::cerr << "plate-impact: DEBUG build, many times slower; configure with "
-               "CMAKE_BUILD_TYPE=Release for results\n";
-#endif
   // Nothing here gains from threads; not starting them saves time.
   dealii::MultithreadInfo::set_thread_limit(1);
   try

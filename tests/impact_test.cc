@@ -1,6 +1,7 @@
 // Whole impacts against the histories of series and Ritz solutions of high
 // order (tests/reference), computed through the library.
 #include "plate_impact/impactor.h"
+#include "plate_impact/scene.h"
 #include "plate_impact/time_stepper.h"
 #include "test_plate.h"
 

@@ -1,5 +1,5 @@
 #include "plate_impact/exceptions.h"
-#include "plate_impact/parameters.h"
+#include "plate_impact/scene.h"
 #include "plate_impact/scene_file.h"
 #include "test_plate.h"
 

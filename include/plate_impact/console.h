@@ -2,7 +2,7 @@
 #define plate_impact_console_h
 
 #include "plate_impact/cycle_result.h"
-#include "plate_impact/parameters.h"
+#include "plate_impact/scene.h"
 
 #include <chrono>
 #include <string>

@@ -11,9 +11,9 @@
 #include "plate_impact/load_patch.h"
 #include "plate_impact/mesh_adaptation.h"
 #include "plate_impact/output.h"
-#include "plate_impact/parameters.h"
 #include "plate_impact/plate_element.h"
 #include "plate_impact/plate_model.h"
+#include "plate_impact/scene.h"
 
 #include <memory>
 #include <optional>

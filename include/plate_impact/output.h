@@ -4,7 +4,7 @@
 #include <deal.II/grid/tria.h>
 
 #include "plate_impact/cycle_result.h"
-#include "plate_impact/parameters.h"
+#include "plate_impact/scene.h"
 
 #include <nlohmann/json.hpp>
 

@@ -2,7 +2,6 @@
 #define plate_impact_parameters_h
 
 #include <array>
-#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -93,27 +92,14 @@ namespace PlateImpact
     }
   };
 
-  /// A scene that has passed every check.
-  struct Scene
-  {
-    std::string name; ///< of the file, as given
-    Parameters  parameters;
-    std::string text; ///< every value used, as a scene that repeats the run
-  };
+  class SceneSchema;
 
-  /// Reads a scene file and the overrides "Section/Entry=value" on top of it,
-  /// checks every entry and the entries against each other, and replaces zeros
-  /// that mean "chosen by the program" by what is chosen: the impactor's mass,
-  /// the patch radius, the minimum cell size.
-  /// @throws InputError with every mistake found: file, line, entry, value and
-  ///         what is allowed
-  Scene
-  read_scene(const std::string              &path,
-             const std::vector<std::string> &overrides);
-
-  /// Prints every entry with its meaning, unit and default, as a valid scene.
+  /// Declares every entry of a scene. Parameters and `unread`, the values of
+  /// sections that no subcommand reads yet, must outlive the schema.
   void
-  print_defaults(std::ostream &out);
+  declare_parameters(SceneSchema              &schema,
+                     Parameters               &parameters,
+                     std::vector<std::string> &unread);
 } // namespace PlateImpact
 
 #endif

@@ -1,7 +1,7 @@
 #ifndef plate_impact_report_h
 #define plate_impact_report_h
 
-#include "plate_impact/parameters.h"
+#include "plate_impact/scene.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,0 +1,77 @@
+#ifndef plate_impact_allowed_h
+#define plate_impact_allowed_h
+
+#include <deal.II/base/patterns.h>
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace PlateImpact
+{
+  /// What an entry may hold: a test and the words for it that a user reads.
+  class Allowed : public dealii::Patterns::PatternBase
+  {
+  public:
+    Allowed(const std::string                              &words,
+            const std::function<bool(const std::string &)> &test);
+
+    bool
+    match(const std::string &value) const override;
+
+    std::string
+    description(const OutputStyle style = Machine) const override;
+
+    std::unique_ptr<dealii::Patterns::PatternBase>
+    clone() const override;
+
+    static Allowed
+    number_above(double bound);
+    static Allowed
+    number_from(double first);
+    static Allowed
+    number_between(double lower, double upper); ///< both excluded
+    static Allowed
+    whole_number(unsigned int first, unsigned int last);
+    static Allowed
+    one_of(const std::vector<std::string> &words);
+    static Allowed
+    truth();
+    static Allowed
+    anything(const std::string &words);
+
+    /// Between `first` and `last` values of one kind, separated by commas.
+    static Allowed
+    list(const Allowed &item, unsigned int first, unsigned int last);
+
+  private:
+    std::string                              words;
+    std::function<bool(const std::string &)> test;
+  };
+
+
+  /// A value that matches its pattern, as the type of its variable.
+  void
+  convert(const std::string &text, double &value);
+  void
+  convert(const std::string &text, unsigned int &value);
+  void
+  convert(const std::string &text, bool &value);
+  void
+  convert(const std::string &text, std::string &value);
+  void
+  convert(const std::string &text, std::vector<std::string> &value);
+  void
+  convert(const std::string &text, std::array<double, 2> &value);
+  void
+  convert(const std::string &text, std::array<unsigned int, 2> &value);
+
+
+  /// The shortest text that reads back as the same number.
+  std::string
+  shortest(double value);
+} // namespace PlateImpact
+
+#endif

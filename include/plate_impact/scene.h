@@ -1,0 +1,35 @@
+#ifndef plate_impact_scene_h
+#define plate_impact_scene_h
+
+#include "plate_impact/parameters.h"
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace PlateImpact
+{
+  /// A scene that has passed every check.
+  struct Scene
+  {
+    std::string name; ///< of the file, as given
+    Parameters  parameters;
+    std::string text; ///< every value used, as a scene that repeats the run
+  };
+
+  /// Reads a scene file and the overrides "Section/Entry=value" on top of it,
+  /// checks every entry and the entries against each other, and replaces zeros
+  /// that mean "chosen by the program" by what is chosen: the impactor's mass,
+  /// the patch radius, the minimum cell size.
+  /// @throws InputError with every mistake found: file, line, entry, value and
+  ///         what is allowed
+  Scene
+  read_scene(const std::string              &path,
+             const std::vector<std::string> &overrides);
+
+  /// Prints every entry with its meaning, unit and default, as a valid scene.
+  void
+  print_defaults(std::ostream &out);
+} // namespace PlateImpact
+
+#endif
