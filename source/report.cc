@@ -93,7 +93,9 @@ namespace PlateImpact
         << "</title><style>body{font-family:sans-serif;margin:2em auto;"
            "max-width:70em;padding:0 1em}table{border-collapse:collapse}"
            "td,th{border:1px solid #bbb;padding:.3em .6em;text-align:right}"
-           ".wide{overflow-x:auto}svg{max-width:100%;height:auto}"
+           ".wide{overflow-x:auto}.meshes{display:grid;gap:1em;"
+           "grid-template-columns:repeat(auto-fit,minmax(20em,1fr))}"
+           "svg{max-width:100%;height:auto}"
            "pre{background:#f4f4f4;color:#111;padding:1em;overflow-x:auto}"
            "</style></head><body>\n<h1>"
         << escaped(scene.name) << "</h1>\n<p>Outcome: <b>" << escaped(outcome)
@@ -107,10 +109,10 @@ namespace PlateImpact
       out << "<p><b>Warning:</b> " << escaped(warning) << "</p>\n";
     out << "<h2>Cycles</h2>\n";
     write_table(out, cycles);
-    out << "<h2>Meshes</h2>\n";
+    out << "<h2>Meshes</h2>\n<div class=\"meshes\">\n";
     for (const std::string &picture : pictures)
       out << picture;
-    out << "<h2>Scene</h2>\n<p>plate-impact " << PLATE_IMPACT_VERSION
+    out << "</div>\n<h2>Scene</h2>\n<p>plate-impact " << PLATE_IMPACT_VERSION
         << "; save as a .prm file and give it to <code>plate-impact run</code> "
            "to repeat the run.</p>\n<pre>"
         << escaped(scene.text) << "</pre>\n</body></html>\n";
