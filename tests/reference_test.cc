@@ -38,7 +38,9 @@ namespace PlateImpact
 
     TEST(StaticPlate, UniformLoad)
     {
-      for (const auto &entry : reference("static_plates.json")["cases"])
+      const nlohmann::json cases = reference("static_plates.json")["cases"];
+      EXPECT_EQ(cases.size(), 8u);
+      for (const auto &entry : cases)
         for (const std::string &name : PlateElement::names())
           {
             const double a_over_t = entry["a_over_t"];
@@ -70,9 +72,11 @@ namespace PlateImpact
     TEST(StaticPlate, HertzPatch)
     {
       ContactParameters contact;
-      contact.load_distribution = "Hertz disc";
-      contact.patch_radius      = 0.0025;
-      for (const auto &entry : reference("static_plates.json")["cases"])
+      contact.load_distribution  = "Hertz disc";
+      contact.patch_radius       = 0.0025;
+      const nlohmann::json cases = reference("static_plates.json")["cases"];
+      EXPECT_EQ(cases.size(), 8u);
+      for (const auto &entry : cases)
         {
           const double a_over_t = entry["a_over_t"];
           if (a_over_t > 100.)
@@ -97,7 +101,9 @@ namespace PlateImpact
 
     TEST(Frequencies, LowestDoublySymmetricOnes)
     {
-      for (const auto &entry : reference("plate_frequencies.json")["cases"])
+      const nlohmann::json cases = reference("plate_frequencies.json")["cases"];
+      EXPECT_EQ(cases.size(), 8u);
+      for (const auto &entry : cases)
         for (const std::string name : {"serendipity", "heterosis"})
           {
             const double a_over_t = entry["a_over_t"];
