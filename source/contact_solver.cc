@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 #include <stdexcept>
 
 namespace PlateImpact
@@ -110,36 +111,36 @@ namespace PlateImpact
         !std::isfinite(compliance))
       throw ComputationError("the indentation is not finite");
 
+    // phi is never negative and never decreases: the root lies between these
     double high = free;
     double phi  = integration.force(law, begin, high);
     if (phi == 0.)
       return 0.;
     double low = free - compliance * phi;
 
-    const double scale     = std::max({std::abs(begin), std::abs(free)});
-    const double tolerance = 4. * std::numeric_limits<double>::epsilon();
-    double       alpha     = std::clamp(begin, low, high);
-    for (unsigned int iteration = 0; iteration < 200; ++iteration)
+    const double epsilon = std::numeric_limits<double>::epsilon();
+    double       alpha   = std::clamp(begin, low, high);
+    for (unsigned int iteration = 0; iteration < 2000; ++iteration)
       {
-        phi                          = integration.force(law, begin, alpha);
-        const double residual        = alpha + compliance * phi - free;
-        (residual > 0. ? high : low) = alpha;
+        phi                   = integration.force(law, begin, alpha);
+        const double residual = alpha + compliance * phi - free;
+        // what round-off leaves of the residual, or nothing left to bisect
+        if (std::abs(residual) <= 2. * epsilon *
+                (std::abs(alpha) + compliance * phi + std::abs(free)) ||
+            high - low <= 2. * epsilon * (std::abs(low) + std::abs(high)))
+          return phi;
 
-        double next = alpha -
+        (residual > 0. ? high : low) = alpha;
+        const double newton          = alpha -
           residual /
             (1. + compliance * integration.stiffness(law, begin, alpha));
-        // written so that a NaN bisects
-        if (!(next >= low && next <= high))
-          next = 0.5 * (low + high);
-        const bool converged =
-          std::abs(next - alpha) <= tolerance * std::abs(next) ||
-          std::abs(next - alpha) <=
-            std::numeric_limits<double>::epsilon() * 1e-3 * scale;
-        alpha = next;
-        if (converged)
-          return integration.force(law, begin, alpha);
+        // strictly within the bracket, or else its middle; a NaN bisects
+        alpha =
+          newton > low && newton < high ? newton : low + 0.5 * (high - low);
       }
-    throw ComputationError("the contact equation was not solved: indentation " +
-                           std::to_string(alpha) + " m");
+    std::ostringstream text;
+    text << "the contact equation was not solved (indentation " << alpha
+         << " m, force " << phi << " N); try a smaller Time/Time step";
+    throw ComputationError(text.str());
   }
 } // namespace PlateImpact

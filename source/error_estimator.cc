@@ -39,6 +39,16 @@ namespace PlateImpact
 
 
 
+    /// Samples to evaluate together: many make matrix products fast; on large
+    /// meshes, where one is work enough, few save memory.
+    unsigned int
+    buffer_size(const unsigned int n_cells)
+    {
+      return std::clamp(200000u / n_cells, 1u, 16u);
+    }
+
+
+
     std::vector<Point<2>>
     corners()
     {
@@ -67,7 +77,7 @@ namespace PlateImpact
     , target(target_error)
     , recovery(model.mesh())
     , is_counted(Eigen::VectorXd::Ones(model.mesh().n_active_cells()))
-    , buffer(model.n_unknowns(), buffer_size)
+    , buffer(model.n_unknowns(), buffer_size(model.mesh().n_active_cells()))
     , norm_integrals(Norms::Zero())
     , last_norms(Norms::Zero())
     , xi_integral(Eigen::VectorXd::Zero(model.mesh().n_active_cells()))
@@ -85,7 +95,7 @@ namespace PlateImpact
     buffer.col(buffered_times.size()) = unknowns;
     buffered_times.push_back(time);
     ++samples;
-    if (buffered_times.size() == buffer_size)
+    if (buffered_times.size() == static_cast<std::size_t>(buffer.cols()))
       evaluate_buffer();
   }
 

@@ -8,6 +8,7 @@
 #include "plate_impact/plate_mesh.h"
 #include "plate_impact/semidiscrete_plate.h"
 #include "plate_impact/time_stepper.h"
+#include "plate_impact/zener.h"
 
 #include <algorithm>
 #include <limits>
@@ -19,6 +20,11 @@ namespace PlateImpact
 
   namespace
   {
+    /// Fewer samples over the transient do not make an integral over time.
+    constexpr unsigned int min_estimator_samples = 20;
+
+
+
     /// Adds the time until its end to a stage.
     class Stopwatch
     {
@@ -181,8 +187,11 @@ namespace PlateImpact
                                          singular_cells());
     add_to(seconds.estimation);
 
-    const unsigned int n_steps  = stepper.n_steps();
-    const unsigned int interval = parameters.adaptivity.sampling_interval;
+    const unsigned int n_steps = stepper.n_steps();
+    const unsigned int interval =
+      std::clamp(n_steps / min_estimator_samples,
+                 1u,
+                 parameters.adaptivity.sampling_interval);
     const unsigned int n_fields = parameters.output.field_samples;
     ContactHistory     history;
     history.add(stepper.state());
@@ -271,11 +280,31 @@ namespace PlateImpact
     };
     if (!parameters.has_impactor())
       return sentences;
+    const double contact_time = 2. *
+      zener_peak(*contact_law,
+                 make_impactor(parameters.impactor),
+                 model->section())
+        .time;
+    if (parameters.time.time_step > 0.02 * contact_time)
+      warn("Time/Time step = ",
+           parameters.time.time_step,
+           " s resolves a contact of about ",
+           contact_time,
+           " s coarsely; for a peak force to 0.1 % choose at most ",
+           0.02 * contact_time,
+           " s");
     if (parameters.contact.load_distribution == "point")
       warn("the peak force under a point load depends on the smallest cell (",
            result.min_cell_size,
            " m): it drops by about 0.7 % per halving; for a limit choose "
            "Contact/Load distribution = Hertz disc");
+    if (result.error && result.error->n_singular_cells > 0)
+      warn("eta leaves out ",
+           result.error->n_singular_cells,
+           " cells nearer to the point load than half the thickness, where the "
+           "exact energy is infinite; with them it is ",
+           100. * result.error->eta_of_all_cells,
+           " %");
     if (result.history->states().back().force > 0.)
       warn("the contact has not ended at Time/End time = ",
            parameters.time.end_time,

@@ -9,7 +9,9 @@
 #include <Epetra_Vector.h>
 #include <cholmod.h>
 
+#include <sstream>
 #include <stdexcept>
+#include <unistd.h>
 
 // Present when the BLAS is OpenBLAS. Its threads make solves with a single
 // right hand side slower.
@@ -20,6 +22,24 @@ namespace PlateImpact
 {
   namespace
   {
+    /// The system would end the process without a word.
+    void
+    require_memory(const double bytes, const std::size_t n_unknowns)
+    {
+      const double physical = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
+        static_cast<double>(sysconf(_SC_PAGESIZE));
+      if (bytes < physical)
+        return;
+      std::ostringstream text;
+      text << "the factor of the effective stiffness matrix of " << n_unknowns
+           << " unknowns needs " << bytes * 1e-9 << " GB of memory, of "
+           << physical * 1e-9
+           << " GB; try fewer cells or a larger Adaptivity/Minimum cell size";
+      throw ComputationError(text.str());
+    }
+
+
+
     /// CHOLMOD, called directly so that its work arrays serve all solves.
     class CholmodSolver : public LinearSolver
     {
@@ -70,7 +90,10 @@ namespace PlateImpact
         cholmod_free_factor(&factor, &common);
         factor = cholmod_analyze(&A, &common);
         if (factor != nullptr)
-          cholmod_factorize(&A, factor, &common);
+          {
+            require_memory(factor->xsize * sizeof(double), A.nrow);
+            cholmod_factorize(&A, factor, &common);
+          }
         if (common.status == CHOLMOD_NOT_POSDEF)
           throw ComputationError("the effective stiffness matrix is not "
                                  "positive definite");

@@ -11,6 +11,7 @@
 
 #include <iostream>
 #include <new>
+#include <optional>
 #include <sstream>
 
 namespace
@@ -27,14 +28,12 @@ namespace
 
 
   void
-  run(const std::string       &path,
-      const std::string       &output,
-      std::vector<std::string> overrides,
-      const bool               quiet)
+  run(const std::string                &path,
+      const std::optional<std::string> &output,
+      const std::vector<std::string>   &overrides,
+      const bool                        quiet)
   {
-    if (!output.empty())
-      overrides.push_back("Output/Directory=" + output);
-    const Scene scene = read_scene(path, overrides);
+    const Scene scene = read_scene(path, overrides, output);
     Console     console(quiet);
     ImpactAnalysis(scene, console).run();
   }
@@ -54,10 +53,11 @@ namespace
     app.footer("Exit status: 0 done, 1 the input is wrong, 2 the computation "
                "failed.");
 
-    std::string              path, output;
-    std::vector<std::string> overrides;
-    bool                     quiet = false;
-    CLI::App                *run_command =
+    std::string                path;
+    std::optional<std::string> output;
+    std::vector<std::string>   overrides;
+    bool                       quiet = false;
+    CLI::App                  *run_command =
       app.add_subcommand("run", "Compute the impact that a scene describes");
     run_command->add_option("scene", path, "Parameter file (.prm)")->required();
     run_command->add_option(
@@ -76,13 +76,23 @@ namespace
       "defaults",
       "Print every entry with its meaning, unit and default, as a valid scene");
 
+    for (const std::string name : {"check", "compare", "sweep"})
+      app.add_subcommand(name, "Not available yet")
+        ->allow_extras()
+        ->callback([name] {
+          throw InputError({"the command '" + name + "' is not available yet"});
+        });
+
     try
       {
         app.parse(argc, argv);
       }
     catch (const CLI::ParseError &error)
       {
-        return app.exit(error) == 0 ? success : wrong_input;
+        if (error.get_exit_code() == 0)
+          return app.exit(error);
+        throw InputError(
+          {error.what() + std::string("; see plate-impact --help")});
       }
 
     if (run_command->parsed())
@@ -113,7 +123,11 @@ main(const int argc, const char *const *argv)
   dealii::MultithreadInfo::set_thread_limit(1);
   try
     {
-      return execute(argc, argv);
+      const int status = execute(argc, argv);
+      std::cout.flush();
+      if (!std::cout)
+        throw ComputationError("the standard output cannot be written");
+      return status;
     }
   catch (const InputError &error)
     {

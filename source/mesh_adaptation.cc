@@ -21,10 +21,14 @@ namespace PlateImpact
 
 
     /// A cell is coarsened by as many levels as its target size exceeds this
-    /// multiple of it. The error of a cell grows by 2^{p+1} = 8 when it is
-    /// coarsened (p = 2), while the size rule with phi = 1/p counts on 4:
+    /// multiple of it. The error of a cell grows by 2^{p+1} when it is
+    /// coarsened (p = 2), while h_new = h / xi'^phi counts on 2^{1/phi}:
     /// without the factor the next cycle refines again what this one coarsens.
-    const double coarsening_margin = std::sqrt(2.);
+    double
+    coarsening_margin(const double size_exponent)
+    {
+      return std::max(1., std::pow(2., 3. * size_exponent - 1.));
+    }
 
 
 
@@ -32,15 +36,15 @@ namespace PlateImpact
     int
     wanted_level(const Triangulation<2>::active_cell_iterator &cell,
                  const double                                  target_size,
-                 const double                                  smallest_size)
+                 const double                                  smallest_size,
+                 const double                                  margin)
     {
       const double h      = cell_size(cell);
       const auto   levels = [](const double ratio) {
         return std::ceil(std::log2(ratio) - tolerance);
       };
       const double refinement = levels(h / target_size);
-      const double coarsening =
-        std::min(0., levels(coarsening_margin * h / target_size));
+      const double coarsening = std::min(0., levels(margin * h / target_size));
       const double allowed =
         std::max(0., std::floor(std::log2(h / smallest_size) + tolerance));
       const double change =
@@ -171,7 +175,8 @@ namespace PlateImpact
       set_level(cell,
                 wanted_level(cell,
                              sizes[cell->active_cell_index()],
-                             adaptivity.minimum_cell_size));
+                             adaptivity.minimum_cell_size,
+                             coarsening_margin(adaptivity.size_exponent)));
 
     // One level at a time. Cells refined for the sake of their neighbours want
     // to be coarsened again; prepare_coarsening_and_refinement() takes such

@@ -136,9 +136,15 @@ namespace PlateImpact
     if (error)
       throw ComputationError("the output directory " + directory.string() +
                              " cannot be created: " + error.message());
-    for (const auto &entry : fs::directory_iterator(directory, error))
-      if (std::regex_match(entry.path().filename().string(), result_name))
-        fs::remove(entry.path(), error);
+    for (fs::directory_iterator entry(directory, error), end;
+         !error && entry != end;
+         entry.increment(error))
+      if (std::regex_match(entry->path().filename().string(), result_name))
+        {
+          fs::remove(entry->path(), error);
+          if (error)
+            break;
+        }
     if (error)
       throw ComputationError("earlier results in " + directory.string() +
                              " cannot be removed: " + error.message());

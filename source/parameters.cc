@@ -208,11 +208,13 @@ namespace PlateImpact
         adaptivity.minimum_cell_size,
         "Of a cell's longer side; 0: a quarter of the patch radius, "
         "or of the thickness under a point load. [m]");
-      schema.declare("Sampling interval",
-                     "5",
-                     Allowed::whole_number(1, 1000000),
-                     adaptivity.sampling_interval,
-                     "Time steps between samples of the error estimator.");
+      schema.declare(
+        "Sampling interval",
+        "5",
+        Allowed::whole_number(1, 1000000),
+        adaptivity.sampling_interval,
+        "Time steps between samples of the error estimator; fewer where "
+        "the transient would have less than 20 samples.");
     }
 
 
@@ -224,8 +226,11 @@ namespace PlateImpact
       schema.begin_section("Output");
       schema.declare("Directory",
                      "output",
-                     {"the name of a directory",
-                      [](const std::string &text) { return !text.empty(); }},
+                     {"the name of a directory, without '#' and line ends",
+                      [](const std::string &text) {
+                        return !text.empty() &&
+                          text.find_first_of("#\n\r") == std::string::npos;
+                      }},
                      output.directory,
                      "Created where it does not exist.");
       schema.declare("Write meshes",

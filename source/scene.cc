@@ -9,7 +9,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <fstream>
+#include <limits>
 #include <sstream>
 
 namespace PlateImpact
@@ -31,23 +34,82 @@ namespace PlateImpact
 
 
 
-    /// The sentence of a mistake in the value of an entry.
-    std::string
-    mistake(const SceneSchema &schema,
-            const std::string &path,
-            const std::string &text)
+    /// Checks values that are each allowed by themselves, and fills in those
+    /// that the program chooses.
+    class Checker
     {
-      return schema.origin(path) + ": " + path + " = " + schema.value(path) +
-        " " + text;
+    public:
+      Checker(SceneSchema &schema, const Parameters &parameters)
+        : schema(schema)
+        , parameters(parameters)
+      {}
+
+      /// Entries of the interface that this version cannot honour.
+      void
+      check_availability();
+
+      /// Entries against each other.
+      void
+      check_together();
+
+      /// Replaces zeros that mean "chosen by the program", and checks what is
+      /// chosen.
+      void
+      complete();
+
+      std::vector<std::string> mistakes;
+
+    private:
+      /// Adds a mistake in the value of the first entry, unless one of those
+      /// involved has been refused before. Its place is that of the first of
+      /// them which the scene sets.
+      void
+      refuse(const std::vector<std::string> &involved, const std::string &text);
+
+      void
+      check_plate();
+      void
+      check_time();
+      void
+      check_mesh();
+
+      SceneSchema      &schema;
+      const Parameters &parameters;
+    };
+
+
+
+    std::string
+    in_words(const double value)
+    {
+      std::ostringstream text;
+      text << value;
+      return text.str();
     }
 
 
 
-    /// Entries of the interface that this version cannot honour.
-    std::vector<std::string>
-    check_availability(const SceneSchema &schema)
+    void
+    Checker::refuse(const std::vector<std::string> &involved,
+                    const std::string              &text)
     {
-      std::vector<std::string>                               mistakes;
+      std::string origin = "default";
+      for (const std::string &path : involved)
+        {
+          if (schema.was_refused(path))
+            return;
+          if (origin == "default")
+            origin = schema.origin(path);
+        }
+      mistakes.push_back(origin + ": " + involved.front() + " = " +
+                         schema.value(involved.front()) + " " + text);
+    }
+
+
+
+    void
+    Checker::check_availability()
+    {
       const std::vector<std::pair<std::string, std::string>> unavailable = {
         {"Impactor/Shape", "cylinder"},
         {"Contact/Law", "line"},
@@ -58,106 +120,136 @@ namespace PlateImpact
         {"Adaptivity/Strategy", "remeshing"}};
       for (const auto &[path, value] : unavailable)
         if (schema.value(path) == value)
-          mistakes.push_back(mistake(schema, path, "is not available yet"));
+          refuse({path}, "is not available yet");
       for (const std::string section : {"Comparison", "Sweep"})
         for (const std::string &path : schema.entries_of(section))
           if (schema.is_changed(path))
-            mistakes.push_back(mistake(schema, path, "is not available yet"));
-      return mistakes;
+            refuse({path}, "is not available yet");
     }
 
 
 
-    /// Checks across entries.
-    std::vector<std::string>
-    check_together(const SceneSchema &schema, const Parameters &parameters)
+    void
+    Checker::check_together()
     {
-      std::vector<std::string> mistakes;
-      const auto               refuse = [&](const std::string &path,
-                              const std::string &text) {
-        mistakes.push_back(mistake(schema, path, text));
-      };
-      const auto in_words = [](const double value) {
-        std::ostringstream text;
-        text << value;
-        return text.str();
-      };
+      check_plate();
+      check_time();
+      check_mesh();
+    }
 
+
+
+    void
+    Checker::check_plate()
+    {
       const PlateParameters &plate = parameters.plate;
-      const double           shorter_side =
-        std::min(plate.side_lengths[0], plate.side_lengths[1]);
-      if (plate.thickness > 0.5 * shorter_side)
-        refuse("Plate/Thickness",
+      const double           half_side =
+        0.5 * std::min(plate.side_lengths[0], plate.side_lengths[1]);
+      if (plate.thickness > half_side)
+        refuse({"Plate/Thickness", "Plate/Side lengths"},
                "m is too thick for a plate theory; expected at most half the "
                "shorter side, " +
-                 in_words(0.5 * shorter_side) + " m");
+                 in_words(half_side) + " m");
       if (parameters.contact.load_distribution != "point" &&
-          parameters.contact.patch_radius > 0.5 * shorter_side)
-        refuse("Contact/Patch radius",
+          parameters.contact.patch_radius > half_side)
+        refuse({"Contact/Patch radius", "Plate/Side lengths"},
                "m reaches beyond the plate; expected at most half the shorter "
                "side, " +
-                 in_words(0.5 * shorter_side) + " m");
+                 in_words(half_side) + " m");
+    }
 
+
+
+    void
+    Checker::check_time()
+    {
       const TimeParameters &time = parameters.time;
       if (time.time_step > time.end_time)
-        refuse("Time/Time step",
+        refuse({"Time/Time step", "Time/End time"},
                "s is longer than End time, " + in_words(time.end_time) + " s");
       else if (time.end_time / time.time_step > 1e8)
-        refuse("Time/Time step",
+        refuse({"Time/Time step", "Time/End time"},
                "s needs more than 1e8 steps to reach End time, " +
                  in_words(time.end_time) + " s");
       if (time.newmark_beta < 0.5 * time.newmark_gamma)
-        refuse("Time/Newmark beta",
+        refuse({"Time/Newmark beta", "Time/Newmark gamma"},
                "is below half of Newmark gamma, so that the scheme is unstable "
                "on fine meshes; expected at least " +
                  in_words(0.5 * time.newmark_gamma));
       if (parameters.contact.integration == "energy conserving" &&
           (time.newmark_beta != 0.25 || time.newmark_gamma != 0.5))
-        refuse("Contact/Integration",
+        refuse({"Contact/Integration",
+                "Time/Newmark beta",
+                "Time/Newmark gamma"},
                "needs Newmark beta = 0.25 and Newmark gamma = 0.5, which alone "
                "conserve energy; with others set Integration = collocation");
-
-      const auto &cells = parameters.discretization.initial_cells;
-      if (static_cast<double>(cells[0]) * cells[1] > 1e6)
-        refuse("Discretization/Initial cells", "are more than a million cells");
-      const double h = 0.5 *
-        std::max(plate.side_lengths[0] / cells[0],
-                 plate.side_lengths[1] / cells[1]);
-      if (parameters.adaptivity.minimum_cell_size > h)
-        refuse("Adaptivity/Minimum cell size",
-               "m is larger than the initial cells, " + in_words(h) + " m");
-      return mistakes;
     }
 
 
 
-    /// Replaces zeros that mean "chosen by the program".
-    /// @return a sentence when what is chosen does not fit the plate
-    std::vector<std::string>
-    complete(SceneSchema &schema, Parameters &parameters)
+    void
+    Checker::check_mesh()
+    {
+      const auto &cells = parameters.discretization.initial_cells;
+      const auto &sides = parameters.plate.side_lengths;
+      if (static_cast<double>(cells[0]) * cells[1] > 250000.)
+        refuse({"Discretization/Initial cells"}, "are more than 250000 cells");
+      const double h = 0.5 * std::max(sides[0] / cells[0], sides[1] / cells[1]);
+      if (parameters.adaptivity.minimum_cell_size > h)
+        refuse({"Adaptivity/Minimum cell size",
+                "Plate/Side lengths",
+                "Discretization/Initial cells"},
+               "m is larger than the initial cells, " + in_words(h) + " m");
+    }
+
+
+
+    void
+    Checker::complete()
     {
       if (!parameters.has_impactor())
-        return {};
+        return;
       const Impactor impactor = make_impactor(parameters.impactor);
       if (parameters.impactor.mass == 0.)
         schema.set("Impactor", "Mass", impactor.mass);
+      ExpectedPeak peak;
+      try
+        {
+          peak = zener_peak(*make_contact_law(parameters),
+                            impactor,
+                            PlateSection(parameters.plate));
+        }
+      catch (const ComputationError &error)
+        {
+          return refuse({"Impactor/Velocity", "Impactor/Mass"},
+                        "m/s gives no finite force in Zener's equation: " +
+                          std::string(error.what()));
+        }
+
+      // a contact lasts about twice the time to its peak
+      const double longest_step = 25. * 2. * peak.time;
+      if (parameters.time.time_step > longest_step)
+        refuse({"Time/Time step", "Impactor/Mass", "Impactor/Velocity"},
+               "s is more than 25 times as long as the contact, which Zener's "
+               "equation expects to last " +
+                 in_words(2. * peak.time) + " s; expected at most " +
+                 in_words(longest_step) + " s");
 
       const bool at_point = parameters.contact.load_distribution == "point";
       if (!at_point && parameters.contact.patch_radius == 0.)
         {
-          const ExpectedPeak peak = zener_peak(*make_contact_law(parameters),
-                                               impactor,
-                                               PlateSection(parameters.plate));
-          const double       radius =
+          const double radius =
             std::sqrt(parameters.impactor.radius * peak.indentation);
           const auto &sides = parameters.plate.side_lengths;
           if (radius > 0.5 * std::min(sides[0], sides[1]))
-            return {mistake(schema,
-                            "Contact/Patch radius",
-                            "lets the program choose the Hertz contact radius, "
-                            "but that is " +
-                              std::to_string(radius) +
-                              " m and reaches beyond the plate")};
+            return refuse({"Contact/Patch radius",
+                           "Plate/Side lengths",
+                           "Impactor/Radius",
+                           "Impactor/Velocity"},
+                          "lets the program choose the Hertz contact radius, "
+                          "which is " +
+                            in_words(radius) +
+                            " m and reaches beyond the plate");
           schema.set("Contact", "Patch radius", radius);
         }
       if (parameters.adaptivity.minimum_cell_size == 0.)
@@ -166,26 +258,68 @@ namespace PlateImpact
                    0.25 *
                      (at_point ? parameters.plate.thickness
                                : parameters.contact.patch_radius));
-      return {};
+    }
+
+
+
+    /// Mistakes in the order of the lines of the file; others after them.
+    void
+    sort_by_line(std::vector<std::string> &mistakes, const std::string &file)
+    {
+      const auto line = [&file](const std::string &mistake) {
+        return mistake.compare(0, file.size() + 1, file + ":") == 0
+          ? std::strtoul(mistake.c_str() + file.size() + 1, nullptr, 10)
+          : std::numeric_limits<unsigned long>::max();
+      };
+      std::stable_sort(mistakes.begin(),
+                       mistakes.end(),
+                       [&line](const std::string &a, const std::string &b) {
+                         return line(a) < line(b);
+                       });
+    }
+
+
+
+    /// The file taken apart, with the changes of the command line after it.
+    SceneFile
+    scan(const std::string                &path,
+         const std::vector<std::string>   &overrides,
+         const std::optional<std::string> &output)
+    {
+      std::ifstream in(path);
+      SceneFile     file;
+      if (in.is_open())
+        file = scan_scene(in, path);
+      if (!in.is_open() || in.bad())
+        file.mistakes = {path + ": the scene cannot be read"};
+
+      const auto add = [&file](const Assignment &assignment) {
+        file.assignments.push_back(assignment);
+        file.sections.push_back(assignment);
+      };
+      for (const std::string &text : overrides)
+        try
+          {
+            add(parse_override(text));
+          }
+        catch (const InputError &error)
+          {
+            file.mistakes.push_back(error.what());
+          }
+      if (output)
+        add({"Output", "Directory", *output, "--output"});
+      return file;
     }
   } // namespace
 
 
 
   Scene
-  read_scene(const std::string &path, const std::vector<std::string> &overrides)
+  read_scene(const std::string                &path,
+             const std::vector<std::string>   &overrides,
+             const std::optional<std::string> &output)
   {
-    std::ifstream in(path);
-    SceneFile     file;
-    if (in.is_open())
-      file = scan_scene(in, path);
-    if (!in.is_open() || in.bad())
-      throw InputError({path + ": the scene cannot be read"});
-    for (const std::string &override_text : overrides)
-      {
-        file.assignments.push_back(parse_override(override_text));
-        file.sections.push_back(file.assignments.back());
-      }
+    const SceneFile file = scan(path, overrides, output);
 
     BoundSchema              bound;
     SceneSchema             &schema   = bound.schema;
@@ -195,12 +329,27 @@ namespace PlateImpact
     };
     add(schema.check_sections(file.sections));
     add(schema.set(file.assignments));
-    add(check_availability(schema));
-    add(check_together(schema, bound.parameters));
-    if (mistakes.empty())
-      add(complete(schema, bound.parameters));
+    Checker checker(schema, bound.parameters);
+    checker.check_availability();
+    checker.check_together();
+    if (mistakes.empty() && checker.mistakes.empty())
+      checker.complete();
+    add(checker.mistakes);
+
+    const std::filesystem::path written =
+      std::filesystem::path(bound.parameters.output.directory) / "scene.prm";
+    std::error_code error;
+    if (std::filesystem::equivalent(path, written, error))
+      mistakes.push_back(
+        schema.origin("Output/Directory") +
+        ": Output/Directory = " + schema.value("Output/Directory") +
+        " holds the scene itself, which the results would "
+        "replace; expected another directory or file name");
     if (!mistakes.empty())
-      throw InputError(mistakes);
+      {
+        sort_by_line(mistakes, path);
+        throw InputError(mistakes);
+      }
 
     std::ostringstream text;
     schema.print(text, /*with_documentation=*/false);

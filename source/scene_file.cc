@@ -30,24 +30,11 @@ namespace PlateImpact
 
 
 
-    /// Without white space at both ends.
-    std::string
-    trimmed(const std::string &text)
-    {
-      const char       *space = " \t\r";
-      const std::size_t first = text.find_first_not_of(space);
-      return first == std::string::npos
-        ? ""
-        : text.substr(first, text.find_last_not_of(space) - first + 1);
-    }
-
-
-
     bool
     is_text(const std::string &line)
     {
       return std::none_of(line.begin(), line.end(), [](const unsigned char c) {
-        return (c < 0x20 && c != '\t' && c != '\r') || c == 0x7f;
+        return (c < 0x20 && c != '\t') || c == 0x7f;
       });
     }
 
@@ -65,17 +52,17 @@ namespace PlateImpact
       read_line(const std::string &raw)
       {
         origin = name + ":" + std::to_string(++line_number);
-        if (!is_text(raw))
+        if (!is_text(raw.substr(0, raw.find_last_not_of('\r') + 1)))
           return mistake("this line holds control characters; a scene is a "
                          "text file");
-        const std::string line = trimmed(raw.substr(0, raw.find('#')));
+        const std::string line = simplified(raw.substr(0, raw.find('#')));
         if (line.empty())
           return;
 
-        const std::string command = line.substr(0, line.find_first_of(" \t"));
-        const std::string rest    = trimmed(line.substr(command.size()));
+        const std::string command = line.substr(0, line.find(' '));
+        const std::string rest    = simplified(line.substr(command.size()));
         if (command == "subsection")
-          open(simplified(rest));
+          open(rest);
         else if (command == "end" && rest.empty())
           close();
         else if (command == "set")
@@ -141,7 +128,7 @@ namespace PlateImpact
           return mistake(path + " is set twice, first in line " +
                          std::to_string(first->second));
         scene.assignments.push_back(
-          {section, entry, trimmed(text.substr(equals + 1)), origin});
+          {section, entry, simplified(text.substr(equals + 1)), origin});
       }
 
       const std::string                   name;
@@ -178,9 +165,13 @@ namespace PlateImpact
     if (equals == std::string::npos || slash == std::string::npos)
       throw InputError(
         {"--set '" + text + "' is not of the form 'Section/Entry=value'"});
+    if (text.find('#') != std::string::npos || !is_text(text))
+      throw InputError({"--set '" + text +
+                        "' holds a character that a scene cannot: '#' or a "
+                        "control character"});
     return {simplified(text.substr(0, slash)),
             simplified(text.substr(slash + 1, equals - slash - 1)),
-            trimmed(text.substr(equals + 1)),
+            simplified(text.substr(equals + 1)),
             "--set"};
   }
 

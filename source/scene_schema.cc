@@ -99,6 +99,7 @@ namespace PlateImpact
       }
     catch (const ParameterHandler::ExcValueDoesNotMatchPattern &)
       {
+        refused.insert(assignment.path());
         mistake = assignment.path() + " = " +
           (assignment.value.empty() ? "(nothing)" : assignment.value) +
           " is not allowed; expected " + entry->allowed;
@@ -137,6 +138,14 @@ namespace PlateImpact
   {
     const auto set_at = origins.find(path);
     return set_at == origins.end() ? "default" : set_at->second;
+  }
+
+
+
+  bool
+  SceneSchema::was_refused(const std::string &path) const
+  {
+    return refused.count(path) > 0;
   }
 
 

@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 
 namespace PlateImpact
 {
@@ -127,6 +128,42 @@ namespace PlateImpact
                             (std::abs(free) + std::abs(begin)))
                 << compliance << ' ' << begin << ' ' << free;
             }
+    }
+
+
+
+    TEST(ContactSolver, SolvesStepsOfEveryKind)
+    {
+      // indentations of both signs and compliances over many orders
+      const EnergyConservingContact          conserving;
+      const CollocatedContact                collocation;
+      std::mt19937                           generator(1);
+      std::uniform_real_distribution<double> exponent(0., 6.), sign(-1., 1.);
+      const auto                             indentation = [&] {
+        return std::copysign(1e-4 * std::pow(10., -exponent(generator)),
+                             sign(generator));
+      };
+      for (unsigned int i = 0; i < 200000; ++i)
+        {
+          const double begin = indentation(), free = indentation(),
+                       compliance = 1e-5 * std::pow(10., -exponent(generator));
+          for (const ContactIntegration *integration :
+               std::initializer_list<const ContactIntegration *>{&conserving,
+                                                                 &collocation})
+            {
+              const double phi =
+                solve_contact(*integration, hertz, begin, free, compliance);
+              ASSERT_GE(phi, 0.);
+              const double end = free - compliance * phi;
+              const double bound =
+                1e-14 * (std::abs(free) + std::abs(end) + compliance * phi);
+              // the force at an end moved by round-off on either side
+              ASSERT_LE(integration->force(hertz, begin, end - bound),
+                        phi * (1. + 1e-12));
+              ASSERT_GE(integration->force(hertz, begin, end + bound),
+                        phi * (1. - 1e-12));
+            }
+        }
     }
 
 

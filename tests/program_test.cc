@@ -351,11 +351,62 @@ namespace PlateImpact
 
 
 
+    TEST_F(Program, SceneIsNotReplacedByItsResults)
+    {
+      const std::string scene = write_scene("# mine\n");
+      EXPECT_EQ(execute("run '" + scene + "' --output '" + directory.string() +
+                        "'"),
+                1);
+      EXPECT_NE(err.find("holds the scene itself"), std::string::npos) << err;
+      EXPECT_EQ(text(scene), "# mine\n");
+    }
+
+
+
+    TEST_F(Program, CoarseStepsAreWarnedOfAndAbsurdOnesRefused)
+    {
+      EXPECT_EQ(run(main_scene,
+                    "--set 'Time/Time step=20e-6' --set 'Contact/Patch "
+                    "radius=0.0005'"),
+                0)
+        << err;
+      EXPECT_NE(err.find("coarsely"), std::string::npos) << err;
+      EXPECT_LT(last_cycle()["relative_energy_drift"], 1e-10);
+      EXPECT_EQ(run(main_scene,
+                    "--set 'Time/Time step=1' --set 'Time/End time=10'"),
+                1);
+      EXPECT_NE(err.find("25 times as long as the contact"), std::string::npos)
+        << err;
+    }
+
+
+
+    TEST_F(Program, EstimatorTakesEnoughSamplesWhateverTheInterval)
+    {
+      ASSERT_EQ(run(main_scene, "--set 'Adaptivity/Sampling interval=100000'"),
+                0)
+        << err;
+      EXPECT_NEAR(summary()["cycles"][0]["discretization_error"].get<double>(),
+                  0.33,
+                  0.01);
+    }
+
+
+
     TEST_F(Program, WrongCommandLinesExitWithOne)
     {
       EXPECT_EQ(execute(""), 1);
       EXPECT_EQ(execute("fly"), 1);
       EXPECT_EQ(execute("run"), 1);
+      EXPECT_EQ(execute("check '" + main_scene + "'"), 1);
+      EXPECT_EQ(err,
+                "plate-impact: the command 'check' is not available yet\n");
+      EXPECT_EQ(WEXITSTATUS(std::system(
+                  ("'" PROGRAM "' defaults > /dev/full 2> /dev/null"))),
+                2);
+      EXPECT_EQ(run(main_scene, "--set foo --set Plate/Densty=1 --set x#=1"),
+                1);
+      EXPECT_EQ(std::count(err.begin(), err.end(), '\n'), 3) << err;
       EXPECT_EQ(run("no-such-scene.prm"), 1);
       EXPECT_EQ(err,
                 "plate-impact: no-such-scene.prm: the scene cannot be read\n");
@@ -382,9 +433,9 @@ namespace PlateImpact
 
     TEST_F(Program, FailedComputationNamesTheStepAndLeavesValidFiles)
     {
-      // an impact so violent that its force overflows
+      // a plate so heavy that its matrices overflow
       EXPECT_EQ(run(main_scene,
-                    "--set Impactor/Velocity=1e300 --set 'Contact/Patch "
+                    "--set Plate/Density=1e300 --set 'Contact/Patch "
                     "radius=0.001'"),
                 2)
         << out << err;

@@ -228,6 +228,13 @@ namespace PlateImpact
         Mistake{"subsection Plate\nset Thickness = 0.01\n",
                 "scene:2: the file ends within subsection Plate; an 'end' is "
                 "missing"},
+        Mistake{
+          "# title\rsubsection Plate\r set Thickness = 0.004\rend\r",
+          "scene:1: this line holds control characters; a scene is a text "
+          "file"},
+        Mistake{in_section("Plate", "set Side lengths = 0.01, 0.01"),
+                "scene:2: Plate/Thickness = 0.008 m is too thick for a plate "
+                "theory; expected at most half the shorter side, 0.005 m"},
         Mistake{"end\n", "scene:1: 'end' without a 'subsection' before it"},
         Mistake{
           "Plate.Thickness: 1\n",
@@ -247,10 +254,10 @@ namespace PlateImpact
           "s"},
         Mistake{
           in_section("Time", "set Newmark gamma = 0.6"),
-          "default: Time/Newmark beta = 0.25 is below half of Newmark "
+          "scene:2: Time/Newmark beta = 0.25 is below half of Newmark "
           "gamma, so that the scheme is unstable on fine meshes; expected "
           "at least 0.3\n"
-          "default: Contact/Integration = energy conserving needs Newmark "
+          "scene:2: Contact/Integration = energy conserving needs Newmark "
           "beta = 0.25 and Newmark gamma = 0.5, which alone conserve "
           "energy; with others set Integration = collocation"},
         Mistake{in_section("Impactor", "set Shape = cylinder"),

@@ -100,10 +100,9 @@ namespace PlateImpact
     Eigen::VectorXd      is_counted; ///< 0 for singular cells, else 1
 
     /// samples that wait to be evaluated together, as one matrix product
-    static constexpr unsigned int buffer_size = 16;
-    Eigen::MatrixXd               buffer;
-    std::vector<double>           buffered_times;
-    unsigned int                  samples = 0;
+    Eigen::MatrixXd     buffer;
+    std::vector<double> buffered_times;
+    unsigned int        samples = 0;
 
     /// integrals so far, and integrands at the last time
     double          last_time = 0.;

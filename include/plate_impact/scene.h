@@ -4,6 +4,7 @@
 #include "plate_impact/parameters.h"
 
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,15 +18,17 @@ namespace PlateImpact
     std::string text; ///< every value used, as a scene that repeats the run
   };
 
-  /// Reads a scene file and the overrides "Section/Entry=value" on top of it,
+  /// Reads a scene file, the overrides "Section/Entry=value" and the output
+  /// directory of the command line on top of it,
   /// checks every entry and the entries against each other, and replaces zeros
   /// that mean "chosen by the program" by what is chosen: the impactor's mass,
   /// the patch radius, the minimum cell size.
   /// @throws InputError with every mistake found: file, line, entry, value and
   ///         what is allowed
   Scene
-  read_scene(const std::string              &path,
-             const std::vector<std::string> &overrides);
+  read_scene(const std::string                &path,
+             const std::vector<std::string>   &overrides,
+             const std::optional<std::string> &output = {});
 
   /// Prints every entry with its meaning, unit and default, as a valid scene.
   void

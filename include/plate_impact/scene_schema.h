@@ -8,6 +8,7 @@
 
 #include <array>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -54,6 +55,10 @@ namespace PlateImpact
     std::string
     origin(const std::string &path) const;
 
+    /// Whether a value that is not allowed was given for an entry.
+    bool
+    was_refused(const std::string &path) const;
+
     /// The value of an entry in words.
     std::string
     value(const std::string &path) const;
@@ -90,6 +95,7 @@ namespace PlateImpact
     std::vector<std::pair<std::string, std::vector<Entry>>> sections;
     /// by path, of the entries that were set
     std::map<std::string, std::string> origins;
+    std::set<std::string>              refused;
 
     const Entry *
     find(const std::string &section, const std::string &entry) const;
