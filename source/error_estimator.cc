@@ -113,7 +113,7 @@ namespace PlateImpact
       {
         model.cell_values(cell, unknowns, values);
         samples.middleRows(rows_per_cell * cell, rows_per_cell).noalias() =
-          model.shape(cell).strains_at_shear_points * values;
+          model.shape(cell).strains_at_samples * values;
       }
     multiply_by_section(model.section(), samples);
     return samples;
@@ -133,7 +133,7 @@ namespace PlateImpact
 
     const PlateSection          &section = model.section();
     const std::vector<Point<2>> &unit_points =
-      model.element().bending_quadrature().get_points();
+      model.element().quadrature().get_points();
     const unsigned int n_cells = model.mesh().n_active_cells();
     Eigen::MatrixXd    e2      = Eigen::MatrixXd::Zero(n_cells, n_times);
     Eigen::MatrixXd    u2      = e2;
@@ -143,7 +143,7 @@ namespace PlateImpact
         const unsigned int c     = cell->active_cell_index();
         const CellShape   &shape = model.shape(c);
         model.cell_values(c, unknowns, values);
-        resultants.noalias() = shape.strains_at_bending_points * values;
+        resultants.noalias() = shape.strains_at_quadrature * values;
         multiply_by_section(section, resultants);
         recovery.evaluate(c,
                           unit_points,
@@ -152,9 +152,9 @@ namespace PlateImpact
                           recovered);
         recovered -= resultants;
         for (unsigned int n = 0; n < n_times; ++n)
-          for (unsigned int q = 0; q < shape.bending_weights.size(); ++q)
+          for (unsigned int q = 0; q < shape.weights.size(); ++q)
             {
-              const double weight = shape.bending_weights[q];
+              const double weight = shape.weights[q];
               e2(c, n) += weight *
                 section.energy_density(recovered.col(n).segment<5>(5 * q));
               u2(c, n) += weight *

@@ -135,11 +135,13 @@ namespace PlateImpact
       schema.begin_section("Discretization");
       schema.declare(
         "Element",
-        "heterosis",
+        "MITC9",
         Allowed::one_of({"serendipity", "heterosis", "Lagrange", "MITC9"}),
         discretization.element,
         "Deflection and rotations with 8 nodes (serendipity, the "
-        "paper's), with 8 and 9 (heterosis) or with 9 (Lagrange).");
+        "paper's), with 8 and 9 (heterosis) or with 9 (Lagrange); "
+        "with 9 and mixed interpolation of the shear (MITC9), which "
+        "neither locks on thin plates nor has spurious modes.");
       schema.declare("Initial cells",
                      "3, 3",
                      Allowed::list(Allowed::whole_number(1, 10000), 2, 2),

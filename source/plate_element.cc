@@ -1,9 +1,5 @@
 #include "plate_impact/plate_element.h"
 
-#include <deal.II/fe/fe_dgq.h>
-
-#include <algorithm>
-#include <map>
 #include <stdexcept>
 
 namespace PlateImpact
@@ -12,25 +8,36 @@ namespace PlateImpact
 
   namespace
   {
+    template <typename Shear>
+    std::unique_ptr<const AssumedShear>
+    make()
+    {
+      return std::make_unique<Shear>();
+    }
+
+
+
     struct ElementRow
     {
       std::string                    name;
       std::array<bool, n_components> centre_is_constrained;
+      std::unique_ptr<const AssumedShear> (*make_assumed_shear)();
     };
 
     const std::vector<ElementRow> elements = {
-      {"serendipity", {{true, true, true}}},
-      {"heterosis", {{true, false, false}}},
-      {"Lagrange", {{false, false, false}}}};
+      {"serendipity", {{true, true, true}}, make<ReducedShear>},
+      {"heterosis", {{true, false, false}}, make<ReducedShear>},
+      {"Lagrange", {{false, false, false}}, make<ReducedShear>},
+      {"MITC9", {{false, false, false}}, make<MixedShear>}};
 
 
 
-    std::array<bool, n_components>
-    constrained_components(const std::string &name)
+    const ElementRow &
+    find_element(const std::string &name)
     {
       for (const ElementRow &row : elements)
         if (row.name == name)
-          return row.centre_is_constrained;
+          return row;
       throw std::logic_error("no element named " + name);
     }
   } // namespace
@@ -38,19 +45,13 @@ namespace PlateImpact
 
 
   PlateElement::PlateElement(const std::string &name)
-    : centre_is_constrained(constrained_components(name))
+    : centre_is_constrained(find_element(name).centre_is_constrained)
+    , assumed_shear(find_element(name).make_assumed_shear())
     , scalar_element(2)
     , element(scalar_element, n_components)
-    , bending_points(3)
-    , shear_points(2)
-    , shear_interpolation(bending_points.size(), shear_points.size())
-  {
-    const FE_DGQArbitraryNodes<2> bilinear{QGauss<1>(2)};
-    for (unsigned int q = 0; q < bending_points.size(); ++q)
-      for (unsigned int g = 0; g < shear_points.size(); ++g)
-        shear_interpolation(q, g) =
-          bilinear.shape_value(g, bending_points.point(q));
-  }
+    , quadrature_points(3)
+    , samples(2)
+  {}
 
 
 
@@ -77,17 +78,17 @@ namespace PlateImpact
 
 
   const Quadrature<2> &
-  PlateElement::bending_quadrature() const
+  PlateElement::quadrature() const
   {
-    return bending_points;
+    return quadrature_points;
   }
 
 
 
   const Quadrature<2> &
-  PlateElement::shear_quadrature() const
+  PlateElement::sample_points() const
   {
-    return shear_points;
+    return samples;
   }
 
 
@@ -122,33 +123,46 @@ namespace PlateImpact
 
 
   CellOperator
-  PlateElement::raw_strains(const FEValues<2> &values) const
+  PlateElement::strains(const Triangulation<2>::active_cell_iterator &cell,
+                        const FEValues<2> &values) const
   {
-    CellOperator strains =
-      CellOperator::Zero(5 * values.n_quadrature_points, n_cell_dofs);
-    for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
-      for (unsigned int i = 0; i < n_cell_dofs; ++i)
-        {
-          const auto [component, node] = element.system_to_component_index(i);
-          const double       N         = values.shape_value(node, q);
-          const Tensor<1, 2> dN        = values.shape_grad(node, q);
-          auto               strain    = strains.col(i).segment<5>(5 * q);
-          switch (component)
-            {
-              case deflection:
-                strain << 0., 0., 0., dN[0], dN[1];
-                break;
-              case rotation_x:
-                strain << dN[0], 0., dN[1], -N, 0.;
-                break;
-              case rotation_y:
-                strain << 0., dN[1], dN[0], 0., -N;
-                break;
-              default:
-                Assert(false, ExcInternalError());
-            }
-        }
-    return strains;
+    FEValues<2> tying(scalar_element,
+                      assumed_shear->tying_points(),
+                      update_values | update_gradients | update_jacobians);
+    tying.reinit(cell);
+    const unsigned int n_tying = tying.n_quadrature_points,
+                       n       = values.n_quadrature_points;
+
+    CellOperator result = CellOperator::Zero(5 * n, n_cell_dofs);
+    CellOperator tied   = CellOperator::Zero(2 * n_tying, n_cell_dofs);
+    for (unsigned int i = 0; i < n_cell_dofs; ++i)
+      {
+        const auto [component, node] = element.system_to_component_index(i);
+        // curvatures
+        for (unsigned int q = 0; q < n; ++q)
+          {
+            const Tensor<1, 2> dN = values.shape_grad(node, q);
+            if (component == rotation_x)
+              result.col(i).segment<3>(5 * q) << dN[0], 0., dN[1];
+            else if (component == rotation_y)
+              result.col(i).segment<3>(5 * q) << 0., dN[1], dN[0];
+          }
+        // gamma = grad w - theta
+        for (unsigned int t = 0; t < n_tying; ++t)
+          {
+            const Tensor<1, 2> dN = tying.shape_grad(node, t);
+            const double       N  = tying.shape_value(node, t);
+            if (component == deflection)
+              tied.col(i).segment<2>(2 * t) << dN[0], dN[1];
+            else
+              tied(2 * t + (component == rotation_x ? 0 : 1), i) = -N;
+          }
+      }
+
+    const CellOperator shear = assumed_shear->interpolate(tied, tying, values);
+    for (unsigned int q = 0; q < n; ++q)
+      result.middleRows<2>(5 * q + 3) = shear.middleRows<2>(2 * q);
+    return result;
   }
 
 
@@ -156,35 +170,23 @@ namespace PlateImpact
   CellShape
   PlateElement::shape(const Triangulation<2>::active_cell_iterator &cell) const
   {
-    const UpdateFlags flags =
-      update_values | update_gradients | update_JxW_values;
-    FEValues<2> bending_values(scalar_element, bending_points, flags);
-    FEValues<2> shear_values(scalar_element, shear_points, flags);
-    bending_values.reinit(cell);
-    shear_values.reinit(cell);
+    const UpdateFlags flags = update_values | update_gradients |
+      update_inverse_jacobians | update_JxW_values;
+    FEValues<2> values(scalar_element, quadrature_points, flags);
+    FEValues<2> sample_values(scalar_element, samples, flags);
+    values.reinit(cell);
+    sample_values.reinit(cell);
 
     CellShape shape;
-    shape.strains_at_bending_points = raw_strains(bending_values);
-    shape.strains_at_shear_points   = raw_strains(shear_values);
-    shape.bending_weights           = bending_values.get_JxW_values();
-    shape.shear_weights             = shear_values.get_JxW_values();
-
-    // the assumed shear strain in place of the raw one
-    for (unsigned int q = 0; q < bending_points.size(); ++q)
-      {
-        auto shear = shape.strains_at_bending_points.middleRows<2>(5 * q + 3);
-        shear.setZero();
-        for (unsigned int g = 0; g < shear_points.size(); ++g)
-          shear += shear_interpolation(q, g) *
-            shape.strains_at_shear_points.middleRows<2>(5 * g + 3);
-      }
-
-    shape.shape_values.resize(bending_points.size(),
+    shape.strains_at_quadrature = strains(cell, values);
+    shape.strains_at_samples    = strains(cell, sample_values);
+    shape.weights               = values.get_JxW_values();
+    shape.shape_values.resize(quadrature_points.size(),
                               scalar_element.n_dofs_per_cell());
-    for (unsigned int q = 0; q < bending_points.size(); ++q)
+    for (unsigned int q = 0; q < quadrature_points.size(); ++q)
       for (unsigned int node = 0; node < scalar_element.n_dofs_per_cell();
            ++node)
-        shape.shape_values(q, node) = bending_values.shape_value(node, q);
+        shape.shape_values(q, node) = values.shape_value(node, q);
     return shape;
   }
 
@@ -195,17 +197,14 @@ namespace PlateImpact
                           const PlateSection &section) const
   {
     CellMatrix K = CellMatrix::Zero();
-    for (unsigned int q = 0; q < shape.bending_weights.size(); ++q)
+    for (unsigned int q = 0; q < shape.weights.size(); ++q)
       {
-        const auto B = shape.strains_at_bending_points.middleRows<3>(5 * q);
-        K.noalias() += B.transpose() *
-          (shape.bending_weights[q] * section.bending_stiffness * B);
-      }
-    for (unsigned int q = 0; q < shape.shear_weights.size(); ++q)
-      {
-        const auto B = shape.strains_at_shear_points.middleRows<2>(5 * q + 3);
-        K.noalias() +=
-          shape.shear_weights[q] * section.shear_stiffness * B.transpose() * B;
+        const auto   B = shape.strains_at_quadrature.middleRows<5>(5 * q);
+        CellOperator resultants = shape.weights[q] * B;
+        resultants.topRows<3>() =
+          section.bending_stiffness * resultants.topRows<3>().eval();
+        resultants.bottomRows<2>() *= section.shear_stiffness;
+        K.noalias() += B.transpose() * resultants;
       }
     return K;
   }
@@ -215,9 +214,8 @@ namespace PlateImpact
   CellMatrix
   PlateElement::mass(const CellShape &shape, const PlateSection &section) const
   {
-    const Eigen::Map<const Eigen::VectorXd> weights(
-      shape.bending_weights.data(),
-      shape.bending_weights.size());
+    const Eigen::Map<const Eigen::VectorXd> weights(shape.weights.data(),
+                                                    shape.weights.size());
     const Eigen::MatrixXd scalar_mass = shape.shape_values.transpose() *
       weights.asDiagonal() * shape.shape_values;
     CellMatrix M = CellMatrix::Zero();

@@ -115,7 +115,6 @@ namespace PlateImpact
         {"Contact/Law", "line"},
         {"Contact/Load distribution", "line"},
         {"Contact/Load distribution", "strip"},
-        {"Discretization/Element", "MITC9"},
         {"Time/Integrator", "Ritz vectors"},
         {"Adaptivity/Strategy", "remeshing"}};
       for (const auto &[path, value] : unavailable)

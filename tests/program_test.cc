@@ -387,8 +387,8 @@ namespace PlateImpact
                 0)
         << err;
       EXPECT_NEAR(summary()["cycles"][0]["discretization_error"].get<double>(),
-                  0.33,
-                  0.01);
+                  0.340,
+                  0.002);
     }
 
 

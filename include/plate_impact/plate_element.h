@@ -9,11 +9,13 @@
 #include <deal.II/grid/tria.h>
 #include <deal.II/lac/affine_constraints.h>
 
+#include "plate_impact/assumed_shear.h"
 #include "plate_impact/plate_section.h"
 
 #include <Eigen/Core>
 
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -31,43 +33,39 @@ namespace PlateImpact
     n_components
   };
 
-  /// Unknowns of a cell before constraints: nine nodes, three components.
-  constexpr int n_cell_dofs = 27;
-
-  /// Rows: five numbers for each of some points of a cell, point by point.
-  /// Columns: the unknowns of the cell in the order of the finite element.
-  using CellOperator = Eigen::Matrix<double, Eigen::Dynamic, n_cell_dofs>;
-  using CellMatrix   = Eigen::Matrix<double, n_cell_dofs, n_cell_dofs>;
+  using CellMatrix = Eigen::Matrix<double, n_cell_dofs, n_cell_dofs>;
 
   /// Everything about a cell that depends on its shape only, so that congruent
   /// cells share it.
   struct CellShape
   {
-    /// Curvatures and shear strains at the points of the bending and the shear
-    /// quadrature.
-    CellOperator strains_at_bending_points, strains_at_shear_points;
+    /// Curvatures and shear strains, five numbers a point.
+    CellOperator strains_at_quadrature, strains_at_samples;
 
-    /// Weights of the points times the Jacobian determinant. [m^2]
-    std::vector<double> bending_weights, shear_weights;
+    /// Weights of the quadrature points times the Jacobian determinant. [m^2]
+    std::vector<double> weights;
 
-    /// Values of the nine shape functions at the bending points (row by row).
+    /// Values of the nine shape functions (columns) at the quadrature points.
     Eigen::MatrixXd shape_values;
   };
 
 
   /// A Reissner-Mindlin plate element: FE_Q(2) for the deflection and both
-  /// rotations, 3x3 Gauss points for bending and mass and 2x2 for shear.
+  /// rotations, 3x3 Gauss points, and an assumed transverse shear strain. What
+  /// is constrained at the centre node and how the shear is assumed makes the
+  /// element.
   ///
-  /// The centre node makes the difference. Constrained to -1/4 of the corners
-  /// plus 1/2 of the midsides it turns FE_Q(2) into the 8-node serendipity
-  /// element exactly. All components constrained: `serendipity`, the element of
-  /// the paper; the deflection only: `heterosis` (Hughes & Cohen, Comput Struct
-  /// 9, 1978, 445-450); none: `Lagrange`, which has a spurious zero-energy mode
-  /// per element that the assembly does not always suppress.
-  ///
-  /// Reduced integration is used in its equivalent form, an assumed shear
-  /// strain that interpolates the 2x2 points bilinearly: the shear at other
-  /// points, where the raw one is polluted, is then defined as well.
+  /// Constrained to -1/4 of the corners plus 1/2 of the midsides, the centre
+  /// node turns FE_Q(2) into the 8-node serendipity element exactly.
+  ///  - `serendipity`, the paper's: all components constrained, shear
+  ///  integrated
+  ///    with 2x2 points (ReducedShear);
+  ///  - `heterosis` (Hughes & Cohen, Comput Struct 9, 1978, 445-450): the
+  ///    deflection constrained, 2x2 points;
+  ///  - `Lagrange`: nothing constrained, 2x2 points; has a spurious zero-energy
+  ///  mode
+  ///    that the assembly of a uniform mesh does not suppress;
+  ///  - `MITC9`: nothing constrained, MixedShear.
   class PlateElement
   {
   public:
@@ -81,11 +79,11 @@ namespace PlateImpact
     finite_element() const;
 
     const dealii::Quadrature<2> &
-    bending_quadrature() const;
+    quadrature() const;
 
-    /// Also the superconvergent points, where stresses are sampled.
+    /// The 2x2 superconvergent points, where stresses are sampled.
     const dealii::Quadrature<2> &
-    shear_quadrature() const;
+    sample_points() const;
 
     /// Adds the constraints that make this element of FE_Q(2).
     void
@@ -106,16 +104,14 @@ namespace PlateImpact
 
   private:
     CellOperator
-    raw_strains(const dealii::FEValues<2> &values) const;
+    strains(const dealii::Triangulation<2>::active_cell_iterator &cell,
+            const dealii::FEValues<2>                            &values) const;
 
-    std::array<bool, n_components> centre_is_constrained;
-    const dealii::FE_Q<2>          scalar_element;
-    const dealii::FESystem<2>      element;
-    const dealii::QGauss<2>        bending_points, shear_points;
-
-    /// Bilinear interpolation from the shear points (columns) to the bending
-    /// points (rows).
-    Eigen::MatrixXd shear_interpolation;
+    std::array<bool, n_components>            centre_is_constrained;
+    const std::unique_ptr<const AssumedShear> assumed_shear;
+    const dealii::FE_Q<2>                     scalar_element;
+    const dealii::FESystem<2>                 element;
+    const dealii::QGauss<2>                   quadrature_points, samples;
   };
 } // namespace PlateImpact
 

@@ -1,0 +1,145 @@
+// Thin plates: which elements lock, on which meshes.
+#include "test_plate.h"
+
+#include <cmath>
+#include <iomanip>
+#include <iostream>
+
+namespace PlateImpact
+{
+  using namespace dealii;
+
+  namespace
+  {
+    enum class MeshKind
+    {
+      squares,
+      distorted,
+      hanging_nodes
+    };
+
+    /// 8 x 8 cells on the quadrant of a unit plate: squares, with vertices
+    /// moved at random by a quarter of the cell, or with three levels of
+    /// hanging nodes.
+    std::unique_ptr<Triangulation<2>>
+    make_mesh(const PlateParameters &plate, const MeshKind kind)
+    {
+      auto mesh = make_plate_quadrant(plate, {{8, 8}});
+      if (kind == MeshKind::distorted)
+        distort(*mesh, 0.25);
+      if (kind == MeshKind::hanging_nodes)
+        for (unsigned int level = 0; level < 3; ++level)
+          {
+            for (const auto &cell : mesh->active_cell_iterators())
+              if (cell->center().norm() < 0.25 * std::pow(0.5, level))
+                cell->set_refine_flag();
+            mesh->execute_coarsening_and_refinement();
+          }
+      return mesh;
+    }
+
+
+
+    /// Centre deflection of a clamped plate under uniform load over the exact
+    /// one.
+    double
+    deflection_ratio(const std::string &element_name,
+                     const double       a_over_t,
+                     const MeshKind     kind)
+    {
+      // tests/reference/static_plates.json; from 1e4 the thin plate's
+      const double          exact = a_over_t < 50. ? 0.0015046256680685685
+                 : a_over_t < 500.                 ? 0.0012678585618577946
+                 : a_over_t < 5e3                  ? 0.0012653445941869725
+                                                   : 0.00126531908748307;
+      const PlateParameters plate = unit_plate("clamped", 1. / a_over_t);
+      const PlateElement    element(element_name);
+      const auto            mesh = make_mesh(plate, kind);
+      PlateModel            model(*mesh, element, plate);
+      model.assemble();
+      const Eigen::VectorXd z =
+        solve_static(model,
+                     4. * model.load(pressure_load(*mesh, [](const Point<2> &) {
+                       return 1.;
+                     })));
+      return model.load({{Point<2>(), 1.}}).dot(z) *
+        model.section().bending_stiffness(0, 0) / exact;
+    }
+
+
+
+    constexpr auto all_meshes = {MeshKind::squares,
+                                 MeshKind::distorted,
+                                 MeshKind::hanging_nodes};
+
+
+
+    TEST(Locking, MixedInterpolationIsFreeOfIt)
+    {
+      for (const MeshKind kind : all_meshes)
+        for (const double a_over_t : {10., 1e2, 1e3, 1e4, 1e5, 1e6})
+          EXPECT_NEAR(deflection_ratio("MITC9", a_over_t, kind), 1., 0.01)
+            << int(kind) << ' ' << a_over_t;
+    }
+
+
+
+    TEST(Locking, ElementOfThePaperLocks)
+    {
+      // what doc/theory.md says of the others, so that it stays true
+      for (const MeshKind kind : all_meshes)
+        EXPECT_LT(deflection_ratio("serendipity", 1e5, kind), 0.5) << int(kind);
+      EXPECT_NEAR(deflection_ratio("heterosis", 1e5, MeshKind::squares),
+                  1.,
+                  0.01);
+      EXPECT_LT(deflection_ratio("heterosis", 1e5, MeshKind::distorted), 0.97);
+    }
+
+
+
+    TEST(Locking, Table)
+    {
+      // the table of doc/theory.md: unit_tests --gtest_filter=Locking.Table
+      for (const MeshKind kind : all_meshes)
+        for (const std::string &name : PlateElement::names())
+          {
+            std::cout << int(kind) << ' ' << std::setw(12) << name << std::fixed
+                      << std::setprecision(4);
+            for (const double a_over_t : {10., 1e2, 1e3, 1e4, 1e5, 1e6})
+              {
+                const double ratio = deflection_ratio(name, a_over_t, kind);
+                std::cout << ' ' << ratio;
+                EXPECT_GT(ratio, 0.) << "the stiffness is indefinite";
+              }
+            std::cout << std::endl;
+          }
+    }
+
+
+
+    TEST(Locking, OrderOfConvergenceOnAThinPlate)
+    {
+      // centre deflection of the simply supported plate under a smooth load,
+      // Navier's solution; the finest mesh but one has the larger error
+      const auto error = [](const unsigned int n) {
+        const PlateParameters plate = unit_plate("simply supported", 1e-3);
+        const PlateElement    element("MITC9");
+        const auto            mesh = make_plate_quadrant(plate, {{n, n}});
+        PlateModel            model(*mesh, element, plate);
+        model.assemble();
+        const double pi    = numbers::PI,
+                     D     = model.section().bending_stiffness(0, 0);
+        const double exact = 1. / (4. * pi * pi * pi * pi * D) +
+          1. / (2. * pi * pi * model.section().shear_stiffness);
+        const Eigen::VectorXd z = solve_static(
+          model,
+          4. * model.load(pressure_load(*mesh, [pi](const Point<2> &p) {
+            return std::cos(pi * p[0]) * std::cos(pi * p[1]);
+          })));
+        return std::abs(model.load({{Point<2>(), 1.}}).dot(z) / exact - 1.);
+      };
+      const double order = std::log2(error(3) / error(6));
+      EXPECT_GT(order, 2.9) << error(3) << ' ' << error(6);
+    }
+  } // namespace
+} // namespace PlateImpact
