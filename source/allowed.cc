@@ -161,9 +161,9 @@ namespace PlateImpact
                 const unsigned int first,
                 const unsigned int last)
   {
-    const std::string number = first == last
-      ? std::to_string(first)
-      : std::to_string(first) + " to " + std::to_string(last);
+    const std::string number = first == last ?
+      std::to_string(first) :
+      std::to_string(first) + " to " + std::to_string(last);
     return {number + " values separated by commas, each: " + item.words,
             [item, first, last](const std::string &text) {
               const std::vector<std::string> items =

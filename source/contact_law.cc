@@ -2,12 +2,59 @@
 
 #include "plate_impact/parameters.h"
 
+#include <boost/math/constants/constants.hpp>
+#include <boost/math/special_functions/lambert_w.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace PlateImpact
 {
+  namespace numbers = boost::math::double_constants;
+
+  namespace
+  {
+    /// Johnson's constant of the line contact.
+    constexpr double line_constant = 1.886;
+  } // namespace
+
+
+
+  double
+  ContactLaw::mean_force(const double a, const double b) const
+  {
+    const double low = std::min(a, b), high = std::max(a, b);
+    if (high <= 0.)
+      return 0.;
+    if (low <= 0.)
+      return potential(high) / (high - low);
+    if (high - low > 0.05 * high)
+      return (potential(high) - potential(low)) / (high - low);
+
+    // Close indentations, where the quotient cancels: Gauss quadrature is exact
+    // to round-off for a law that is smooth on the scale of the indentation.
+    const double points[]  = {0.14887433898163122,
+                              0.4333953941292472,
+                              0.6794095682990244,
+                              0.8650633666889845,
+                              0.9739065285171717},
+                 weights[] = {0.29552422471475287,
+                              0.26926671930999636,
+                              0.21908636251598204,
+                              0.1494513491505806,
+                              0.06667134430868814};
+    const double middle = 0.5 * (low + high), half = 0.5 * (high - low);
+    double       sum = 0.;
+    for (unsigned int i = 0; i < 5; ++i)
+      sum += 0.5 * weights[i] *
+        (force(middle - points[i] * half) + force(middle + points[i] * half));
+    return sum;
+  }
+
+
+
   HertzLaw::HertzLaw(const double coefficient)
     : k(coefficient)
   {}
@@ -63,6 +110,87 @@ namespace PlateImpact
 
 
 
+  LineLaw::LineLaw(const double radius,
+                   const double half_length,
+                   const double modulus)
+    : compliance(1. / (numbers::pi * half_length * modulus))
+    , force_scale(half_length * half_length * half_length * numbers::pi *
+                  modulus / (2. * radius))
+    , largest_indentation(compliance * force_scale * line_constant)
+  {}
+
+
+
+  double
+  LineLaw::logarithm(const double force) const
+  {
+    // a^2 / l^2 = F / force_scale
+    return line_constant - 0.5 * std::log(force / force_scale);
+  }
+
+
+
+  double
+  LineLaw::force(const double indentation) const
+  {
+    if (indentation <= 0.)
+      return 0.;
+    if (indentation >= largest_indentation)
+      return force_scale +
+        (indentation - largest_indentation) * stiffness(indentation);
+
+    // alpha = -C/2 g ln g, g = F / (force_scale e^{2 c}), C = compliance
+    // force_scale e^{2 c}: ln g = W_{-1}(-2 alpha / C)
+    const double scale = force_scale * std::exp(2. * line_constant);
+    const double q     = 2. * indentation / (compliance * scale);
+    if (q < std::numeric_limits<double>::min())
+      return 0.;
+    return -scale * q / boost::math::lambert_wm1(-q);
+  }
+
+
+
+  double
+  LineLaw::stiffness(const double indentation) const
+  {
+    if (indentation <= 0.)
+      return 0.;
+    const double L = indentation >= largest_indentation ?
+      line_constant :
+      logarithm(
+        std::max(force(indentation), std::numeric_limits<double>::min()));
+    return 1. / (compliance * (L - 0.5));
+  }
+
+
+
+  double
+  LineLaw::potential(const double indentation) const
+  {
+    if (indentation <= 0.)
+      return 0.;
+    const double F      = force(std::min(indentation, largest_indentation));
+    const double beyond = std::max(0., indentation - largest_indentation);
+    const double alpha  = std::min(indentation, largest_indentation);
+    return 0.5 * F * alpha - 0.125 * compliance * F * F +
+      beyond * (F + 0.5 * beyond * stiffness(largest_indentation));
+  }
+
+
+
+  double
+  LineLaw::indentation(const double force) const
+  {
+    if (force <= 0.)
+      return 0.;
+    if (force >= force_scale)
+      return largest_indentation +
+        (force - force_scale) / stiffness(largest_indentation);
+    return compliance * force * logarithm(force);
+  }
+
+
+
   double
   hertz_coefficient(const double radius,
                     const double impactor_compliance,
@@ -70,6 +198,28 @@ namespace PlateImpact
   {
     return 4. / 3. * std::sqrt(radius) /
       (impactor_compliance + target_compliance);
+  }
+
+
+
+  double
+  line_contact_half_width(const double radius,
+                          const double force_per_length,
+                          const double modulus)
+  {
+    return std::sqrt(4. * force_per_length * radius / (numbers::pi * modulus));
+  }
+
+
+
+  double
+  contact_modulus(const Parameters &parameters)
+  {
+    const double nu_i = parameters.impactor.poissons_ratio,
+                 nu_p = parameters.plate.poissons_ratio;
+    return 1. /
+      ((1. - nu_i * nu_i) / parameters.impactor.youngs_modulus +
+       (1. - nu_p * nu_p) / parameters.plate.youngs_modulus);
   }
 
 
@@ -83,6 +233,10 @@ namespace PlateImpact
       (1. - impactor.poissons_ratio * impactor.poissons_ratio) /
       impactor.youngs_modulus;
 
+    if (parameters.contact.law == "line")
+      return std::make_unique<LineLaw>(impactor.radius,
+                                       0.5 * impactor.length,
+                                       contact_modulus(parameters));
     if (parameters.contact.law == "Sun")
       return std::make_unique<HertzLaw>(
         hertz_coefficient(impactor.radius,

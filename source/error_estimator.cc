@@ -70,12 +70,13 @@ namespace PlateImpact
 
 
   ErrorEstimator::ErrorEstimator(
-    const PlateModel                &model,
-    const double                     target_error,
-    const std::vector<unsigned int> &singular_cells)
+    const PlateModel                            &model,
+    const double                                 target_error,
+    const std::vector<unsigned int>             &singular_cells,
+    const std::function<bool(const Point<2> &)> &is_rough)
     : model(model)
     , target(target_error)
-    , recovery(model.mesh())
+    , recovery(model.mesh(), is_rough)
     , is_counted(Eigen::VectorXd::Ones(model.mesh().n_active_cells()))
     , buffer(model.n_unknowns(), buffer_size(model.mesh().n_active_cells()))
     , norm_integrals(Norms::Zero())

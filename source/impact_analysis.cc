@@ -55,15 +55,17 @@ namespace PlateImpact
                      parameters.output.write_report ||
                      parameters.output.field_samples > 0))
     , element(parameters.discretization.element)
-    , contact_law(parameters.has_impactor() ? make_contact_law(parameters)
-                                            : nullptr)
+    , contact_law(parameters.has_impactor() ? make_contact_law(parameters) :
+                                              nullptr)
     , contact_integration(
         make_contact_integration(parameters.contact.integration))
-    , adaptation(parameters.has_impactor()
-                   ? make_mesh_adaptation(parameters.adaptivity)
-                   : nullptr)
-    , load_patch(parameters.has_impactor() ? make_load_patch(parameters.contact)
-                                           : std::vector<LoadPoint>())
+    , adaptation(parameters.has_impactor() ?
+                   make_mesh_adaptation(parameters.adaptivity) :
+                   nullptr)
+    , load_patch(
+        parameters.has_impactor() ?
+          make_load_patch(parameters.contact, parameters.impactor.length) :
+          std::vector<LoadPoint>())
   {}
 
 
@@ -184,7 +186,8 @@ namespace PlateImpact
       estimator =
         std::make_unique<ErrorEstimator>(*model,
                                          parameters.adaptivity.target_error,
-                                         singular_cells());
+                                         singular_cells(),
+                                         line_load());
     add_to(seconds.estimation);
 
     const unsigned int n_steps = stepper.n_steps();
@@ -233,6 +236,19 @@ namespace PlateImpact
         if (cell->center().norm() < 0.5 * parameters.plate.thickness)
           cells.push_back(cell->active_cell_index());
     return cells;
+  }
+
+
+
+  std::function<bool(const Point<2> &)>
+  ImpactAnalysis::line_load() const
+  {
+    if (parameters.contact.load_distribution != "line")
+      return {};
+    const double half_length = 0.5 * parameters.impactor.length;
+    return [half_length](const Point<2> &point) {
+      return point[1] == 0. && point[0] <= half_length;
+    };
   }
 
 

@@ -9,10 +9,12 @@ namespace PlateImpact
   Impactor
   make_impactor(const ImpactorParameters &parameters)
   {
-    const double r    = parameters.radius;
-    const double mass = parameters.mass > 0.
-      ? parameters.mass
-      : 4. / 3. * std::acos(-1.) * r * r * r * parameters.density;
+    const double pi = std::acos(-1.), r = parameters.radius;
+    const double volume = parameters.shape == "cylinder" ?
+      pi * r * r * parameters.length :
+      4. / 3. * pi * r * r * r;
+    const double mass =
+      parameters.mass > 0. ? parameters.mass : volume * parameters.density;
     return {mass, 0., parameters.velocity};
   }
 } // namespace PlateImpact

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <stdexcept>
+#include <utility>
 
 namespace PlateImpact
 {
@@ -37,12 +38,49 @@ namespace PlateImpact
           }
       return points;
     }
+
+
+
+    /// Quadrature of a load along 0 <= x <= l, at distances y from the axis
+    /// with weights that sum to one.
+    std::vector<LoadPoint>
+    strip(const double                                  half_length,
+          const std::vector<std::pair<double, double>> &across)
+    {
+      const unsigned int     n_intervals = 200;
+      const QIterated<1>     along(QGauss<1>(2), n_intervals);
+      std::vector<LoadPoint> points;
+      for (unsigned int i = 0; i < along.size(); ++i)
+        for (const auto &[y, weight] : across)
+          points.push_back({Point<2>(half_length * along.point(i)[0], y),
+                            along.weight(i) * weight});
+      return points;
+    }
+
+
+
+    /// Half of the Hertz pressure of a line contact: y = c sin(phi), so that p
+    /// dy is cos^2(phi) dphi 4 / pi for phi in [0, pi/2].
+    std::vector<std::pair<double, double>>
+    hertz_pressure_across(const double half_width)
+    {
+      const QGauss<1>                        rule(24);
+      std::vector<std::pair<double, double>> across;
+      for (unsigned int i = 0; i < rule.size(); ++i)
+        {
+          const double phi = rule.point(i)[0] * numbers::PI_2;
+          across.emplace_back(half_width * std::sin(phi),
+                              rule.weight(i) * numbers::PI_2 * 4. /
+                                numbers::PI * std::cos(phi) * std::cos(phi));
+        }
+      return across;
+    }
   } // namespace
 
 
 
   std::vector<LoadPoint>
-  make_load_patch(const ContactParameters &contact)
+  make_load_patch(const ContactParameters &contact, const double length)
   {
     const double c = contact.patch_radius;
     if (contact.load_distribution == "point")
@@ -55,6 +93,10 @@ namespace PlateImpact
       // s = (r/c)^2: p r dr is ds
       return disc([c](const double s) { return c * std::sqrt(s); },
                   [](const double) { return 1.; });
+    if (contact.load_distribution == "line")
+      return strip(0.5 * length, {{0., 1.}});
+    if (contact.load_distribution == "strip")
+      return strip(0.5 * length, hertz_pressure_across(c));
     throw std::logic_error("no load distribution named " +
                            contact.load_distribution);
   }

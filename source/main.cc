@@ -44,10 +44,11 @@ namespace
   int
   execute(const int argc, const char *const *argv)
   {
-    CLI::App app("Contact force between a sphere and a plate struck at low "
-                 "velocity, on a mesh that adapts itself until a prescribed "
-                 "discretization error is met.",
-                 "plate-impact");
+    CLI::App app(
+      "Contact force between a sphere or a cylinder and a plate struck at low "
+      "velocity, on a mesh that adapts itself until a prescribed "
+      "discretization error is met.",
+      "plate-impact");
     app.set_version_flag("--version", "plate-impact " PLATE_IMPACT_VERSION);
     app.require_subcommand(1);
     app.footer("Exit status: 0 done, 1 the input is wrong, 2 the computation "

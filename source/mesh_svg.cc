@@ -98,9 +98,9 @@ namespace PlateImpact
         for (const unsigned int v : around)
           out << margin + scale * cell->vertex(v)[0] << ','
               << header + margin + height - scale * cell->vertex(v)[1] << ' ';
-        const std::string fill = result.error
-          ? colour(result.error->element_errors[cell->active_cell_index()])
-          : "none";
+        const std::string fill = result.error ?
+          colour(result.error->element_errors[cell->active_cell_index()]) :
+          "none";
         out << "\" fill=\"" << fill << "\"/>\n";
       }
     out << "</g>\n";

@@ -209,7 +209,7 @@ namespace PlateImpact
         Allowed::number_from(0),
         adaptivity.minimum_cell_size,
         "Of a cell's longer side; 0: a quarter of the patch radius, "
-        "or of the thickness under a point load. [m]");
+        "or of the thickness under a point or line load. [m]");
       schema.declare(
         "Sampling interval",
         "5",

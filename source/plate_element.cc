@@ -228,8 +228,8 @@ namespace PlateImpact
             element.system_to_component_index(j);
           if (component_i == component_j)
             M(i, j) = scalar_mass(node_i, node_j) *
-              (component_i == deflection ? section.mass
-                                         : section.rotary_inertia);
+              (component_i == deflection ? section.mass :
+                                           section.rotary_inertia);
         }
     return M;
   }

@@ -69,6 +69,8 @@ namespace PlateImpact
       void
       check_plate();
       void
+      check_contact();
+      void
       check_time();
       void
       check_mesh();
@@ -111,10 +113,6 @@ namespace PlateImpact
     Checker::check_availability()
     {
       const std::vector<std::pair<std::string, std::string>> unavailable = {
-        {"Impactor/Shape", "cylinder"},
-        {"Contact/Law", "line"},
-        {"Contact/Load distribution", "line"},
-        {"Contact/Load distribution", "strip"},
         {"Time/Integrator", "Ritz vectors"},
         {"Adaptivity/Strategy", "remeshing"}};
       for (const auto &[path, value] : unavailable)
@@ -132,6 +130,7 @@ namespace PlateImpact
     Checker::check_together()
     {
       check_plate();
+      check_contact();
       check_time();
       check_mesh();
     }
@@ -150,11 +149,43 @@ namespace PlateImpact
                "shorter side, " +
                  in_words(half_side) + " m");
       if (parameters.contact.load_distribution != "point" &&
+          parameters.contact.load_distribution != "line" &&
           parameters.contact.patch_radius > half_side)
         refuse({"Contact/Patch radius", "Plate/Side lengths"},
                "m reaches beyond the plate; expected at most half the shorter "
                "side, " +
                  in_words(half_side) + " m");
+    }
+
+
+
+    void
+    Checker::check_contact()
+    {
+      if (!parameters.has_impactor())
+        return;
+      const bool         is_cylinder = parameters.impactor.shape == "cylinder";
+      const std::string &load        = parameters.contact.load_distribution;
+      const std::vector<std::string> law_and_shape = {"Contact/Law",
+                                                      "Impactor/Shape"};
+      if (is_cylinder && parameters.contact.law != "line")
+        refuse(law_and_shape,
+               "is a law of spheres; expected line for a cylinder");
+      if (!is_cylinder && parameters.contact.law == "line")
+        refuse(law_and_shape,
+               "is the law of a cylinder; expected Sun or Hertz for a sphere");
+      if (is_cylinder != (load == "line" || load == "strip"))
+        refuse({"Contact/Load distribution", "Impactor/Shape"},
+               is_cylinder ?
+                 "does not fit a cylinder; expected line or strip" :
+                 "does not fit a sphere; expected Hertz disc, uniform "
+                 "disc or point");
+      if (is_cylinder &&
+          parameters.impactor.length > parameters.plate.side_lengths[0])
+        refuse(
+          {"Impactor/Length", "Plate/Side lengths"},
+          "m reaches beyond the plate; expected at most its side along x, " +
+            in_words(parameters.plate.side_lengths[0]) + " m");
     }
 
 
@@ -234,12 +265,16 @@ namespace PlateImpact
                  in_words(2. * peak.time) + " s; expected at most " +
                  in_words(longest_step) + " s");
 
-      const bool at_point = parameters.contact.load_distribution == "point";
-      if (!at_point && parameters.contact.patch_radius == 0.)
+      const std::string &load      = parameters.contact.load_distribution;
+      const bool         has_patch = load != "point" && load != "line";
+      if (has_patch && parameters.contact.patch_radius == 0.)
         {
-          const double radius =
+          const double radius = load == "strip" ?
+            line_contact_half_width(parameters.impactor.radius,
+                                    peak.force / parameters.impactor.length,
+                                    contact_modulus(parameters)) :
             std::sqrt(parameters.impactor.radius * peak.indentation);
-          const auto &sides = parameters.plate.side_lengths;
+          const auto  &sides  = parameters.plate.side_lengths;
           if (radius > 0.5 * std::min(sides[0], sides[1]))
             return refuse({"Contact/Patch radius",
                            "Plate/Side lengths",
@@ -255,8 +290,8 @@ namespace PlateImpact
         schema.set("Adaptivity",
                    "Minimum cell size",
                    0.25 *
-                     (at_point ? parameters.plate.thickness
-                               : parameters.contact.patch_radius));
+                     (has_patch ? parameters.contact.patch_radius :
+                                  parameters.plate.thickness));
     }
 
 
@@ -266,9 +301,9 @@ namespace PlateImpact
     sort_by_line(std::vector<std::string> &mistakes, const std::string &file)
     {
       const auto line = [&file](const std::string &mistake) {
-        return mistake.compare(0, file.size() + 1, file + ":") == 0
-          ? std::strtoul(mistake.c_str() + file.size() + 1, nullptr, 10)
-          : std::numeric_limits<unsigned long>::max();
+        return mistake.compare(0, file.size() + 1, file + ":") == 0 ?
+          std::strtoul(mistake.c_str() + file.size() + 1, nullptr, 10) :
+          std::numeric_limits<unsigned long>::max();
       };
       std::stable_sort(mistakes.begin(),
                        mistakes.end(),

@@ -126,9 +126,9 @@ namespace PlateImpact
     const std::string hint = suggestion(assignment.entry, names);
     return "there is no entry '" + assignment.entry + "' in section " +
       assignment.section +
-      (hint.empty() && !elsewhere.empty()
-         ? "; it belongs to section " + elsewhere
-         : hint);
+      (hint.empty() && !elsewhere.empty() ?
+         "; it belongs to section " + elsewhere :
+         hint);
   }
 
 
@@ -186,8 +186,8 @@ namespace PlateImpact
     std::ostringstream text;
     prm.print_parameters(text,
                          with_documentation ? ParameterHandler::PRM |
-                             ParameterHandler::KeepDeclarationOrder
-                                            : ParameterHandler::ShortPRM |
+                             ParameterHandler::KeepDeclarationOrder :
+                                              ParameterHandler::ShortPRM |
                              ParameterHandler::KeepDeclarationOrder);
     out << text.str();
   }

@@ -47,7 +47,9 @@ namespace PlateImpact
 
 
 
-  StressRecovery::StressRecovery(const Triangulation<2> &mesh)
+  StressRecovery::StressRecovery(
+    const Triangulation<2>                      &mesh,
+    const std::function<bool(const Point<2> &)> &is_rough)
     : mesh(mesh)
     , sample_points(mesh.n_active_cells() * samples_per_cell)
     , vertices_of_cell(mesh.n_active_cells())
@@ -75,23 +77,28 @@ namespace PlateImpact
       for (const auto &cell : cells[vertex])
         cells_at_vertex[vertex].push_back(cell->active_cell_index());
 
-    mark_vertices();
+    mark_vertices(is_rough);
     assign_patches();
   }
 
 
 
   void
-  StressRecovery::mark_vertices()
+  StressRecovery::mark_vertices(
+    const std::function<bool(const Point<2> &)> &is_rough)
   {
+    if (is_rough)
+      for (unsigned int vertex = 0; vertex < mesh.n_vertices(); ++vertex)
+        uses_neighbours[vertex] = is_rough(mesh.get_vertices()[vertex]);
+
     for (const auto &cell : mesh.active_cell_iterators())
       for (const unsigned int f : cell->face_indices())
         if (const auto face = cell->face(f); face->at_boundary())
           {
-            const types::boundary_id id    = face->boundary_id();
-            std::vector<bool>       &marks = id == symmetry_x ? is_on_symmetry_x
-                    : id == symmetry_y                        ? is_on_symmetry_y
-                                                              : uses_neighbours;
+            const types::boundary_id id = face->boundary_id();
+            std::vector<bool> &marks    = id == symmetry_x ? is_on_symmetry_x :
+                 id == symmetry_y                          ? is_on_symmetry_y :
+                                                             uses_neighbours;
             for (const unsigned int v : face->vertex_indices())
               marks[face->vertex_index(v)] = true;
           }

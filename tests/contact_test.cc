@@ -10,12 +10,19 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <vector>
 
 namespace PlateImpact
 {
   namespace
   {
     const HertzLaw hertz(1.4e10);
+
+    // the paper's cylinder
+    const double  modulus = 2.1e11 / (2. * 0.91);
+    const LineLaw line(0.01, 0.0333335, modulus);
+
+    const std::vector<const ContactLaw *> laws = {&hertz, &line};
 
 
 
@@ -32,18 +39,41 @@ namespace PlateImpact
 
     TEST(ContactLaw, StiffnessIsTheDerivativeOfForceAndForceThatOfPotential)
     {
-      for (const double alpha : {1e-9, 1e-6, 1e-3})
+      for (const ContactLaw *law : laws)
+        for (const double alpha : {1e-9, 1e-6, 1e-3, 1.})
+          {
+            const double h = 1e-4 * alpha;
+            EXPECT_NEAR((law->force(alpha + h) - law->force(alpha - h)) /
+                          (2 * h) / law->stiffness(alpha),
+                        1.,
+                        1e-7)
+              << alpha;
+            EXPECT_NEAR((law->potential(alpha + h) -
+                         law->potential(alpha - h)) /
+                          (2 * h) / law->force(alpha),
+                        1.,
+                        1e-7)
+              << alpha;
+          }
+    }
+
+
+
+    TEST(ContactLaw, ForceNeverDecreases)
+    {
+      for (const ContactLaw *law : laws)
         {
-          const double h = 1e-4 * alpha;
-          EXPECT_NEAR((hertz.force(alpha + h) - hertz.force(alpha - h)) /
-                        (2 * h) / hertz.stiffness(alpha),
-                      1.,
-                      1e-7);
-          EXPECT_NEAR((hertz.potential(alpha + h) -
-                       hertz.potential(alpha - h)) /
-                        (2 * h) / hertz.force(alpha),
-                      1.,
-                      1e-7);
+          double last = 0.;
+          EXPECT_EQ(law->force(0.), 0.);
+          EXPECT_EQ(law->force(-1.), 0.);
+          EXPECT_EQ(law->stiffness(-1.), 0.);
+          EXPECT_EQ(law->potential(-1.), 0.);
+          for (double alpha = 1e-320; alpha < 1e3; alpha *= 1.7)
+            {
+              EXPECT_GE(law->force(alpha), last) << alpha;
+              EXPECT_GE(law->stiffness(alpha), 0.) << alpha;
+              last = law->force(alpha);
+            }
         }
     }
 
@@ -51,34 +81,54 @@ namespace PlateImpact
 
     TEST(ContactLaw, IndentationInvertsForce)
     {
-      for (const double alpha : {1e-12, 1e-6, 1e-1})
-        EXPECT_NEAR(hertz.indentation(hertz.force(alpha)) / alpha, 1., 1e-14);
-      EXPECT_EQ(hertz.indentation(-1.), 0.);
+      for (const ContactLaw *law : laws)
+        {
+          for (const double alpha : {1e-30, 1e-12, 1e-6, 1e-1, 10.})
+            EXPECT_NEAR(law->indentation(law->force(alpha)) / alpha, 1., 1e-13)
+              << alpha;
+          EXPECT_EQ(law->indentation(-1.), 0.);
+        }
     }
 
 
 
     TEST(ContactLaw, MeanForceTimesDistanceIsTheChangeOfPotential)
     {
-      for (const double a : {-2e-6, 0., 1e-9, 1e-6, 3e-6})
-        for (const double b : {-1e-6, 0., 2e-9, 1.5e-6, 2.9e-6})
-          if (a != b)
-            {
-              EXPECT_NEAR(hertz.mean_force(a, b) * (b - a),
-                          hertz.potential(b) - hertz.potential(a),
-                          1e-14 * (hertz.potential(a) + hertz.potential(b)));
-            }
+      for (const ContactLaw *law : laws)
+        for (const double a : {-2e-6, 0., 1e-9, 1e-6, 3e-6})
+          for (const double b : {-1e-6, 0., 2e-9, 1.5e-6, 1.03e-6, 2.9e-6})
+            if (a != b)
+              {
+                EXPECT_NEAR(law->mean_force(a, b) * (b - a),
+                            law->potential(b) - law->potential(a),
+                            1e-14 * (law->potential(a) + law->potential(b)));
+              }
     }
 
 
 
     TEST(ContactLaw, MeanForceDoesNotCancelForCloseIndentations)
     {
-      const double a = 1e-6;
-      EXPECT_DOUBLE_EQ(hertz.mean_force(a, a), hertz.force(a));
-      EXPECT_NEAR(hertz.mean_force(a, a * (1. + 1e-12)) / hertz.force(a),
-                  1.,
-                  2e-12);
+      for (const ContactLaw *law : laws)
+        {
+          const double a = 1e-6;
+          EXPECT_NEAR(law->mean_force(a, a) / law->force(a), 1., 1e-14);
+          EXPECT_NEAR(law->mean_force(a, a * (1. + 1e-12)) / law->force(a),
+                      1.,
+                      2e-12);
+        }
+    }
+
+
+
+    TEST(ContactLaw, LineLawIsThatOfTheReferenceHistory)
+    {
+      // eq. 32 with the force per length: 9095.3 N of the reference
+      const double F = 9095.3, l = 0.0333335;
+      const double a = line_contact_half_width(0.01, F / (2. * l), modulus);
+      EXPECT_NEAR(line.indentation(F) * 3.14159265358979 * l * modulus / F,
+                  1.886 + std::log(l / a),
+                  1e-12);
     }
 
 
@@ -145,22 +195,23 @@ namespace PlateImpact
       };
       for (unsigned int i = 0; i < 200000; ++i)
         {
-          const double begin = indentation(), free = indentation(),
+          const ContactLaw &law   = i % 2 == 0 ? *laws[0] : *laws[1];
+          const double      begin = indentation(), free = indentation(),
                        compliance = 1e-5 * std::pow(10., -exponent(generator));
           for (const ContactIntegration *integration :
                std::initializer_list<const ContactIntegration *>{&conserving,
                                                                  &collocation})
             {
               const double phi =
-                solve_contact(*integration, hertz, begin, free, compliance);
+                solve_contact(*integration, law, begin, free, compliance);
               ASSERT_GE(phi, 0.);
               const double end = free - compliance * phi;
               const double bound =
                 1e-14 * (std::abs(free) + std::abs(end) + compliance * phi);
               // the force at an end moved by round-off on either side
-              ASSERT_LE(integration->force(hertz, begin, end - bound),
+              ASSERT_LE(integration->force(law, begin, end - bound),
                         phi * (1. + 1e-12));
-              ASSERT_GE(integration->force(hertz, begin, end + bound),
+              ASSERT_GE(integration->force(law, begin, end + bound),
                         phi * (1. - 1e-12));
             }
         }

@@ -248,7 +248,7 @@ namespace PlateImpact
         {
           contact.load_distribution = name;
           double total = 0., second = 0., x2 = 0.;
-          for (const LoadPoint &p : make_load_patch(contact))
+          for (const LoadPoint &p : make_load_patch(contact, 0.2))
             {
               total += p.weight;
               second += p.weight * p.point.square();
@@ -258,6 +258,29 @@ namespace PlateImpact
           EXPECT_NEAR(total, 1., 1e-13);
           EXPECT_NEAR(second, moment * 0.09, 1e-13);
           EXPECT_NEAR(x2, 0.5 * moment * 0.09, 1e-13);
+        }
+    }
+
+
+
+    TEST(LoadPatch, WeightsAndSecondMomentsAreThoseOfTheStrip)
+    {
+      ContactParameters contact;
+      contact.patch_radius = 0.1;
+      for (const auto &[name, moment] :
+           {std::make_pair("line", 0.), std::make_pair("strip", 0.25)})
+        {
+          contact.load_distribution = name;
+          double total = 0., x2 = 0., y2 = 0.;
+          for (const LoadPoint &p : make_load_patch(contact, 0.6))
+            {
+              total += p.weight;
+              x2 += p.weight * p.point[0] * p.point[0];
+              y2 += p.weight * p.point[1] * p.point[1];
+            }
+          EXPECT_NEAR(total, 1., 1e-13);
+          EXPECT_NEAR(x2, 0.09 / 3., 1e-13);
+          EXPECT_NEAR(y2, moment * 0.01, 1e-13);
         }
     }
 
@@ -280,7 +303,7 @@ namespace PlateImpact
             model.interpolate(Field([](const Point<2> &p) {
               return Field::Values{{1. + p.square(), 0., 0.}};
             }));
-          EXPECT_NEAR(model.load(make_load_patch(contact)).dot(z),
+          EXPECT_NEAR(model.load(make_load_patch(contact, 0.2)).dot(z),
                       1. + 0.4 * 0.09,
                       1e-12);
         }

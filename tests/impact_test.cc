@@ -85,8 +85,9 @@ namespace PlateImpact
           overrides.push_back("Plate/Support=" + support);
           overrides.push_back("Plate/Side lengths=0.2,0.15");
           const Parameters parameters = parameters_with(overrides);
-          const auto       load       = make_load_patch(parameters.contact);
-          const auto       quadrant =
+          const auto       load =
+            make_load_patch(parameters.contact, parameters.impactor.length);
+          const auto quadrant =
             make_plate_quadrant(parameters.plate,
                                 parameters.discretization.initial_cells);
 
@@ -127,7 +128,7 @@ namespace PlateImpact
       const Parameters         cholmod   = parameters_with(overrides);
       overrides.push_back("Discretization/Linear solver=KLU");
       const Parameters klu  = parameters_with(overrides);
-      const auto       load = make_load_patch(cholmod.contact);
+      const auto       load = make_load_patch(cholmod.contact, 0.);
       const auto       mesh =
         make_plate_quadrant(cholmod.plate,
                             cholmod.discretization.initial_cells);
@@ -148,10 +149,13 @@ namespace PlateImpact
           const auto       mesh =
             make_plate_quadrant(parameters.plate,
                                 parameters.discretization.initial_cells);
-          EXPECT_LT(
-            impact(parameters, *mesh, make_load_patch(parameters.contact), 4.)
-              .relative_energy_drift(),
-            1e-11)
+          EXPECT_LT(impact(parameters,
+                           *mesh,
+                           make_load_patch(parameters.contact,
+                                           parameters.impactor.length),
+                           4.)
+                      .relative_energy_drift(),
+                    1e-11)
             << step;
         }
     }
@@ -170,10 +174,13 @@ namespace PlateImpact
           const auto       mesh =
             make_plate_quadrant(parameters.plate,
                                 parameters.discretization.initial_cells);
-          peaks.push_back(
-            impact(parameters, *mesh, make_load_patch(parameters.contact), 4.)
-              .peak()
-              .force);
+          peaks.push_back(impact(parameters,
+                                 *mesh,
+                                 make_load_patch(parameters.contact,
+                                                 parameters.impactor.length),
+                                 4.)
+                            .peak()
+                            .force);
         }
       EXPECT_NEAR(peaks[1] / peaks[0], 1., 1e-3);
     }

@@ -48,10 +48,10 @@ namespace PlateImpact
                      const MeshKind     kind)
     {
       // tests/reference/static_plates.json; from 1e4 the thin plate's
-      const double          exact = a_over_t < 50. ? 0.0015046256680685685
-                 : a_over_t < 500.                 ? 0.0012678585618577946
-                 : a_over_t < 5e3                  ? 0.0012653445941869725
-                                                   : 0.00126531908748307;
+      const double          exact = a_over_t < 50. ? 0.0015046256680685685 :
+                 a_over_t < 500.                   ? 0.0012678585618577946 :
+                 a_over_t < 5e3                    ? 0.0012653445941869725 :
+                                                     0.00126531908748307;
       const PlateParameters plate = unit_plate("clamped", 1. / a_over_t);
       const PlateElement    element(element_name);
       const auto            mesh = make_mesh(plate, kind);

@@ -89,8 +89,9 @@ namespace PlateImpact
       std::string    out, err;
     };
 
-    const std::string main_scene  = SCENES "/sphere-on-steel-plate.prm";
-    const std::string paper_scene = SCENES "/paper-sphere.prm";
+    const std::string main_scene     = SCENES "/sphere-on-steel-plate.prm";
+    const std::string paper_scene    = SCENES "/paper-sphere.prm";
+    const std::string cylinder_scene = SCENES "/paper-cylinder.prm";
 
 
 
@@ -223,6 +224,61 @@ namespace PlateImpact
                   34e-6,
                   1e-6);
       EXPECT_FALSE(summary()["warnings"].empty());
+    }
+
+
+
+    TEST_F(Program, CylinderOfThePaper)
+    {
+      ASSERT_EQ(run(cylinder_scene), 0) << err;
+      const auto cycles = summary()["cycles"];
+      EXPECT_EQ(cycles[0]["cells"], 9);
+      // eta = 10.17 % on 280 elements in the paper
+      unsigned int first_good = 0;
+      for (const auto &cycle : cycles)
+        if (first_good == 0 && cycle["discretization_error"] <= 0.1017)
+          first_good = cycle["cells"];
+      EXPECT_GT(first_good, 0u);
+      EXPECT_LE(first_good, 280u);
+      const auto expected = reference_case("P5_cyl_clamped_line");
+      expect_near(cycles.back()["peak_force"], expected["peak_force"], 5e-3);
+      expect_near(cycles.back()["time_of_peak_force"], 10.6e-6, 0.02);
+      expect_near(cycles.back()["first_contact_end"],
+                  expected["contact_1_end"],
+                  5e-3);
+    }
+
+
+
+    TEST_F(Program, CylinderStrikesThreeTimes)
+    {
+      ASSERT_EQ(run(cylinder_scene,
+                    "--set 'Time/End time=600e-6' --set 'Time/Time step=5e-7' "
+                    "--set 'Adaptivity/Target error=0.05'"),
+                0)
+        << err;
+      const auto expected = reference_case("P5_cyl_clamped_line");
+      const auto last     = last_cycle();
+      EXPECT_EQ(last["number_of_contacts"], 3);
+      expect_near(last["peak_force"], expected["peak_force"], 5e-3);
+      expect_near(last["impulse"], expected["impulse_total"], 1e-2);
+      EXPECT_LT(last["relative_energy_drift"], 1e-9);
+    }
+
+
+
+    TEST_F(Program, CylinderOnAStrip)
+    {
+      // the reference spreads the force evenly across the strip, the program as
+      // Hertz does: 0.06 %
+      ASSERT_EQ(run(cylinder_scene,
+                    "--set 'Contact/Load distribution=strip' --set "
+                    "'Contact/Patch radius=0.0005'"),
+                0)
+        << err;
+      expect_near(last_cycle()["peak_force"],
+                  reference_case("P5_cyl_clamped_strip0.5")["peak_force"],
+                  5e-3);
     }
 
 

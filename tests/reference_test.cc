@@ -88,7 +88,7 @@ namespace PlateImpact
           PlateModel         model(*mesh, element, plate);
           model.assemble();
           const double          D = model.section().bending_stiffness(0, 0);
-          const Eigen::VectorXd f = model.load(make_load_patch(contact));
+          const Eigen::VectorXd f = model.load(make_load_patch(contact, 0.2));
           const Eigen::VectorXd z = solve_static(model, f);
           EXPECT_NEAR(f.dot(z) * D / entry["patch_wavg"].get<double>(),
                       1.,

@@ -261,8 +261,12 @@ namespace PlateImpact
           "scene:2: Contact/Integration = energy conserving needs Newmark "
           "beta = 0.25 and Newmark gamma = 0.5, which alone conserve "
           "energy; with others set Integration = collocation"},
-        Mistake{in_section("Impactor", "set Shape = cylinder"),
-                "scene:2: Impactor/Shape = cylinder is not available yet"},
+        Mistake{
+          in_section("Impactor", "set Shape = cylinder"),
+          "scene:2: Contact/Law = Sun is a law of spheres; expected line "
+          "for a cylinder\n"
+          "scene:2: Contact/Load distribution = Hertz disc does not fit a "
+          "cylinder; expected line or strip"},
         Mistake{in_section("Time", "set Integrator = Ritz vectors"),
                 "scene:2: Time/Integrator = Ritz vectors is not available yet"},
         Mistake{in_section("Sweep", "set Values 1 = 1, 2"),

@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include <functional>
 #include <vector>
 
 namespace PlateImpact
@@ -57,9 +58,12 @@ namespace PlateImpact
   public:
     /// @param model           must outlive the estimator; needs no K and M
     /// @param singular_cells  active indices of cells to leave out
-    ErrorEstimator(const PlateModel                &model,
-                   double                           target_error,
-                   const std::vector<unsigned int> &singular_cells = {});
+    /// @param is_rough        as in StressRecovery
+    ErrorEstimator(
+      const PlateModel                                    &model,
+      double                                               target_error,
+      const std::vector<unsigned int>                     &singular_cells = {},
+      const std::function<bool(const dealii::Point<2> &)> &is_rough       = {});
 
     /// Takes the unknowns of the plate at a time later than those before [s].
     void

@@ -15,6 +15,7 @@
 #include "plate_impact/plate_model.h"
 #include "plate_impact/scene.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -48,6 +49,9 @@ namespace PlateImpact
     /// Cells nearer to a point load than half the thickness.
     std::vector<unsigned int>
     singular_cells() const;
+    /// Whether a point lies under a line load; empty for other loads.
+    std::function<bool(const dealii::Point<2> &)>
+    line_load() const;
     void
     estimate_error(CycleResult &result);
 

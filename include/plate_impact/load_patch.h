@@ -21,9 +21,13 @@ namespace PlateImpact
   /// sum to one. Independent of any mesh: the points lie where the load needs
   /// them, in whatever cells they fall. `point`: the origin. `Hertz disc`:
   /// pressure ~ sqrt(1 - (r/c)^2), `uniform disc`: constant pressure, both
-  /// within the patch radius c.
+  /// within the patch radius c. `line`: the contact
+  /// length of a cylinder along x, constant force per length; `strip`: the same
+  /// with pressure ~ sqrt(1 - (y/c)^2) across.
+  ///
+  /// @param length  of the contact of a cylinder, 2l [m]
   std::vector<LoadPoint>
-  make_load_patch(const ContactParameters &contact);
+  make_load_patch(const ContactParameters &contact, double length);
 } // namespace PlateImpact
 
 #endif

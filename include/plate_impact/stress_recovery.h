@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <functional>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -51,10 +52,15 @@ namespace PlateImpact
     static constexpr unsigned int n_terms = 8, n_resultants = 5,
                                   samples_per_cell = 4;
 
-    /// @param mesh  of the plate with the ids of PlateBoundary; must outlive
-    /// this
-    ///              object
-    explicit StressRecovery(const dealii::Triangulation<2> &mesh);
+    /// @param mesh     of the plate with the ids of PlateBoundary; must outlive
+    ///                 this object
+    /// @param is_rough whether no polynomial fits across a point, as under a
+    /// line
+    ///                 load, where the shear force jumps: vertices there use
+    ///                 their neighbours as on an edge
+    explicit StressRecovery(
+      const dealii::Triangulation<2>                      &mesh,
+      const std::function<bool(const dealii::Point<2> &)> &is_rough = {});
 
     /// Coefficients of all patches from samples.
     /// @param samples  5 (4 cell + point) + resultant by n columns (for example
@@ -99,7 +105,8 @@ namespace PlateImpact
     };
 
     void
-    mark_vertices();
+    mark_vertices(
+      const std::function<bool(const dealii::Point<2> &)> &is_rough);
     void
     assign_patches();
     std::vector<Image>
