@@ -6,9 +6,9 @@
 #include "plate_impact/impactor.h"
 #include "plate_impact/linear_solver.h"
 #include "plate_impact/plate_mesh.h"
+#include "plate_impact/reliability.h"
 #include "plate_impact/semidiscrete_plate.h"
 #include "plate_impact/time_stepper.h"
-#include "plate_impact/zener.h"
 
 #include <algorithm>
 #include <limits>
@@ -124,8 +124,14 @@ namespace PlateImpact
           {
             if (!result.snapshots.empty())
               output.write_fields(result, *model, *estimator);
-            output.finish(*end, warnings(result));
-            console.end(*end, result, warnings(result), output.main_files());
+            std::vector<std::string> warnings;
+            if (result.history)
+              warnings = reliability_warnings(parameters,
+                                              model->section(),
+                                              *contact_law,
+                                              result);
+            output.finish(*end, warnings);
+            console.end(*end, result, warnings, output.main_files());
             return;
           }
       }
@@ -281,54 +287,5 @@ namespace PlateImpact
     if (result.cycle == parameters.adaptivity.maximum_cycles)
       return "maximum cycles";
     return {};
-  }
-
-
-
-  std::vector<std::string>
-  ImpactAnalysis::warnings(const CycleResult &result) const
-  {
-    std::vector<std::string> sentences;
-    const auto               warn = [&sentences](const auto &...parts) {
-      std::ostringstream text;
-      (text << ... << parts);
-      sentences.push_back(text.str());
-    };
-    if (!parameters.has_impactor())
-      return sentences;
-    const double contact_time = 2. *
-      zener_peak(*contact_law,
-                 make_impactor(parameters.impactor),
-                 model->section())
-        .time;
-    if (parameters.time.time_step > 0.02 * contact_time)
-      warn("Time/Time step = ",
-           parameters.time.time_step,
-           " s resolves a contact of about ",
-           contact_time,
-           " s coarsely; for a peak force to 0.1 % choose at most ",
-           0.02 * contact_time,
-           " s");
-    if (parameters.contact.load_distribution == "point")
-      warn("the peak force under a point load depends on the smallest cell (",
-           result.min_cell_size,
-           " m): it drops by about 0.7 % per halving; for a limit choose "
-           "Contact/Load distribution = Hertz disc");
-    if (result.error && result.error->n_singular_cells > 0)
-      warn("eta leaves out ",
-           result.error->n_singular_cells,
-           " cells nearer to the point load than half the thickness, where the "
-           "exact energy is infinite; with them it is ",
-           100. * result.error->eta_of_all_cells,
-           " %");
-    if (result.history->states().back().force > 0.)
-      warn("the contact has not ended at Time/End time = ",
-           parameters.time.end_time,
-           " s");
-    if (result.history->peak().time == result.history->states().back().time)
-      warn("the force still grows at Time/End time = ",
-           parameters.time.end_time,
-           " s: the peak force is that of this time only");
-    return sentences;
   }
 } // namespace PlateImpact

@@ -58,8 +58,6 @@ namespace PlateImpact
     /// Why the loop ends with this result; empty when it goes on.
     std::optional<std::string>
     outcome(const CycleResult &result) const;
-    std::vector<std::string>
-    warnings(const CycleResult &result) const;
 
     const Scene                                    &scene;
     const Parameters                               &parameters;

@@ -1,0 +1,24 @@
+#ifndef plate_impact_reliability_h
+#define plate_impact_reliability_h
+
+#include "plate_impact/contact_law.h"
+#include "plate_impact/cycle_result.h"
+#include "plate_impact/parameters.h"
+#include "plate_impact/plate_section.h"
+
+#include <string>
+#include <vector>
+
+namespace PlateImpact
+{
+  /// Where the result of a scene leaves what its model, mesh or step can tell:
+  /// a sentence each, with numbers and advice. Empty for a result without an
+  /// impactor.
+  std::vector<std::string>
+  reliability_warnings(const Parameters   &parameters,
+                       const PlateSection &section,
+                       const ContactLaw   &law,
+                       const CycleResult  &result);
+} // namespace PlateImpact
+
+#endif
