@@ -3,6 +3,7 @@
 
 #include "plate_impact/console.h"
 #include "plate_impact/exceptions.h"
+#include "plate_impact/expectation.h"
 #include "plate_impact/impact_analysis.h"
 #include "plate_impact/scene.h"
 #include "plate_impact/version.h"
@@ -77,7 +78,16 @@ namespace
       "defaults",
       "Print every entry with its meaning, unit and default, as a valid scene");
 
-    for (const std::string name : {"check", "compare", "sweep"})
+    CLI::App *check_command =
+      app.add_subcommand("check", "Check a scene and say what to expect of it");
+    check_command->add_option("scene", path, "Parameter file (.prm)")
+      ->required();
+    check_command
+      ->add_option("-s,--set",
+                   overrides,
+                   "Entry to change: \"Section/Entry=value\"; may be repeated")
+      ->allow_extra_args(false);
+    for (const std::string name : {"compare", "sweep"})
       app.add_subcommand(name, "Not available yet")
         ->allow_extras()
         ->callback([name] {
@@ -98,6 +108,8 @@ namespace
 
     if (run_command->parsed())
       run(path, output, overrides, quiet);
+    else if (check_command->parsed())
+      print_expectation(std::cout, read_scene(path, overrides));
     else if (defaults_command->parsed())
       print_defaults(std::cout);
     return success;

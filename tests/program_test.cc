@@ -386,6 +386,46 @@ namespace PlateImpact
 
 
 
+    TEST_F(Program, CheckSaysWhatToExpect)
+    {
+      ASSERT_EQ(execute("check '" + main_scene + "'"), 0) << err;
+      // no reflection is back before 36.8 us (tests/reference)
+      EXPECT_NE(out.find("back at 3.68e-05 s"), std::string::npos) << out;
+      EXPECT_NE(out.find("valid scene"), std::string::npos) << out;
+      const double force = std::stod(out.substr(out.find("peak force") + 10));
+      EXPECT_NEAR(force / 1301., 1., 0.1) << out;
+      for (const std::string &scene : {paper_scene, cylinder_scene})
+        EXPECT_EQ(execute("check '" + scene + "'"), 0) << err;
+      EXPECT_EQ(execute("check '" + main_scene + "' --set Impactor/Shape=none"),
+                0)
+        << err;
+    }
+
+
+
+    TEST_F(Program, WarnsWhereResultsLeaveTheModel)
+    {
+      ASSERT_EQ(
+        run(main_scene,
+            "--set Plate/Thickness=1e-4 --set Impactor/Velocity=50 --set "
+            "Discretization/Element=serendipity --set "
+            "Adaptivity/Strategy=none --set 'Output/Write report=false' "
+            "--set 'Time/End time=10e-6'"),
+        0)
+        << err;
+      for (const std::string part : {"of its thickness", "locks", "coarsely"})
+        EXPECT_NE(err.find(part), std::string::npos) << part << '\n' << err;
+      EXPECT_EQ(summary()["warnings"].size(), 3u) << err;
+      ASSERT_EQ(run(main_scene,
+                    "--set Impactor/Velocity=30 --set Adaptivity/Strategy=none "
+                    "--set 'Output/Write report=false'"),
+                0)
+        << err;
+      EXPECT_NE(err.find("contact pressure"), std::string::npos) << err;
+    }
+
+
+
     TEST_F(Program, WrongInputLeavesNothingBehind)
     {
       const std::string scene = write_scene("subsection Plate\n"
@@ -454,9 +494,11 @@ namespace PlateImpact
       EXPECT_EQ(execute(""), 1);
       EXPECT_EQ(execute("fly"), 1);
       EXPECT_EQ(execute("run"), 1);
-      EXPECT_EQ(execute("check '" + main_scene + "'"), 1);
+      EXPECT_EQ(execute("sweep '" + main_scene + "'"), 1);
       EXPECT_EQ(err,
-                "plate-impact: the command 'check' is not available yet\n");
+                "plate-impact: the command 'sweep' is not available yet\n");
+      EXPECT_EQ(execute("check '" + main_scene + "' --set Plate/Density=-1"),
+                1);
       EXPECT_EQ(WEXITSTATUS(std::system(
                   ("'" PROGRAM "' defaults > /dev/full 2> /dev/null"))),
                 2);
