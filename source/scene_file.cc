@@ -52,9 +52,14 @@ namespace PlateImpact
       read_line(const std::string &raw)
       {
         origin = name + ":" + std::to_string(++line_number);
+        if (is_binary)
+          return; // said once
         if (!is_text(raw.substr(0, raw.find_last_not_of('\r') + 1)))
-          return mistake("this line holds control characters; a scene is a "
-                         "text file");
+          {
+            is_binary = true;
+            return mistake("this line holds control characters; a scene is a "
+                           "text file");
+          }
         const std::string line = simplified(raw.substr(0, raw.find('#')));
         if (line.empty())
           return;
@@ -76,8 +81,8 @@ namespace PlateImpact
       SceneFile
       finish()
       {
-        if (!section.empty())
-          mistake("the file ends within subsection " + section +
+        if (!open_sections.empty() && !is_binary)
+          mistake("the file ends within subsection " + open_sections.back() +
                   "; an 'end' is missing");
         return std::move(scene);
       }
@@ -94,20 +99,24 @@ namespace PlateImpact
       {
         if (name_of_section.empty())
           mistake("'subsection' needs a name");
-        else if (!section.empty())
-          mistake("subsection " + name_of_section +
-                  " begins within subsection " + section +
-                  "; an 'end' is missing before it");
-        section = name_of_section;
-        scene.sections.push_back({section, "", "", origin});
+        else
+          {
+            if (!open_sections.empty())
+              mistake("subsection " + name_of_section +
+                      " begins within subsection " + open_sections.back() +
+                      "; an 'end' is missing before it");
+            scene.sections.push_back({name_of_section, "", "", origin});
+          }
+        open_sections.push_back(name_of_section);
       }
 
       void
       close()
       {
-        if (section.empty())
+        if (open_sections.empty())
           mistake("'end' without a 'subsection' before it");
-        section.clear();
+        else
+          open_sections.pop_back();
       }
 
       void
@@ -119,8 +128,9 @@ namespace PlateImpact
           return mistake("'set " + text +
                          "' is not of the form 'set ENTRY = "
                          "VALUE'");
-        if (section.empty())
+        if (open_sections.empty())
           return mistake("'" + entry + "' is set outside of any subsection");
+        const std::string &section = open_sections.back();
 
         const std::string path     = section + "/" + entry;
         const auto [first, is_new] = first_set.insert({path, line_number});
@@ -133,7 +143,9 @@ namespace PlateImpact
 
       const std::string                   name;
       SceneFile                           scene;
-      std::string                         section, origin;
+      std::string                         origin;
+      std::vector<std::string>            open_sections;
+      bool                                is_binary   = false;
       unsigned int                        line_number = 0;
       std::map<std::string, unsigned int> first_set;
     };

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <sstream>
 
 namespace PlateImpact
@@ -150,6 +151,44 @@ namespace PlateImpact
       std::ostringstream text;
       print_defaults(text);
       EXPECT_EQ(SceneText(text.str()).read().text, SceneText("").read().text);
+    }
+
+
+
+    TEST(Scene, BrokenOnesAreRefusedWithTheSentencesExpected)
+    {
+      // tests/broken/NAME.prm; expected.txt has NAME and the sentences of each
+      const std::filesystem::path directory =
+        std::filesystem::path(TEST_DATA) / "broken";
+      std::set<std::string> scenes;
+      for (const auto &entry : std::filesystem::directory_iterator(directory))
+        if (entry.path().extension() == ".prm")
+          scenes.insert(entry.path().string());
+      EXPECT_GE(scenes.size(), 60u);
+
+      std::ostringstream actual, expected;
+      for (const std::string &scene : scenes)
+        {
+          const std::string name = std::filesystem::path(scene).stem();
+          actual << name << '\n';
+          try
+            {
+              read_scene(scene, {});
+              ADD_FAILURE() << scene << " is accepted";
+            }
+          catch (const InputError &error)
+            {
+              std::istringstream lines(error.what());
+              for (std::string line; std::getline(lines, line);)
+                {
+                  ASSERT_EQ(line.compare(0, scene.size() + 1, scene + ":"), 0)
+                    << line;
+                  actual << "  " << line.substr(scene.size() + 1) << '\n';
+                }
+            }
+        }
+      expected << std::ifstream(directory / "expected.txt").rdbuf();
+      EXPECT_EQ(actual.str(), expected.str());
     }
 
 
