@@ -3,6 +3,7 @@
 #include "plate_impact/parameters.h"
 
 #include <boost/math/constants/constants.hpp>
+#include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/special_functions/lambert_w.hpp>
 
 #include <algorithm>
@@ -26,8 +27,8 @@ namespace PlateImpact
   ContactLaw::mean_force(const double a, const double b) const
   {
     const double low = std::min(a, b), high = std::max(a, b);
-    if (high <= 0.)
-      return 0.;
+    if (high <= 0. || low == high)
+      return force(high);
     if (low <= 0.)
       return potential(high) / (high - low);
     if (high - low > 0.05 * high)
@@ -35,22 +36,11 @@ namespace PlateImpact
 
     // Close indentations, where the quotient cancels: Gauss quadrature is exact
     // to round-off for a law that is smooth on the scale of the indentation.
-    const double points[]  = {0.14887433898163122,
-                              0.4333953941292472,
-                              0.6794095682990244,
-                              0.8650633666889845,
-                              0.9739065285171717},
-                 weights[] = {0.29552422471475287,
-                              0.26926671930999636,
-                              0.21908636251598204,
-                              0.1494513491505806,
-                              0.06667134430868814};
-    const double middle = 0.5 * (low + high), half = 0.5 * (high - low);
-    double       sum = 0.;
-    for (unsigned int i = 0; i < 5; ++i)
-      sum += 0.5 * weights[i] *
-        (force(middle - points[i] * half) + force(middle + points[i] * half));
-    return sum;
+    return boost::math::quadrature::gauss<double, 10>::integrate(
+             [this](const double alpha) { return force(alpha); },
+             low,
+             high) /
+      (high - low);
   }
 
 

@@ -110,8 +110,8 @@ namespace PlateImpact
           cycle["work"] = {{"factorizations", result.work.factorizations},
                            {"linear_solves", result.work.linear_solves},
                            {"contact_steps", result.work.contact_steps},
-                           {"estimator_samples",
-                            result.work.estimator_samples}};
+                           {"estimator_samples", result.work.estimator_samples},
+                           {"ritz_vectors", result.work.ritz_vectors}};
         }
       const Seconds &s = result.seconds;
       cycle["seconds"] = {{"mesh", s.mesh},

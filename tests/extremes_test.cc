@@ -62,28 +62,14 @@ namespace PlateImpact
 
     TEST_P(Extremes, StayFiniteAndKeepEnergyAndMomentum)
     {
-      const Parameters   parameters = parameters_of(GetParam());
-      const PlateElement element(parameters.discretization.element);
-      const auto         mesh =
+      const Parameters parameters = parameters_of(GetParam());
+      const auto       mesh =
         make_plate_quadrant(parameters.plate,
                             parameters.discretization.initial_cells);
-      PlateModel model(*mesh, element, parameters.plate);
-      model.assemble();
-      MeshPlate  plate(model,
-                      model.load(make_load_patch(parameters.contact,
-                                                 parameters.impactor.length)),
-                      make_linear_solver("CHOLMOD"));
-      const auto law          = make_contact_law(parameters);
-      const auto integration  = make_contact_integration("energy conserving");
-      const Impactor impactor = make_impactor(parameters.impactor);
-      TimeStepper stepper(parameters.time, plate, *law, *integration, impactor);
-      ContactHistory history;
-      history.add(stepper.state());
-      for (unsigned int step = 0; step < stepper.n_steps(); ++step)
-        {
-          stepper.advance(); // throws where a value is not finite
-          history.add(stepper.state());
-        }
+      const ContactHistory history =
+        impact(parameters,
+               *mesh,
+               make_load_patch(parameters.contact, parameters.impactor.length));
       EXPECT_GT(history.peak().force, 0.);
       EXPECT_GE(history.n_contacts(), 1u);
       EXPECT_LT(history.relative_energy_drift(), 1e-9);
@@ -96,7 +82,14 @@ namespace PlateImpact
             integral += 0.5 *
               (history.states()[n].force + history.states()[n - 1].force) *
               (history.states()[n].time - history.states()[n - 1].time);
-          EXPECT_NEAR(integral / stepper.impulse(), 1., 1e-2);
+          const Impactor impactor = make_impactor(parameters.impactor);
+          const double   impulse  = impactor.mass *
+            (impactor.velocity - history.states().back().impactor_velocity);
+          // the velocity of a heavy impactor hardly changes: round-off
+          EXPECT_NEAR(integral,
+                      impulse,
+                      0.01 * integral +
+                        1e-15 * impactor.mass * impactor.velocity);
         }
     }
 
@@ -157,29 +150,14 @@ namespace PlateImpact
             overrides.push_back(body + "/Young's modulus=" + text(2.1e11 / s));
             overrides.push_back(body + "/Density=" + text(7800. / (s * s * s)));
           }
-        const Parameters   parameters = parameters_of({"", overrides, 500.});
-        const PlateElement element(parameters.discretization.element);
-        const auto         mesh =
+        const Parameters parameters = parameters_of({"", overrides, 500.});
+        const auto       mesh =
           make_plate_quadrant(parameters.plate,
                               parameters.discretization.initial_cells);
-        PlateModel model(*mesh, element, parameters.plate);
-        model.assemble();
-        MeshPlate   plate(model,
-                        model.load(make_load_patch(parameters.contact, 0.)),
-                        make_linear_solver("CHOLMOD"));
-        const auto  law         = make_contact_law(parameters);
-        const auto  integration = make_contact_integration("energy conserving");
-        TimeStepper stepper(parameters.time,
-                            plate,
-                            *law,
-                            *integration,
-                            make_impactor(parameters.impactor));
-        double      peak = 0.;
-        for (unsigned int step = 0; step < stepper.n_steps(); ++step)
-          {
-            stepper.advance();
-            peak = std::max(peak, stepper.state().force);
-          }
+        const double peak =
+          impact(parameters, *mesh, make_load_patch(parameters.contact, 0.))
+            .peak()
+            .force;
         return peak / s;
       };
       const double metres = peak_of(1.);

@@ -1,8 +1,6 @@
 // Whole impacts against the histories of series and Ritz solutions of high
 // order (tests/reference), computed through the library.
-#include "plate_impact/impactor.h"
 #include "plate_impact/scene.h"
-#include "plate_impact/time_stepper.h"
 #include "test_plate.h"
 
 namespace PlateImpact
@@ -19,39 +17,6 @@ namespace PlateImpact
                           "/reference/scene-interface.prm",
                         overrides)
         .parameters;
-    }
-
-
-
-    ContactHistory
-    impact(const Parameters             &parameters,
-           const Triangulation<2>       &mesh,
-           const std::vector<LoadPoint> &load,
-           const double                  multiplicity)
-    {
-      const PlateElement element(parameters.discretization.element);
-      PlateModel         model(mesh, element, parameters.plate, multiplicity);
-      model.assemble();
-      MeshPlate  plate(model,
-                      model.load(load),
-                      make_linear_solver(
-                        parameters.discretization.linear_solver));
-      const auto law = make_contact_law(parameters);
-      const auto integration =
-        make_contact_integration(parameters.contact.integration);
-      TimeStepper    stepper(parameters.time,
-                          plate,
-                          *law,
-                          *integration,
-                          make_impactor(parameters.impactor));
-      ContactHistory history;
-      history.add(stepper.state());
-      for (unsigned int step = 0; step < stepper.n_steps(); ++step)
-        {
-          stepper.advance();
-          history.add(stepper.state());
-        }
-      return history;
     }
 
 

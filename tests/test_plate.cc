@@ -6,6 +6,7 @@
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
 
+#include "plate_impact/impactor.h"
 #include "plate_impact/linear_solver.h"
 
 #include <Epetra_Vector.h>
@@ -136,6 +137,47 @@ namespace PlateImpact
           result(row, columns[k]) = values[k];
       }
     return result;
+  }
+
+
+
+  ContactHistory
+  run_to_end(TimeStepper &stepper)
+  {
+    ContactHistory history;
+    history.add(stepper.state());
+    for (unsigned int step = 0; step < stepper.n_steps(); ++step)
+      {
+        stepper.advance(); // throws where a value is not finite
+        history.add(stepper.state());
+      }
+    return history;
+  }
+
+
+
+  ContactHistory
+  impact(const Parameters             &parameters,
+         const Triangulation<2>       &mesh,
+         const std::vector<LoadPoint> &load,
+         const double                  multiplicity)
+  {
+    const PlateElement element(parameters.discretization.element);
+    PlateModel         model(mesh, element, parameters.plate, multiplicity);
+    model.assemble();
+    MeshPlate  plate(model,
+                    model.load(load),
+                    make_linear_solver(
+                      parameters.discretization.linear_solver));
+    const auto law = make_contact_law(parameters);
+    const auto integration =
+      make_contact_integration(parameters.contact.integration);
+    TimeStepper stepper(parameters.time,
+                        plate,
+                        *law,
+                        *integration,
+                        make_impactor(parameters.impactor));
+    return run_to_end(stepper);
   }
 
 

@@ -6,6 +6,7 @@
 #include "plate_impact/parameters.h"
 #include "plate_impact/plate_mesh.h"
 #include "plate_impact/plate_model.h"
+#include "plate_impact/time_stepper.h"
 
 #include <nlohmann/json.hpp>
 
@@ -46,6 +47,18 @@ namespace PlateImpact
 
   Eigen::MatrixXd
   dense(const Epetra_CrsMatrix &matrix);
+
+  /// The states at t = 0 and after every step to the end.
+  ContactHistory
+  run_to_end(TimeStepper &stepper);
+
+  /// An impact with the law, integration and impactor of a scene on a given
+  /// mesh.
+  ContactHistory
+  impact(const Parameters               &parameters,
+         const dealii::Triangulation<2> &mesh,
+         const std::vector<LoadPoint>   &load,
+         double                          multiplicity = 4.);
 
   /// A file of tests/reference.
   nlohmann::json

@@ -75,15 +75,8 @@ namespace PlateImpact
         const ContactIntegration &integration,
         const Impactor           &impactor)
     {
-      TimeStepper    stepper(time, plate, law, integration, impactor);
-      ContactHistory history;
-      history.add(stepper.state());
-      for (unsigned int step = 0; step < stepper.n_steps(); ++step)
-        {
-          stepper.advance();
-          history.add(stepper.state());
-        }
-      return history;
+      TimeStepper stepper(time, plate, law, integration, impactor);
+      return run_to_end(stepper);
     }
 
 

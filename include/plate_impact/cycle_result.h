@@ -18,6 +18,7 @@ namespace PlateImpact
     unsigned int linear_solves     = 0;
     unsigned int contact_steps     = 0; ///< with a force other than zero
     unsigned int estimator_samples = 0;
+    unsigned int ritz_vectors      = 0;
   };
 
   /// Wall time of the stages of a cycle. [s]
