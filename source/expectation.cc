@@ -150,8 +150,8 @@ namespace PlateImpact
       print_line(out,
                  "Time/End time",
                  "about ",
-                 1.2 * contact_time,
-                 " s covers the first contact; the scene's is ",
+                 1.5 * contact_time,
+                 " s usually covers the first contact; the scene's is ",
                  time.end_time,
                  " s");
       print_line(
