@@ -15,10 +15,6 @@ namespace PlateImpact
 {
   namespace
   {
-    const double pi = std::acos(-1.);
-
-
-
     /// A line of the page: a name and the parts of its sentence.
     template <typename... Parts>
     void
@@ -111,11 +107,9 @@ namespace PlateImpact
                  shorter_side / speed,
                  " s; before, the supports do not matter");
 
-      const double frequency  = pi / contact_time;
-      const double wavelength = 2. * pi / std::sqrt(frequency) *
-        std::pow(section.bending_stiffness(0, 0) / section.mass, 0.25);
-      const auto  &cells = parameters.discretization.initial_cells;
-      const double h     = 0.5 *
+      const double wavelength = contact_wave(section, contact_time).length;
+      const auto  &cells      = parameters.discretization.initial_cells;
+      const double h          = 0.5 *
         std::max(plate.side_lengths[0] / cells[0],
                  plate.side_lengths[1] / cells[1]);
       print_line(out,

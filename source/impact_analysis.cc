@@ -127,6 +127,7 @@ namespace PlateImpact
             std::vector<std::string> warnings;
             if (result.history)
               warnings = reliability_warnings(parameters,
+                                              *mesh,
                                               model->section(),
                                               *contact_law,
                                               result);
@@ -223,9 +224,10 @@ namespace PlateImpact
       }
     add_to(seconds.stepping);
 
-    result.history = std::move(history);
-    result.steps   = n_steps;
-    result.impulse = stepper.impulse();
+    result.history         = std::move(history);
+    result.steps           = n_steps;
+    result.impulse         = stepper.impulse();
+    result.separation_time = stepper.separation_time();
     result.work.factorizations += 1;
     result.work.linear_solves += stepper.n_linear_solves();
     result.work.contact_steps += stepper.n_contact_steps();

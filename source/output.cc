@@ -98,7 +98,9 @@ namespace PlateImpact
           if (const auto end = history.first_contact_end())
             cycle["first_contact_end"] = *end;
           cycle["number_of_contacts"] = history.n_contacts();
-          cycle["impulse"]            = result.impulse;
+          if (result.separation_time)
+            cycle["no_contact_after"] = *result.separation_time;
+          cycle["impulse"] = result.impulse;
           cycle["final_impactor_velocity"] =
             history.states().back().impactor_velocity;
           cycle["max_plate_displacement"] = history.max_plate_displacement();

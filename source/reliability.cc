@@ -1,6 +1,7 @@
 #include "plate_impact/reliability.h"
 
 #include "plate_impact/impactor.h"
+#include "plate_impact/plate_mesh.h"
 #include "plate_impact/zener.h"
 
 #include <algorithm>
@@ -57,7 +58,8 @@ namespace PlateImpact
                    time.time_step,
                    " s resolves a contact of about ",
                    contact_time,
-                   " s coarsely; for a peak force to 0.1 % choose at most ",
+                   " s, and the waves that it sends out, coarsely; for a peak "
+                   "force to 0.1 % choose at most ",
                    0.02 * contact_time,
                    " s"));
       const ContactState &last = result.history->states().back();
@@ -71,6 +73,57 @@ namespace PlateImpact
           sentence("the contact has not ended at Time/End time = ",
                    time.end_time,
                    " s"));
+      return warnings;
+    }
+
+
+
+    /// Largest cell that has its nearest vertex within a distance of the
+    /// impact. [m]
+    double
+    largest_cell_within(const dealii::Triangulation<2> &mesh,
+                        const double                    distance)
+    {
+      double largest = 0.;
+      for (const auto &cell : mesh.active_cell_iterators())
+        for (const unsigned int v : cell->vertex_indices())
+          if (cell->vertex(v).norm() < distance)
+            largest = std::max(largest, cell_size(cell));
+      return largest;
+    }
+
+
+
+    std::vector<std::string>
+    warn_of_resolution(const Parameters               &parameters,
+                       const dealii::Triangulation<2> &mesh,
+                       const BendingWave              &wave,
+                       const CycleResult              &result)
+    {
+      std::vector<std::string> warnings;
+      // a spread load excites no waves shorter than itself
+      const double length =
+        std::max(wave.length, 4. * parameters.contact.patch_radius);
+      const double size =
+        largest_cell_within(mesh, wave.group_speed * parameters.time.end_time);
+      const AdaptivityParameters &adaptivity = parameters.adaptivity;
+      const bool meets_target =
+        result.error && result.error->eta <= adaptivity.target_error;
+      if (size > 0.5 * length && !meets_target)
+        warnings.push_back(sentence("cells of ",
+                                    size,
+                                    " m do not resolve the bending waves of ",
+                                    length,
+                                    " m that the contact sends out; choose "
+                                    "cells of at most half of it"));
+      if (adaptivity.strategy != "none" && !meets_target)
+        warnings.push_back(sentence(
+          "eta is still ",
+          100. * result.error->eta,
+          " %, Adaptivity/Target error = ",
+          100. * adaptivity.target_error,
+          " % is not met; choose more Maximum cycles, a smaller Minimum "
+          "cell size or a larger target"));
       return warnings;
     }
 
@@ -134,10 +187,17 @@ namespace PlateImpact
       const ContactState &peak = result.history->peak();
       if (peak.force <= 0.)
         return warnings;
-      const double softer   = std::min(parameters.plate.youngs_modulus,
-                                     parameters.impactor.youngs_modulus);
+      // a nearly incompressible body is an elastomer, which does not yield
+      const bool plate_is_softer =
+        parameters.plate.youngs_modulus < parameters.impactor.youngs_modulus;
+      const double softer = plate_is_softer ?
+        parameters.plate.youngs_modulus :
+        parameters.impactor.youngs_modulus;
+      const bool   yields = (plate_is_softer ?
+                             parameters.plate.poissons_ratio :
+                             parameters.impactor.poissons_ratio) < 0.45;
       const double pressure = hertz_pressure(parameters, peak);
-      if (pressure > 0.03 * softer)
+      if (yields && pressure > 0.03 * softer)
         warnings.push_back(sentence(
           "the contact pressure reaches ",
           pressure,
@@ -158,17 +218,23 @@ namespace PlateImpact
 
 
   std::vector<std::string>
-  reliability_warnings(const Parameters   &parameters,
-                       const PlateSection &section,
-                       const ContactLaw   &law,
-                       const CycleResult  &result)
+  reliability_warnings(const Parameters               &parameters,
+                       const dealii::Triangulation<2> &mesh,
+                       const PlateSection             &section,
+                       const ContactLaw               &law,
+                       const CycleResult              &result)
   {
     const double contact_time =
       2. * zener_peak(law, make_impactor(parameters.impactor), section).time;
     std::vector<std::string> warnings =
       warn_of_time(parameters, contact_time, result);
     for (const auto &more :
-         {warn_of_mesh(parameters, result), warn_of_model(parameters, result)})
+         {warn_of_resolution(parameters,
+                             mesh,
+                             contact_wave(section, contact_time),
+                             result),
+          warn_of_mesh(parameters, result),
+          warn_of_model(parameters, result)})
       warnings.insert(warnings.end(), more.begin(), more.end());
     return warnings;
   }

@@ -86,31 +86,11 @@ namespace PlateImpact
     else
       increment.setZero(z.size()); // the plate is at rest
 
-    // contact
-    const double plate_free =
-      current.plate_displacement + plate.load().dot(increment);
-    const double impactor_free = impactor.displacement +
-      dt * impactor.velocity - dt * dt / impactor.mass * (0.5 - beta) * known;
-    const double at_begin   = integration.acts_at_begin() ? 1. : 0.;
-    const double compliance = (1. + c2 * at_begin) * unit_displacement +
-      dt * dt / impactor.mass * (beta + (0.5 - beta) * at_begin);
-    double phi;
-    try
-      {
-        phi = solve_contact(integration,
-                            law,
-                            current.indentation,
-                            impactor_free - plate_free,
-                            compliance);
-      }
-    catch (const ComputationError &error)
-      {
-        throw ComputationError("step " + std::to_string(step) + ": " +
-                               error.what());
-      }
+    const double phi = separated_at ? 0. : contact_force(known);
     if (phi != 0.)
       ++n_contacts;
 
+    const double at_begin    = integration.acts_at_begin() ? 1. : 0.;
     const double load_factor = (1. + c2 * at_begin) * phi;
     if (load_factor != 0.)
       {
@@ -120,6 +100,33 @@ namespace PlateImpact
     move_plate(phi);
     move_impactor(known + at_begin * phi, phi);
     update_state();
+  }
+
+
+
+  double
+  TimeStepper::contact_force(const double known) const
+  {
+    const double plate_free =
+      current.plate_displacement + plate.load().dot(increment);
+    const double impactor_free = impactor.displacement +
+      dt * impactor.velocity - dt * dt / impactor.mass * (0.5 - beta) * known;
+    const double at_begin   = integration.acts_at_begin() ? 1. : 0.;
+    const double compliance = (1. + c2 * at_begin) * unit_displacement +
+      dt * dt / impactor.mass * (beta + (0.5 - beta) * at_begin);
+    try
+      {
+        return solve_contact(integration,
+                             law,
+                             current.indentation,
+                             impactor_free - plate_free,
+                             compliance);
+      }
+    catch (const ComputationError &error)
+      {
+        throw ComputationError("step " + std::to_string(step) + ": " +
+                               error.what());
+      }
   }
 
 
@@ -188,6 +195,31 @@ namespace PlateImpact
                    step,
                    current.time);
     require_finite(current.total_energy(), "total energy", step, current.time);
+    if (!separated_at && is_out_of_reach())
+      separated_at = current.time;
+  }
+
+
+
+  bool
+  TimeStepper::is_out_of_reach() const
+  {
+    // other parameters do not keep the energy that bounds the displacement
+    if (beta != 0.25 || gamma != 0.5 || current.impactor_velocity > 0. ||
+        current.impactor_displacement >= 0.)
+      return false;
+    // beyond round-off in the energy, however far the impactor has flown
+    const double energy = (1. + 1e-6) * current.plate_energy;
+    return -current.impactor_displacement >
+      std::sqrt(2. * energy * plate.static_compliance());
+  }
+
+
+
+  std::optional<double>
+  TimeStepper::separation_time() const
+  {
+    return separated_at;
   }
 
 

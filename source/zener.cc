@@ -46,4 +46,16 @@ namespace PlateImpact
       }
     throw ComputationError("Zener's equation has no peak of the contact force");
   }
+
+
+
+  BendingWave
+  contact_wave(const PlateSection &section, const double contact_time)
+  {
+    const double pi        = std::acos(-1.);
+    const double frequency = pi / contact_time;
+    const double speed     = std::sqrt(frequency) *
+      std::pow(section.bending_stiffness(0, 0) / section.mass, 0.25);
+    return {2. * contact_time * speed, 2. * speed};
+  }
 } // namespace PlateImpact

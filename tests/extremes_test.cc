@@ -1,168 +1,150 @@
-// Stiff and extreme scenes, each on one mesh: finite, energy and momentum kept.
-#include "plate_impact/contact_law.h"
-#include "plate_impact/impactor.h"
-#include "plate_impact/plate_section.h"
-#include "plate_impact/scene.h"
-#include "plate_impact/time_stepper.h"
-#include "plate_impact/zener.h"
-#include "test_plate.h"
+// Stiff and extreme scenes, prm/extremes: finite, energy and momentum kept, the
+// numbers and warnings that each announces in its first lines.
+#include "program_fixture.h"
+
+#include <regex>
 
 namespace PlateImpact
 {
   namespace
   {
-    struct Extreme
+    std::vector<std::string>
+    extreme_scenes()
     {
-      std::string              name;
-      std::vector<std::string> overrides;
-      double                   steps_per_contact; ///< 0: keep the scene's step
+      std::vector<std::string> names;
+      for (const auto &entry : fs::directory_iterator(SCENES "/extremes"))
+        names.push_back(entry.path().stem().string());
+      std::sort(names.begin(), names.end());
+      return names;
+    }
+
+
+
+    class Extremes :
+      public Program,
+      public testing::WithParamInterface<std::string>
+    {
+    protected:
+      static std::string
+      path_of(const std::string &name)
+      {
+        return SCENES "/extremes/" + name + ".prm";
+      }
+
+      /// The rest of the line of a scene that begins with `# key:`.
+      static std::string
+      announced(const std::string &name, const std::string &key)
+      {
+        const std::string scene = text(path_of(name));
+        std::smatch       match;
+        if (!std::regex_search(scene,
+                               match,
+                               std::regex("# " + key + ": +(.*)")))
+          throw std::runtime_error(name + " does not say what it " + key);
+        return match[1];
+      }
+
+      /// Integral of the force over the history, by the trapezoidal rule.
+      /// [N s]
+      double
+      integral_of_force() const
+      {
+        std::istringstream history(text(results() / "contact_history.csv"));
+        std::string        line;
+        std::getline(history, line);
+        double integral = 0., last_time = 0., last_force = 0.;
+        while (std::getline(history, line))
+          {
+            const double time  = std::stod(line),
+                         force = std::stod(line.substr(line.find(',') + 1));
+            integral += 0.5 * (force + last_force) * (time - last_time);
+            last_time  = time;
+            last_force = force;
+          }
+        return integral;
+      }
     };
 
-    std::ostream &
-    operator<<(std::ostream &out, const Extreme &extreme)
+
+
+    TEST_P(Extremes, AreFiniteKeepEnergyAndWarn)
     {
-      return out << extreme.name;
+      ASSERT_EQ(run(path_of(GetParam())), 0) << err;
+      const auto last = last_cycle();
+      for (const auto &[key, value] : last.items())
+        EXPECT_TRUE(!value.is_number() || std::isfinite(value.get<double>()))
+          << key;
+      EXPECT_LT(last["relative_energy_drift"], 1e-9);
+      expect_near(last["peak_force"],
+                  std::stod(announced(GetParam(), "Expect")),
+                  2e-3);
+      // steps that do not resolve the contact leave no integral of the force
+      const bool is_coarse = err.find("coarsely") != std::string::npos;
+      if (!is_coarse)
+        expect_near(integral_of_force(), last["impulse"], 5e-3);
+
+      const auto         warnings = summary()["warnings"];
+      std::istringstream words(announced(GetParam(), "Warns"));
+      unsigned int       n_expected = 0;
+      for (std::string word; std::getline(words >> std::ws, word, ';');)
+        if (word != "nothing.")
+          {
+            if (word.back() == '.')
+              word.pop_back();
+            EXPECT_NE(err.find(word), std::string::npos) << word << '\n' << err;
+            ++n_expected;
+          }
+      EXPECT_EQ(warnings.size(), n_expected) << err;
     }
 
-
-
-    /// The steel case with entries changed, on 6 x 6 cells, over two contacts'
-    /// time of Zener's equation.
-    Parameters
-    parameters_of(const Extreme &extreme)
-    {
-      std::vector<std::string> overrides = {"Discretization/Initial cells=6,6",
-                                            "Discretization/Element=MITC9",
-                                            "Time/End time=1e-5",
-                                            "Time/Time step=1e-9"};
-      overrides.insert(overrides.end(),
-                       extreme.overrides.begin(),
-                       extreme.overrides.end());
-      const std::string scene =
-        std::string(TEST_DATA) + "/reference/scene-interface.prm";
-      Parameters parameters = read_scene(scene, overrides).parameters;
-      if (extreme.steps_per_contact > 0.)
-        {
-          const double contact_time = 2. *
-            zener_peak(*make_contact_law(parameters),
-                       make_impactor(parameters.impactor),
-                       PlateSection(parameters.plate))
-              .time;
-          parameters.time.time_step = contact_time / extreme.steps_per_contact;
-          parameters.time.end_time =
-            std::max(2. * contact_time, 5. * parameters.time.time_step);
-        }
-      return parameters;
-    }
+    INSTANTIATE_TEST_SUITE_P(All,
+                             Extremes,
+                             testing::ValuesIn(extreme_scenes()),
+                             [](const testing::TestParamInfo<std::string> &i) {
+                               return std::regex_replace(i.param,
+                                                         std::regex("-"),
+                                                         "_");
+                             });
 
 
 
-    class Extremes : public testing::TestWithParam<Extreme>
+    class ExtremesTogether : public Extremes
     {};
 
-    TEST_P(Extremes, StayFiniteAndKeepEnergyAndMomentum)
+    TEST_F(ExtremesTogether, UnitsDoNotMatter)
     {
-      const Parameters parameters = parameters_of(GetParam());
-      const auto       mesh =
-        make_plate_quadrant(parameters.plate,
-                            parameters.discretization.initial_cells);
-      const ContactHistory history =
-        impact(parameters,
-               *mesh,
-               make_load_patch(parameters.contact, parameters.impactor.length));
-      EXPECT_GT(history.peak().force, 0.);
-      EXPECT_GE(history.n_contacts(), 1u);
-      EXPECT_LT(history.relative_energy_drift(), 1e-9);
-
-      // the impulse by the forces of the history, where they resolve it
-      if (GetParam().steps_per_contact >= 200.)
-        {
-          double integral = 0.;
-          for (std::size_t n = 1; n < history.states().size(); ++n)
-            integral += 0.5 *
-              (history.states()[n].force + history.states()[n - 1].force) *
-              (history.states()[n].time - history.states()[n - 1].time);
-          const Impactor impactor = make_impactor(parameters.impactor);
-          const double   impulse  = impactor.mass *
-            (impactor.velocity - history.states().back().impactor_velocity);
-          // the velocity of a heavy impactor hardly changes: round-off
-          EXPECT_NEAR(integral,
-                      impulse,
-                      0.01 * integral +
-                        1e-15 * impactor.mass * impactor.velocity);
-        }
+      // lengths in mm and km at the same mass and time: forces scale with
+      // length
+      const auto peak = [&](const std::string &scene, const std::string &more) {
+        EXPECT_EQ(run(scene, more), 0) << err;
+        return last_cycle()["peak_force"].get<double>();
+      };
+      const double newton =
+        peak(main_scene, "--set 'Contact/Patch radius=0.0005'");
+      EXPECT_NEAR(peak(path_of("millimetres"), "") / newton, 1e3, 1e-6);
+      EXPECT_NEAR(peak(path_of("kilometres"), "") / newton, 1e-3, 1e-12);
     }
 
-    const std::vector<std::string> cylinder = {
-      "Impactor/Shape=cylinder",
-      "Contact/Law=line",
-      "Contact/Load distribution=line"};
-
-    INSTANTIATE_TEST_SUITE_P(
-      All,
-      Extremes,
-      testing::Values(
-        Extreme{"thick_plate", {"Plate/Thickness=0.04"}, 500.},
-        Extreme{"thin_plate_1e3", {"Plate/Thickness=2e-4"}, 500.},
-        Extreme{"thin_plate_1e5", {"Plate/Thickness=2e-6"}, 500.},
-        Extreme{"thin_plate_1e6", {"Plate/Thickness=2e-7"}, 500.},
-        Extreme{"light_impactor", {"Impactor/Mass=2.5e-6"}, 500.},
-        Extreme{"heavy_impactor", {"Impactor/Mass=2.5e6"}, 500.},
-        Extreme{"slow_impact", {"Impactor/Velocity=1e-6"}, 500.},
-        Extreme{"fast_impact", {"Impactor/Velocity=1e3"}, 500.},
-        Extreme{"rubber", {"Impactor/Young's modulus=1e7"}, 500.},
-        Extreme{"hard_impactor", {"Impactor/Young's modulus=2.1e13"}, 500.},
-        Extreme{"fine_steps", {}, 1e4},
-        Extreme{"step_of_half_a_contact", {}, 2.},
-        Extreme{"step_of_a_contact", {}, 1.},
-        Extreme{"step_of_20_contacts", {}, 0.05},
-        Extreme{"small_patch", {"Contact/Patch radius=8e-6"}, 500.},
-        Extreme{"large_patch", {"Contact/Patch radius=0.05"}, 500.},
-        Extreme{"long_plate", {"Plate/Side lengths=2,0.1"}, 500.},
-        Extreme{"cylinder", cylinder, 500.},
-        Extreme{"cylinder_with_steps_of_a_contact", cylinder, 1.},
-        Extreme{"cylinder_with_steps_of_20_contacts", cylinder, 0.05}),
-      [](const testing::TestParamInfo<Extreme> &info) {
-        return info.param.name;
-      });
 
 
-
-    TEST(Extremes, UnitsDoNotMatter)
+    TEST_F(ExtremesTogether, ThinPlatesAreSimilar)
     {
-      // lengths in millimetres or kilometres, stresses and densities
-      // accordingly, at the same mass and time: forces scale with length
-      const auto peak_of = [](const double s) {
-        const auto text = [](const double value) {
-          std::ostringstream out;
-          out.precision(17);
-          out << value;
-          return out.str();
-        };
-        std::vector<std::string> overrides = {
-          "Plate/Side lengths=" + text(0.2 * s) + "," + text(0.2 * s),
-          "Plate/Thickness=" + text(0.008 * s),
-          "Impactor/Radius=" + text(0.01 * s),
-          "Impactor/Velocity=" + text(s),
-          "Contact/Patch radius=" + text(0.0005 * s)};
-        for (const std::string body : {"Plate", "Impactor"})
-          {
-            overrides.push_back(body + "/Young's modulus=" + text(2.1e11 / s));
-            overrides.push_back(body + "/Density=" + text(7800. / (s * s * s)));
-          }
-        const Parameters parameters = parameters_of({"", overrides, 500.});
-        const auto       mesh =
-          make_plate_quadrant(parameters.plate,
-                              parameters.discretization.initial_cells);
-        const double peak =
-          impact(parameters, *mesh, make_load_patch(parameters.contact, 0.))
-            .peak()
-            .force;
-        return peak / s;
-      };
-      const double metres = peak_of(1.);
-      EXPECT_NEAR(peak_of(1e3) / metres, 1., 1e-9);
-      EXPECT_NEAR(peak_of(1e-3) / metres, 1., 1e-9);
+      // Kirchhoff: forces scale with the square of the thickness
+      ASSERT_EQ(run(path_of("thin-plate")), 0) << err;
+      const double thin = last_cycle()["peak_force"];
+      ASSERT_EQ(run(path_of("sheet")), 0) << err;
+      expect_near(last_cycle()["peak_force"], 0.01 * thin, 1e-3);
+    }
+
+
+
+    TEST_F(ExtremesTogether, CollocationGainsEnergyWhereTheStepIsCoarse)
+    {
+      ASSERT_EQ(run(path_of("step-of-20-contacts"),
+                    "--set Contact/Integration=collocation"),
+                0)
+        << err;
+      EXPECT_LT(last_cycle()["final_impactor_velocity"], -2.);
     }
   } // namespace
 } // namespace PlateImpact

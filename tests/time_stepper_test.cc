@@ -12,10 +12,14 @@ namespace PlateImpact
     class SpringPlate : public SemidiscretePlate
     {
     public:
-      SpringPlate(const double stiffness, const double mass, const double load)
+      SpringPlate(const double stiffness,
+                  const double mass,
+                  const double load,
+                  const bool   has_known_compliance = true)
         : k(stiffness)
         , m(mass)
         , u(Eigen::VectorXd::Constant(1, load))
+        , has_known_compliance(has_known_compliance)
       {}
 
       const Eigen::VectorXd &
@@ -43,9 +47,17 @@ namespace PlateImpact
         x = b / effective;
       }
 
+      double
+      static_compliance() const override
+      {
+        return has_known_compliance ? u[0] * u[0] / k :
+                                      SemidiscretePlate::static_compliance();
+      }
+
     private:
       const double          k, m;
       const Eigen::VectorXd u;
+      const bool            has_known_compliance;
       double                effective = 0.;
     };
 
@@ -232,6 +244,52 @@ namespace PlateImpact
         ball.mass * (ball.velocity - stepper.state().impactor_velocity);
       EXPECT_NEAR(stepper.impulse() / change, 1., 1e-12);
       EXPECT_NEAR(integral / change, 1., 1e-4);
+    }
+
+
+
+    /// A light plate strikes a heavy impactor several times.
+    SpringPlate
+    bouncing_plate(const bool has_known_compliance)
+    {
+      const double omega = 1. / exact_duration, mass = 0.2 * ball.mass;
+      return SpringPlate(omega * omega * mass, mass, 1., has_known_compliance);
+    }
+
+
+
+    TEST(TimeStepper, SeparatesForGoodOnlyAfterTheLastContact)
+    {
+      const TimeParameters time =
+        time_parameters(40. * exact_duration, exact_duration / 200.);
+      for (const ContactIntegration *integration :
+           std::initializer_list<const ContactIntegration *>{&conserving,
+                                                             &collocation})
+        {
+          SpringPlate known   = bouncing_plate(true),
+                      unknown = bouncing_plate(false);
+          TimeStepper with(time, known, law, *integration, ball),
+            without(time, unknown, law, *integration, ball);
+          const ContactHistory history  = run_to_end(with),
+                               complete = run_to_end(without);
+          EXPECT_GE(complete.n_contacts(), 3u);
+          EXPECT_LT(history.relative_energy_drift(),
+                    integration == &conserving ? 1e-11 : 1e-4);
+          EXPECT_FALSE(without.separation_time());
+          ASSERT_TRUE(with.separation_time());
+          bool had_gap = false;
+          for (std::size_t n = 0; n < history.states().size(); ++n)
+            {
+              const ContactState &state = history.states()[n];
+              EXPECT_EQ(state.indentation, complete.states()[n].indentation);
+              if (state.time >= *with.separation_time())
+                EXPECT_EQ(complete.states()[n].force, 0.);
+              else if (n > 0 && state.force == 0.)
+                had_gap = true;
+            }
+          EXPECT_TRUE(had_gap);
+          EXPECT_LT(*with.separation_time(), time.end_time);
+        }
     }
 
 

@@ -55,7 +55,8 @@ namespace PlateImpact
 
     std::optional<ContactHistory> history;
     unsigned int                  steps   = 0;
-    double                        impulse = 0.; ///< [N s]
+    double                        impulse = 0.;    ///< [N s]
+    std::optional<double>         separation_time; ///< no contact since [s]
     std::vector<Snapshot>         snapshots;
 
     Work    work;

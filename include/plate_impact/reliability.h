@@ -1,6 +1,8 @@
 #ifndef plate_impact_reliability_h
 #define plate_impact_reliability_h
 
+#include <deal.II/grid/tria.h>
+
 #include "plate_impact/contact_law.h"
 #include "plate_impact/cycle_result.h"
 #include "plate_impact/parameters.h"
@@ -15,10 +17,11 @@ namespace PlateImpact
   /// a sentence each, with numbers and advice. Empty for a result without an
   /// impactor.
   std::vector<std::string>
-  reliability_warnings(const Parameters   &parameters,
-                       const PlateSection &section,
-                       const ContactLaw   &law,
-                       const CycleResult  &result);
+  reliability_warnings(const Parameters               &parameters,
+                       const dealii::Triangulation<2> &mesh,
+                       const PlateSection             &section,
+                       const ContactLaw               &law,
+                       const CycleResult              &result);
 } // namespace PlateImpact
 
 #endif

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 #include <Epetra_CrsMatrix.h>
 
+#include <limits>
 #include <memory>
 
 namespace PlateImpact
@@ -34,6 +35,15 @@ namespace PlateImpact
     /// Solves (K + c M) x = b.
     virtual void
     solve(const Eigen::VectorXd &b, Eigen::VectorXd &x) = 0;
+
+    /// u^T K^-1 u, the displacement under a constant unit force, or any bound
+    /// above it; infinite where it costs more to know than knowing it saves,
+    /// and for a plate that is free to move. [m/N]
+    virtual double
+    static_compliance() const
+    {
+      return std::numeric_limits<double>::infinity();
+    }
   };
 
 

@@ -10,6 +10,8 @@
 
 #include <Eigen/Core>
 
+#include <optional>
+
 namespace PlateImpact
 {
   /// Integrates plate and impactor in time: Newmark's method for both and one
@@ -24,6 +26,11 @@ namespace PlateImpact
   /// contact sees of both is a number each. The vectors K z and M v follow from
   /// the solution of the step itself, so that a step costs one solve, one
   /// product with K, and the energies nothing but scalar products.
+  ///
+  /// Without a force the average-acceleration scheme keeps the plate's energy
+  /// E, and the displacement under the load never leaves +-sqrt(2 E c), c the
+  /// static compliance. An impactor that is beyond and flies away has left for
+  /// good.
   class TimeStepper
   {
   public:
@@ -56,6 +63,11 @@ namespace PlateImpact
     double
     impulse() const;
 
+    /// Time since when no further contact is possible; empty as long as one is,
+    /// or where that is not known. [s]
+    std::optional<double>
+    separation_time() const;
+
     /// Solves with the effective stiffness so far.
     unsigned int
     n_linear_solves() const;
@@ -65,12 +77,19 @@ namespace PlateImpact
     n_contact_steps() const;
 
   private:
+    /// The unknown force phi of the step for the increment without it.
+    /// @param known  force at the beginning that does not depend on its end
+    double
+    contact_force(double known) const;
     void
     move_plate(double end_force);
     void
     move_impactor(double begin_force, double end_force);
     void
     update_state();
+    /// Whether the plate can never reach the impactor again.
+    bool
+    is_out_of_reach() const;
 
     SemidiscretePlate        &plate;
     const ContactLaw         &law;
@@ -79,12 +98,13 @@ namespace PlateImpact
     const unsigned int        steps;
     const double              dt, c0, c1, c2;
 
-    Impactor     impactor;
-    ContactState current;
-    unsigned int step          = 0;
-    double       total_impulse = 0.;
-    unsigned int n_solves      = 0;
-    unsigned int n_contacts    = 0;
+    Impactor              impactor;
+    ContactState          current;
+    unsigned int          step          = 0;
+    double                total_impulse = 0.;
+    std::optional<double> separated_at;
+    unsigned int          n_solves   = 0;
+    unsigned int          n_contacts = 0;
 
     /// z, v, a and what follows from them; a is needed unless gamma = 2 beta
     Eigen::VectorXd z, v, a, Kz, Mv, Ma;

@@ -27,6 +27,20 @@ namespace PlateImpact
   zener_peak(const ContactLaw   &law,
              const Impactor     &impactor,
              const PlateSection &section);
+
+
+  /// The bending wave that a contact sends out.
+  struct BendingWave
+  {
+    double length;      ///< [m]
+    double group_speed; ///< [m/s]
+  };
+
+  /// The bending wave of a thin plate whose half period is the contact time:
+  /// omega = pi / contact time, phase speed sqrt(omega) (D / rho t)^{1/4},
+  /// group speed twice that (Graff, Wave Motion in Elastic Solids, sec. 4.2).
+  BendingWave
+  contact_wave(const PlateSection &section, double contact_time);
 } // namespace PlateImpact
 
 #endif

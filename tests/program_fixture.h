@@ -1,0 +1,108 @@
+#ifndef plate_impact_tests_program_fixture_h
+#define plate_impact_tests_program_fixture_h
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace PlateImpact
+{
+  namespace fs = std::filesystem;
+
+  /// The executable as a user runs it, in a directory of its own.
+  class Program : public testing::Test
+  {
+  protected:
+    Program()
+      : directory(fs::temp_directory_path() /
+                  ("plate-impact-" + std::to_string(getpid())))
+    {
+      fs::create_directories(directory);
+    }
+
+    ~Program() override
+    {
+      fs::remove_all(directory);
+    }
+
+    /// Runs the program with its results in `results()`.
+    /// @return its exit status
+    int
+    execute(const std::string &arguments)
+    {
+      const std::string command = std::string("'") + PROGRAM + "' " +
+        arguments + " > '" + (directory / "out").string() + "' 2> '" +
+        (directory / "err").string() + "'";
+      const int status = std::system(command.c_str());
+      out              = text(directory / "out");
+      err              = text(directory / "err");
+      return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    }
+
+    int
+    run(const std::string &scene, const std::string &more = "")
+    {
+      return execute("run '" + scene + "' --output '" + results().string() +
+                     "' " + more);
+    }
+
+    fs::path
+    results() const
+    {
+      return directory / "results";
+    }
+
+    nlohmann::json
+    summary() const
+    {
+      return nlohmann::json::parse(text(results() / "summary.json"));
+    }
+
+    nlohmann::json
+    last_cycle() const
+    {
+      return summary()["cycles"].back();
+    }
+
+    std::string
+    write_scene(const std::string &content)
+    {
+      const fs::path path = directory / "scene.prm";
+      std::ofstream(path) << content;
+      return path.string();
+    }
+
+    static std::string
+    text(const fs::path &path)
+    {
+      std::ifstream      in(path);
+      std::ostringstream content;
+      content << in.rdbuf();
+      return content.str();
+    }
+
+    const fs::path directory;
+    std::string    out, err;
+  };
+
+  inline void
+  expect_near(const nlohmann::json &value,
+              const nlohmann::json &expected,
+              const double          relative_tolerance)
+  {
+    EXPECT_NEAR(value.get<double>() / expected.get<double>(),
+                1.,
+                relative_tolerance);
+  }
+
+  const std::string main_scene = SCENES "/sphere-on-steel-plate.prm";
+} // namespace PlateImpact
+
+#endif
