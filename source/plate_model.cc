@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <stdexcept>
 
 namespace PlateImpact
@@ -77,6 +78,27 @@ namespace PlateImpact
           key[2 * (v - 1) + d] =
             std::lround((cell->vertex(v)[d] - cell->vertex(0)[d]) / tolerance);
       return key;
+    }
+
+
+
+    /// Unit coordinates of a point within a cell; empty when it lies outside.
+    std::optional<Point<2>>
+    position_in(const Triangulation<2>::active_cell_iterator &cell,
+                const Point<2>                               &point)
+    {
+      try
+        {
+          const Point<2> unit =
+            MappingQ1<2>().transform_real_to_unit_cell(cell, point);
+          if (GeometryInfo<2>::is_inside_unit_cell(unit, 1e-9))
+            return unit;
+        }
+      catch (const Mapping<2>::ExcTransformationFailed &)
+        {
+          // far outside of a distorted cell
+        }
+      return {};
     }
 
 
@@ -315,8 +337,7 @@ namespace PlateImpact
   Eigen::VectorXd
   PlateModel::load(const std::vector<LoadPoint> &points) const
   {
-    Eigen::VectorXd    u = Eigen::VectorXd::Zero(n_free);
-    const MappingQ1<2> mapping;
+    Eigen::VectorXd    u  = Eigen::VectorXd::Zero(n_free);
     const FESystem<2> &fe = plate_element.finite_element();
     std::vector<bool>  is_found(points.size(), false);
     unsigned int       n_found = 0;
@@ -329,9 +350,9 @@ namespace PlateImpact
         for (std::size_t p = 0; p < points.size(); ++p)
           if (!is_found[p] && box.point_inside(points[p].point, 1e-9))
             {
-              const Point<2> unit =
-                mapping.transform_real_to_unit_cell(cell, points[p].point);
-              if (!GeometryInfo<2>::is_inside_unit_cell(unit, 1e-9))
+              const std::optional<Point<2>> unit =
+                position_in(cell, points[p].point);
+              if (!unit)
                 continue;
               is_found[p] = true;
               ++n_found;
@@ -339,7 +360,7 @@ namespace PlateImpact
                 {
                   const int i = fe.component_to_system_index(deflection, node);
                   const double value =
-                    fe.base_element(0).shape_value(node, unit);
+                    fe.base_element(0).shape_value(node, *unit);
                   for (std::size_t k = first[i]; k < first[i + 1]; ++k)
                     u[contributions[k].unknown] +=
                       points[p].weight * value * contributions[k].weight;

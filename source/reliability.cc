@@ -107,7 +107,7 @@ namespace PlateImpact
       const double size =
         largest_cell_within(mesh, wave.group_speed * parameters.time.end_time);
       const AdaptivityParameters &adaptivity = parameters.adaptivity;
-      const bool meets_target =
+      const bool                  meets_target =
         result.error && result.error->eta <= adaptivity.target_error;
       if (size > 0.5 * length && !meets_target)
         warnings.push_back(sentence("cells of ",
@@ -193,9 +193,9 @@ namespace PlateImpact
       const double softer = plate_is_softer ?
         parameters.plate.youngs_modulus :
         parameters.impactor.youngs_modulus;
-      const bool   yields = (plate_is_softer ?
-                             parameters.plate.poissons_ratio :
-                             parameters.impactor.poissons_ratio) < 0.45;
+      const bool   yields =
+        (plate_is_softer ? parameters.plate.poissons_ratio :
+                           parameters.impactor.poissons_ratio) < 0.45;
       const double pressure = hertz_pressure(parameters, peak);
       if (yields && pressure > 0.03 * softer)
         warnings.push_back(sentence(

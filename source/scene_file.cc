@@ -131,6 +131,8 @@ namespace PlateImpact
         if (open_sections.empty())
           return mistake("'" + entry + "' is set outside of any subsection");
         const std::string &section = open_sections.back();
+        if (section.empty())
+          return; // its missing name is the mistake
 
         const std::string path     = section + "/" + entry;
         const auto [first, is_new] = first_set.insert({path, line_number});
@@ -174,17 +176,20 @@ namespace PlateImpact
   {
     const std::size_t equals = text.find('=');
     const std::size_t slash  = text.substr(0, equals).find('/');
-    if (equals == std::string::npos || slash == std::string::npos)
+    Assignment        assignment;
+    if (equals != std::string::npos && slash != std::string::npos)
+      assignment = {simplified(text.substr(0, slash)),
+                    simplified(text.substr(slash + 1, equals - slash - 1)),
+                    simplified(text.substr(equals + 1)),
+                    "--set"};
+    if (assignment.section.empty() || assignment.entry.empty())
       throw InputError(
         {"--set '" + text + "' is not of the form 'Section/Entry=value'"});
     if (text.find('#') != std::string::npos || !is_text(text))
       throw InputError({"--set '" + text +
                         "' holds a character that a scene cannot: '#' or a "
                         "control character"});
-    return {simplified(text.substr(0, slash)),
-            simplified(text.substr(slash + 1, equals - slash - 1)),
-            simplified(text.substr(equals + 1)),
-            "--set"};
+    return assignment;
   }
 
 

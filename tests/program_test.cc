@@ -254,6 +254,61 @@ namespace PlateImpact
 
 
 
+    TEST_F(Program, PathsThatAreNoFilesAreRefused)
+    {
+      EXPECT_EQ(run(directory.string()), 1);
+      EXPECT_EQ(err,
+                "plate-impact: " + directory.string() +
+                  ": the scene cannot be read\n");
+      EXPECT_EQ(execute("run '" + main_scene + "' --output /proc/results"), 2);
+      EXPECT_NE(err.find("/proc/results cannot be created"), std::string::npos)
+        << err;
+    }
+
+
+
+    TEST_F(Program, FullDiskLeavesValidFiles)
+    {
+      // a file system of 200 KB in a name space of its own: room for the files
+      // of the first cycle and not for those of the second
+      const std::string name_space =
+        std::system("unshare --mount true 2> /dev/null") == 0 ?
+        "unshare --mount" :
+        "unshare --map-root-user --mount";
+      if (std::system((name_space + " true 2> /dev/null").c_str()) != 0)
+        GTEST_SKIP() << "file systems cannot be mounted here";
+      fs::create_directories(directory / "disk");
+      const std::string script = "cd '" + directory.string() +
+        "' && mount -t tmpfs -o size=200k none disk && "
+        "{ '" PROGRAM "' run '" +
+        main_scene + "' --output disk/results 2> err > out; " +
+        "echo $? > status; cp -r disk/results results; }";
+      std::ofstream(directory / "script") << script;
+      ASSERT_EQ(std::system(
+                  (name_space + " sh '" + (directory / "script").string() + "'")
+                    .c_str()),
+                0);
+      EXPECT_EQ(text(directory / "status"), "2\n");
+      EXPECT_NE(text(directory / "err")
+                  .find("contact_history.csv cannot be "
+                        "written"),
+                std::string::npos)
+        << text(directory / "err");
+      bool has_first_cycle = false;
+      for (const auto &entry : fs::directory_iterator(results()))
+        {
+          EXPECT_NE(entry.path().extension(), ".incomplete") << entry;
+          has_first_cycle |= entry.path().filename() == "mesh_cycle_1.svg";
+          const bool is_summary = entry.path().filename() == "summary.json";
+          EXPECT_TRUE(!is_summary ||
+                      summary()["outcome"].get<std::string>().substr(0, 6) ==
+                        "failed");
+        }
+      EXPECT_TRUE(has_first_cycle);
+    }
+
+
+
     TEST_F(Program, FailedComputationNamesTheStepAndLeavesValidFiles)
     {
       // a plate so heavy that its matrices overflow

@@ -1,3 +1,4 @@
+#include "mutation.h"
 #include "plate_impact/exceptions.h"
 #include "plate_impact/scene.h"
 #include "plate_impact/scene_file.h"
@@ -12,46 +13,6 @@ namespace PlateImpact
 {
   namespace
   {
-    TEST(SceneFile, TakesAssignmentsApart)
-    {
-      std::istringstream in("\xEF\xBB\xBFsubsection Plate # the target\r\n"
-                            "\tset  Thickness   =  0.01   # [m]\r\n"
-                            "  set Support = clamped, simply supported\n"
-                            "end\n");
-      const SceneFile    file = scan_scene(in, "a.prm");
-      EXPECT_TRUE(file.mistakes.empty());
-      ASSERT_EQ(file.assignments.size(), 2u);
-      EXPECT_EQ(file.assignments[0].path(), "Plate/Thickness");
-      EXPECT_EQ(file.assignments[0].value, "0.01");
-      EXPECT_EQ(file.assignments[0].origin, "a.prm:2");
-      EXPECT_EQ(file.assignments[1].value, "clamped, simply supported");
-    }
-
-
-
-    TEST(SceneFile, ClosestNameIsOfferedForTyposOnly)
-    {
-      const std::vector<std::string> names = {"Thickness",
-                                              "Density",
-                                              "Support"};
-      EXPECT_EQ(closest_name("Thicknes", names), "Thickness");
-      EXPECT_EQ(closest_name("density", names), "Density");
-      EXPECT_EQ(closest_name("Colour", names), "");
-    }
-
-
-
-    TEST(SceneFile, OverridesAreSectionSlashEntryEqualsValue)
-    {
-      const Assignment a = parse_override("Time/End time = 1e-4");
-      EXPECT_EQ(a.path(), "Time/End time");
-      EXPECT_EQ(a.value, "1e-4");
-      EXPECT_THROW(parse_override("End time=1"), InputError);
-      EXPECT_THROW(parse_override("Time/End time"), InputError);
-    }
-
-
-
     class SceneText
     {
     public:
@@ -319,5 +280,24 @@ namespace PlateImpact
           "above 0\n"
           "scene:6: Time/End time = soon is not allowed; expected a number "
           "above 0"}));
+
+
+
+    TEST(Scene, AnyBytesAreAcceptedOrRefusedWithSentences)
+    {
+      Mutation     mutation(TEST_DATA "/broken", 2);
+      unsigned int n_accepted = 0;
+      for (unsigned int n = 0; n < 400; ++n)
+        {
+          const std::string content = mutation.next();
+          const std::string refusal = SceneText(content).refusal();
+          n_accepted += refusal == "accepted";
+          // a mistake a line, without deal.II's traces
+          EXPECT_EQ(refusal.find("Stacktrace"), std::string::npos) << content;
+          EXPECT_EQ(refusal.find("\n\n"), std::string::npos) << content;
+          EXPECT_FALSE(refusal.empty()) << content;
+        }
+      EXPECT_LT(n_accepted, 300u);
+    }
   } // namespace
 } // namespace PlateImpact
