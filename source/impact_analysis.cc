@@ -7,11 +7,13 @@
 #include "plate_impact/linear_solver.h"
 #include "plate_impact/plate_mesh.h"
 #include "plate_impact/reliability.h"
+#include "plate_impact/ritz_basis.h"
 #include "plate_impact/semidiscrete_plate.h"
 #include "plate_impact/time_stepper.h"
 
 #include <algorithm>
 #include <limits>
+#include <new>
 #include <sstream>
 
 namespace PlateImpact
@@ -81,6 +83,11 @@ namespace PlateImpact
     catch (const ComputationError &error)
       {
         output.write_failure(error.what());
+        throw;
+      }
+    catch (const std::bad_alloc &)
+      {
+        output.write_failure("not enough memory");
         throw;
       }
   }
@@ -178,16 +185,43 @@ namespace PlateImpact
     };
 
     model->assemble();
-    MeshPlate plate(*model,
-                    model->load(load_patch),
-                    make_linear_solver(
-                      parameters.discretization.linear_solver));
+    MeshPlate mesh_plate(*model,
+                         model->load(load_patch),
+                         make_linear_solver(
+                           parameters.discretization.linear_solver));
     add_to(seconds.assembly);
+    const Impactor             impactor = make_impactor(parameters.impactor);
+    std::unique_ptr<RitzBasis> basis;
+    std::optional<RitzPlate>   ritz_plate;
+    if (parameters.time.integrator == "Ritz vectors")
+      {
+        ++result.work.factorizations;
+        basis = settled_ritz_basis(mesh_plate,
+                                   model->section(),
+                                   parameters.time,
+                                   *contact_law,
+                                   *contact_integration,
+                                   impactor);
+        if (basis)
+          {
+            ritz_plate.emplace(*basis);
+            result.work.ritz_vectors  = basis->n_vectors();
+            result.work.linear_solves = basis->n_vectors();
+          }
+        add_to(seconds.stepping);
+      }
+    SemidiscretePlate &plate =
+      basis ? static_cast<SemidiscretePlate &>(*ritz_plate) : mesh_plate;
+    const auto unknowns = [&](const Eigen::VectorXd &z) -> Eigen::VectorXd {
+      if (!basis)
+        return z;
+      return basis->vectors() * ritz_plate->to_basis(z);
+    };
     TimeStepper stepper(parameters.time,
                         plate,
                         *contact_law,
                         *contact_integration,
-                        make_impactor(parameters.impactor));
+                        impactor);
     add_to(seconds.factorization);
     if (has_estimator)
       estimator =
@@ -213,11 +247,11 @@ namespace PlateImpact
         // steps at which k n_steps / n_fields passes a whole number
         if (std::uint64_t(step) * n_fields / n_steps >
             std::uint64_t(step - 1) * n_fields / n_steps)
-          result.snapshots.push_back({time, stepper.displacement()});
+          result.snapshots.push_back({time, unknowns(stepper.displacement())});
         if (has_estimator && (step % interval == 0 || step == n_steps))
           {
             add_to(seconds.stepping);
-            estimator->add_sample(time, stepper.displacement());
+            estimator->add_sample(time, unknowns(stepper.displacement()));
             add_to(seconds.estimation);
           }
         console.progress(result.cycle, step, n_steps);
@@ -228,8 +262,11 @@ namespace PlateImpact
     result.steps           = n_steps;
     result.impulse         = stepper.impulse();
     result.separation_time = stepper.separation_time();
-    result.work.factorizations += 1;
-    result.work.linear_solves += stepper.n_linear_solves();
+    if (!basis)
+      {
+        ++result.work.factorizations;
+        result.work.linear_solves += stepper.n_linear_solves();
+      }
     result.work.contact_steps += stepper.n_contact_steps();
   }
 

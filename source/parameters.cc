@@ -167,7 +167,14 @@ namespace PlateImpact
                      Allowed::one_of({"Newmark", "Ritz vectors"}),
                      time.integrator,
                      "What is integrated in time: the unknowns of "
-                     "the mesh or load-dependent Ritz vectors.");
+                     "the mesh or load-dependent Ritz vectors, where fewer "
+                     "of them than half of the steps suffice.");
+      schema.declare("Ritz tolerance",
+                     "1e-5",
+                     Allowed::number_above(0),
+                     time.ritz_tolerance,
+                     "Change of the force, as a fraction of its peak, below "
+                     "which no further Ritz vectors are added. [-]");
       schema.declare("Newmark beta",
                      "0.25",
                      positive,

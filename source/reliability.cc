@@ -73,6 +73,20 @@ namespace PlateImpact
           sentence("the contact has not ended at Time/End time = ",
                    time.end_time,
                    " s"));
+      else if (last.impactor_velocity > 0.)
+        warnings.push_back(
+          sentence("the impactor still moves towards the plate at Time/End "
+                   "time = ",
+                   time.end_time,
+                   " s: another contact follows, which may be harder"));
+      const double drift = result.history->relative_energy_drift();
+      if (drift > 1e-3)
+        warnings.push_back(
+          sentence("the total energy changes by ",
+                   100. * drift,
+                   " %, by collocation on coarse steps or by the damping of "
+                   "Newmark's parameters; choose Contact/Integration = energy "
+                   "conserving or a smaller step"));
       return warnings;
     }
 

@@ -113,7 +113,6 @@ namespace PlateImpact
     Checker::check_availability()
     {
       const std::vector<std::pair<std::string, std::string>> unavailable = {
-        {"Time/Integrator", "Ritz vectors"},
         {"Adaptivity/Strategy", "remeshing"}};
       for (const auto &[path, value] : unavailable)
         if (schema.value(path) == value)

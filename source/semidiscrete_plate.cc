@@ -6,6 +6,24 @@
 
 namespace PlateImpact
 {
+  namespace
+  {
+    void
+    multiply(const Epetra_CrsMatrix &matrix,
+             const Eigen::VectorXd  &x,
+             Eigen::VectorXd        &y)
+    {
+      y.resize(x.size());
+      const Epetra_Vector x_view(View,
+                                 matrix.DomainMap(),
+                                 const_cast<double *>(x.data()));
+      Epetra_Vector       y_view(View, matrix.RangeMap(), y.data());
+      matrix.Multiply(/*TransA=*/false, x_view, y_view);
+    }
+  } // namespace
+
+
+
   MeshPlate::MeshPlate(const PlateModel             &model,
                        const Eigen::VectorXd        &load,
                        std::unique_ptr<LinearSolver> solver)
@@ -28,13 +46,28 @@ namespace PlateImpact
   MeshPlate::multiply_stiffness(const Eigen::VectorXd &x,
                                 Eigen::VectorXd       &y) const
   {
-    y.resize(x.size());
-    const Epetra_CrsMatrix &K = model.stiffness();
-    const Epetra_Vector     x_view(View,
-                               K.DomainMap(),
-                               const_cast<double *>(x.data()));
-    Epetra_Vector           y_view(View, K.RangeMap(), y.data());
-    K.Multiply(/*TransA=*/false, x_view, y_view);
+    multiply(model.stiffness(), x, y);
+  }
+
+
+
+  void
+  MeshPlate::multiply_mass(const Eigen::VectorXd &x, Eigen::VectorXd &y) const
+  {
+    multiply(model.mass(), x, y);
+  }
+
+
+
+  void
+  MeshPlate::multiply_shifted(const double           c,
+                              const Eigen::VectorXd &x,
+                              Eigen::VectorXd       &y) const
+  {
+    Eigen::VectorXd Mx;
+    multiply_mass(x, Mx);
+    multiply_stiffness(x, y);
+    y += c * Mx;
   }
 
 

@@ -267,8 +267,6 @@ namespace PlateImpact
           "for a cylinder\n"
           "scene:2: Contact/Load distribution = Hertz disc does not fit a "
           "cylinder; expected line or strip"},
-        Mistake{in_section("Time", "set Integrator = Ritz vectors"),
-                "scene:2: Time/Integrator = Ritz vectors is not available yet"},
         Mistake{in_section("Sweep", "set Values 1 = 1, 2"),
                 "scene:2: Sweep/Values 1 = 1, 2 is not available yet"},
         Mistake{

@@ -187,5 +187,71 @@ namespace PlateImpact
                   reference_case("P5_cyl_clamped_strip0.5")["peak_force"],
                   5e-3);
     }
+
+
+
+    TEST_F(Scenes, RitzVectorsGiveTheHistoryOfTheMesh)
+    {
+      for (const std::string &scene : {main_scene, cylinder_scene})
+        {
+          ASSERT_EQ(run(scene,
+                        "--set Adaptivity/Strategy=none --set "
+                        "'Discretization/Initial cells=8,8'"),
+                    0)
+            << err;
+          const auto mesh = last_cycle();
+          ASSERT_EQ(run(scene,
+                        "--set Adaptivity/Strategy=none --set "
+                        "'Discretization/Initial cells=8,8' "
+                        "--set 'Time/Integrator=Ritz vectors'"),
+                    0)
+            << err;
+          const auto ritz = last_cycle();
+          expect_near(ritz["peak_force"], mesh["peak_force"], 2e-5);
+          expect_near(ritz["first_contact_end"],
+                      mesh["first_contact_end"],
+                      1e-4);
+          expect_near(ritz["discretization_error"],
+                      mesh["discretization_error"],
+                      1e-3);
+          EXPECT_LT(ritz["relative_energy_drift"], 1e-10);
+          EXPECT_EQ(ritz["work"]["linear_solves"],
+                    ritz["work"]["ritz_vectors"]);
+          EXPECT_LT(ritz["work"]["ritz_vectors"], 200);
+          EXPECT_FALSE(mesh.contains("no_contact_after"));
+        }
+    }
+
+
+
+    TEST_F(Scenes, ContactWorkEndsWhenNothingCanBringTheBodiesTogether)
+    {
+      const std::string setting =
+        "--set 'Time/End time=300e-6' --set Adaptivity/Strategy=none --set "
+        "'Output/Write report=false' --set 'Discretization/Initial cells=6,6' "
+        "--set 'Time/Integrator=Ritz vectors' ";
+      ASSERT_EQ(run(main_scene, setting), 0) << err;
+      const double end = last_cycle()["no_contact_after"];
+      EXPECT_GT(end, last_cycle()["first_contact_end"].get<double>());
+      EXPECT_LT(end, 290e-6);
+      // a plate that is free to move may follow the impactor
+      ASSERT_EQ(run(main_scene, setting + "--set Plate/Support=free"), 0)
+        << err;
+      EXPECT_FALSE(last_cycle().contains("no_contact_after"));
+    }
+
+
+
+    TEST_F(Scenes, SteppingOnTheMeshWhereRitzVectorsCostMore)
+    {
+      ASSERT_EQ(run(main_scene,
+                    "--set 'Time/Integrator=Ritz vectors' --set 'Time/Time "
+                    "step=2e-6' --set 'Adaptivity/Maximum cycles=2'"),
+                0)
+        << err;
+      EXPECT_EQ(last_cycle()["work"]["ritz_vectors"], 0);
+      EXPECT_EQ(last_cycle()["work"]["factorizations"], 2);
+      expect_near(last_cycle()["peak_force"], 1305.4, 2e-3);
+    }
   } // namespace
 } // namespace PlateImpact

@@ -53,6 +53,7 @@ namespace PlateImpact
     double      end_time;
     double      time_step;
     std::string integrator;
+    double      ritz_tolerance;
     double      newmark_beta;
     double      newmark_gamma;
   };

@@ -67,6 +67,16 @@ namespace PlateImpact
     void
     solve(const Eigen::VectorXd &b, Eigen::VectorXd &x) override;
 
+    /// y = M x.
+    void
+    multiply_mass(const Eigen::VectorXd &x, Eigen::VectorXd &y) const;
+
+    /// y = (K + c M) x.
+    void
+    multiply_shifted(double                 c,
+                     const Eigen::VectorXd &x,
+                     Eigen::VectorXd       &y) const;
+
   private:
     const PlateModel                 &model;
     const Eigen::VectorXd             u;

@@ -1,0 +1,136 @@
+#ifndef plate_impact_ritz_basis_h
+#define plate_impact_ritz_basis_h
+
+#include "plate_impact/plate_section.h"
+#include "plate_impact/semidiscrete_plate.h"
+#include "plate_impact/time_stepper.h"
+
+#include <Eigen/Core>
+
+#include <memory>
+
+namespace PlateImpact
+{
+  /// Load-dependent Ritz vectors of a plate (Wilson, Yuan & Dickens 1982,
+  /// doi:10.1002/eqe.4290100606; Nour-Omid & Clough 1984,
+  /// doi:10.1002/eqe.4290120410): since the contact force always has the same
+  /// shape u, the response stays close to the Krylov space of (K + sigma M)^-1
+  /// M that begins with the response (K + sigma M)^-1 u to the load itself. The
+  /// first vector is the static correction, which a basis of eigenmodes lacks.
+  ///
+  /// Lanczos' recurrence in the inner product of A = K + sigma M: with Q^T A Q
+  /// = I the projected mass T = Q^T M Q is tridiagonal, the projected stiffness
+  /// I - sigma T, and the load a multiple of the first unit vector; A times a
+  /// new vector is known before it is solved for. A vector costs one solve, one
+  /// product with M, and one look at all vectors before it, which keeps them
+  /// orthogonal (Simon 1984, doi:10.1090/S0025-5718-1984-0725988-X).
+  class RitzBasis
+  {
+  public:
+    /// Factorizes K + sigma M.
+    /// @param plate  must outlive the basis, which uses its factorization
+    /// @param sigma  1/s^2, above 0, so that plates that are free to move have
+    /// a
+    ///               basis too
+    RitzBasis(MeshPlate &plate, double sigma);
+
+    /// Adds vectors, one solve each, until there are n or, when the space is
+    /// exhausted, as many as there can be.
+    void
+    grow(unsigned int n);
+
+    unsigned int
+    n_vectors() const;
+
+    /// Whether further vectors would be round-off: the basis then holds
+    /// every motion that the load can excite.
+    bool
+    is_complete() const;
+
+    double
+    shift() const;
+
+    /// Unknowns of the plate by number of vectors.
+    Eigen::Ref<const Eigen::MatrixXd>
+    vectors() const;
+
+    /// Diagonal of T, the mass in the basis. [s^2]
+    Eigen::Ref<const Eigen::VectorXd>
+    mass_diagonal() const;
+
+    /// Its other diagonals. [s^2]
+    Eigen::Ref<const Eigen::VectorXd>
+    mass_subdiagonal() const;
+
+    /// The load in the basis, this times the first unit vector.
+    double
+    load() const;
+
+  private:
+    /// Adds a vector, unless nothing is left of it.
+    void
+    append();
+    /// Removes what round-off has left of earlier vectors in the candidate.
+    void
+    orthogonalize();
+    double
+    norm_of_candidate() const;
+
+    MeshPlate      &plate;
+    const double    sigma;
+    unsigned int    n         = 0;
+    bool            complete  = false;
+    double          load_norm = 0.;
+    Eigen::MatrixXd Q; ///< with room for more
+    Eigen::VectorXd diagonal, subdiagonal;
+    Eigen::VectorXd candidate, A_candidate; ///< becomes the next vector
+    Eigen::VectorXd A_last, A_before;       ///< A times the last two vectors
+    Eigen::VectorXd M_last;                 ///< M times the last vector
+  };
+
+
+  /// The plate in a basis of Ritz vectors, turned into the basis' own modes: K
+  /// and M are diagonal, and a solve costs a division per vector.
+  class RitzPlate : public SemidiscretePlate
+  {
+  public:
+    explicit RitzPlate(const RitzBasis &basis);
+
+    const Eigen::VectorXd &
+    load() const override;
+    void
+    multiply_stiffness(const Eigen::VectorXd &x,
+                       Eigen::VectorXd       &y) const override;
+    void
+    factorize(double c) override;
+    void
+    solve(const Eigen::VectorXd &b, Eigen::VectorXd &x) override;
+    double
+    static_compliance() const override;
+
+    /// Coordinates in the basis of coordinates in the modes, one column each.
+    Eigen::MatrixXd
+    to_basis(const Eigen::MatrixXd &modal) const;
+
+  private:
+    Eigen::MatrixXd modes; ///< in the basis
+    Eigen::VectorXd mass, stiffness, u, inverse;
+  };
+
+
+  /// A basis that is large enough: vectors are added until half as many again
+  /// change the force at no time by more than `time.ritz_tolerance` of its
+  /// peak.
+  /// @return nothing when that takes more solves than half of the steps, so
+  /// that
+  ///         stepping on the mesh is the cheaper way
+  std::unique_ptr<RitzBasis>
+  settled_ritz_basis(MeshPlate                &plate,
+                     const PlateSection       &section,
+                     const TimeParameters     &time,
+                     const ContactLaw         &law,
+                     const ContactIntegration &integration,
+                     const Impactor           &impactor);
+} // namespace PlateImpact
+
+#endif
