@@ -239,6 +239,11 @@ namespace PlateImpact
       if (!parameters.has_impactor())
         return;
       const Impactor impactor = make_impactor(parameters.impactor);
+      if (!std::isnormal(impactor.kinetic_energy()))
+        return refuse({"Impactor/Velocity", "Impactor/Mass", "Impactor/Radius"},
+                      "m/s gives the impactor an energy of " +
+                        in_words(impactor.kinetic_energy()) +
+                        " J, which is beyond what can be computed with");
       if (parameters.impactor.mass == 0.)
         schema.set("Impactor", "Mass", impactor.mass);
       ExpectedPeak peak;
