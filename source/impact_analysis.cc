@@ -48,17 +48,16 @@ namespace PlateImpact
 
 
 
-  ImpactAnalysis::ImpactAnalysis(const Scene &scene, Console &console)
-    : scene(scene)
-    , parameters(scene.parameters)
-    , console(console)
+  ImpactAnalysis::ImpactAnalysis(const Parameters &parameters,
+                                 const Progress   &progress)
+    : parameters(parameters)
+    , progress(progress)
     , has_estimator(parameters.has_impactor() &&
                     (parameters.adaptivity.strategy != "none" ||
                      parameters.output.write_report ||
                      parameters.output.field_samples > 0))
     , element(parameters.discretization.element)
-    , contact_law(parameters.has_impactor() ? make_contact_law(parameters) :
-                                              nullptr)
+    , law(parameters.has_impactor() ? make_contact_law(parameters) : nullptr)
     , contact_integration(
         make_contact_integration(parameters.contact.integration))
     , adaptation(parameters.has_impactor() ?
@@ -68,100 +67,30 @@ namespace PlateImpact
         parameters.has_impactor() ?
           make_load_patch(parameters.contact, parameters.impactor.length) :
           std::vector<LoadPoint>())
-  {}
-
-
-
-  void
-  ImpactAnalysis::run()
   {
-    Output output(scene);
-    try
-      {
-        run_cycles(output);
-      }
-    catch (const ComputationError &error)
-      {
-        output.write_failure(error.what());
-        throw;
-      }
-    catch (const std::bad_alloc &)
-      {
-        output.write_failure("not enough memory");
-        throw;
-      }
-  }
-
-
-
-  void
-  ImpactAnalysis::run_cycles(Output &output)
-  {
-    double seconds_for_mesh = 0.;
-    {
-      const Stopwatch stopwatch(seconds_for_mesh);
-      mesh = make_plate_quadrant(parameters.plate,
-                                 parameters.discretization.initial_cells);
-    }
-    console.begin(scene);
-    for (unsigned int cycle = 1;; ++cycle)
-      {
-        CycleResult result = compute_cycle(cycle, seconds_for_mesh);
-        output.write_cycle(result, *mesh);
-        std::optional<std::string> end = outcome(result);
-
-        seconds_for_mesh = 0.;
-        if (!end)
-          {
-            const Stopwatch stopwatch(seconds_for_mesh);
-            // the fields of a last mesh need its model: adapt a copy
-            auto adapted = std::make_unique<Triangulation<2>>();
-            adapted->copy_triangulation(*mesh);
-            if (adaptation->adapt(*adapted, *result.error))
-              {
-                estimator.reset();
-                model.reset();
-                mesh = std::move(adapted);
-              }
-            else
-              end = "mesh unchanged";
-          }
-        console.cycle(result);
-        if (end)
-          {
-            if (!result.snapshots.empty())
-              output.write_fields(result, *model, *estimator);
-            std::vector<std::string> warnings;
-            if (result.history)
-              warnings = reliability_warnings(parameters,
-                                              *mesh,
-                                              model->section(),
-                                              *contact_law,
-                                              result);
-            output.finish(*end, warnings);
-            console.end(*end, result, warnings, output.main_files());
-            return;
-          }
-      }
+    const Stopwatch stopwatch(seconds_for_mesh);
+    triangulation =
+      make_plate_quadrant(parameters.plate,
+                          parameters.discretization.initial_cells);
   }
 
 
 
   CycleResult
-  ImpactAnalysis::compute_cycle(const unsigned int cycle,
-                                const double       seconds_for_mesh)
+  ImpactAnalysis::compute_cycle()
   {
     CycleResult result;
-    result.cycle        = cycle;
+    result.cycle        = ++cycle;
     result.seconds.mesh = seconds_for_mesh;
     {
       const Stopwatch stopwatch(result.seconds.assembly);
-      model = std::make_unique<PlateModel>(*mesh, element, parameters.plate);
+      plate_model =
+        std::make_unique<PlateModel>(*triangulation, element, parameters.plate);
     }
-    result.cells              = mesh->n_active_cells();
-    result.degrees_of_freedom = model->n_unknowns();
+    result.cells              = triangulation->n_active_cells();
+    result.degrees_of_freedom = plate_model->n_unknowns();
     result.min_cell_size      = std::numeric_limits<double>::max();
-    for (const auto &cell : mesh->active_cell_iterators())
+    for (const auto &cell : triangulation->active_cell_iterators())
       result.min_cell_size = std::min(result.min_cell_size, cell_size(cell));
 
     // a plate at rest stays at rest
@@ -170,6 +99,56 @@ namespace PlateImpact
     if (has_estimator)
       estimate_error(result);
     return result;
+  }
+
+
+
+  bool
+  ImpactAnalysis::adapt(const CycleResult &result)
+  {
+    seconds_for_mesh = 0.;
+    const Stopwatch stopwatch(seconds_for_mesh);
+    // whoever keeps the last mesh needs its model: adapt a copy
+    auto adapted = std::make_unique<Triangulation<2>>();
+    adapted->copy_triangulation(*triangulation);
+    if (!adaptation->adapt(*adapted, *result.error))
+      return false;
+    error_estimator.reset();
+    plate_model.reset();
+    triangulation = std::move(adapted);
+    return true;
+  }
+
+
+
+  const Triangulation<2> &
+  ImpactAnalysis::mesh() const
+  {
+    return *triangulation;
+  }
+
+
+
+  const PlateModel &
+  ImpactAnalysis::model() const
+  {
+    return *plate_model;
+  }
+
+
+
+  const ErrorEstimator *
+  ImpactAnalysis::estimator() const
+  {
+    return error_estimator.get();
+  }
+
+
+
+  const ContactLaw *
+  ImpactAnalysis::contact_law() const
+  {
+    return law.get();
   }
 
 
@@ -184,9 +163,9 @@ namespace PlateImpact
       timer.restart();
     };
 
-    model->assemble();
-    MeshPlate mesh_plate(*model,
-                         model->load(load_patch),
+    plate_model->assemble();
+    MeshPlate mesh_plate(*plate_model,
+                         plate_model->load(load_patch),
                          make_linear_solver(
                            parameters.discretization.linear_solver));
     add_to(seconds.assembly);
@@ -197,9 +176,9 @@ namespace PlateImpact
       {
         ++result.work.factorizations;
         basis = settled_ritz_basis(mesh_plate,
-                                   model->section(),
+                                   plate_model->section(),
                                    parameters.time,
-                                   *contact_law,
+                                   *law,
                                    *contact_integration,
                                    impactor);
         if (basis)
@@ -219,13 +198,13 @@ namespace PlateImpact
     };
     TimeStepper stepper(parameters.time,
                         plate,
-                        *contact_law,
+                        *law,
                         *contact_integration,
                         impactor);
     add_to(seconds.factorization);
     if (has_estimator)
-      estimator =
-        std::make_unique<ErrorEstimator>(*model,
+      error_estimator =
+        std::make_unique<ErrorEstimator>(*plate_model,
                                          parameters.adaptivity.target_error,
                                          singular_cells(),
                                          line_load());
@@ -251,10 +230,11 @@ namespace PlateImpact
         if (has_estimator && (step % interval == 0 || step == n_steps))
           {
             add_to(seconds.stepping);
-            estimator->add_sample(time, unknowns(stepper.displacement()));
+            error_estimator->add_sample(time, unknowns(stepper.displacement()));
             add_to(seconds.estimation);
           }
-        console.progress(result.cycle, step, n_steps);
+        if (progress)
+          progress(result.cycle, step, n_steps);
       }
     add_to(seconds.stepping);
 
@@ -277,7 +257,7 @@ namespace PlateImpact
   {
     std::vector<unsigned int> cells;
     if (parameters.contact.load_distribution == "point")
-      for (const auto &cell : mesh->active_cell_iterators())
+      for (const auto &cell : triangulation->active_cell_iterators())
         if (cell->center().norm() < 0.5 * parameters.plate.thickness)
           cells.push_back(cell->active_cell_index());
     return cells;
@@ -302,9 +282,9 @@ namespace PlateImpact
   ImpactAnalysis::estimate_error(CycleResult &result)
   {
     const Stopwatch stopwatch(result.seconds.estimation);
-    result.error                  = estimator->estimate();
-    result.work.estimator_samples = estimator->n_samples();
-    for (const auto &cell : mesh->active_cell_iterators())
+    result.error                  = error_estimator->estimate();
+    result.work.estimator_samples = error_estimator->n_samples();
+    for (const auto &cell : triangulation->active_cell_iterators())
       if (result.error->element_errors[cell->active_cell_index()] >= 1.)
         {
           ++result.cells_above_limit;

@@ -4,7 +4,7 @@
 #include "plate_impact/console.h"
 #include "plate_impact/exceptions.h"
 #include "plate_impact/expectation.h"
-#include "plate_impact/impact_analysis.h"
+#include "plate_impact/run.h"
 #include "plate_impact/scene.h"
 #include "plate_impact/version.h"
 
@@ -36,7 +36,7 @@ namespace
   {
     const Scene scene = read_scene(path, overrides, output);
     Console     console(quiet);
-    ImpactAnalysis(scene, console).run();
+    run_scene(scene, console);
   }
 
 

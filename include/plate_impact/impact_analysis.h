@@ -3,17 +3,15 @@
 
 #include <deal.II/grid/tria.h>
 
-#include "plate_impact/console.h"
 #include "plate_impact/contact_law.h"
 #include "plate_impact/contact_solver.h"
 #include "plate_impact/cycle_result.h"
 #include "plate_impact/error_estimator.h"
 #include "plate_impact/load_patch.h"
 #include "plate_impact/mesh_adaptation.h"
-#include "plate_impact/output.h"
+#include "plate_impact/parameters.h"
 #include "plate_impact/plate_element.h"
 #include "plate_impact/plate_model.h"
-#include "plate_impact/scene.h"
 
 #include <functional>
 #include <memory>
@@ -26,24 +24,48 @@ namespace PlateImpact
   /// The adaptive computation of an impact (Table 1 of the paper): the whole
   /// transient on a mesh, its error, a better mesh, until the error is met. The
   /// history starts anew on every mesh, so that nothing is interpolated between
-  /// meshes and what belongs to one lives and dies with its cycle.
+  /// meshes and what belongs to one lives and dies with its cycle. It writes
+  /// nothing; run_scene() and the comparison of strategies decide what becomes
+  /// of a cycle.
   class ImpactAnalysis
   {
   public:
-    /// @param scene  must outlive the analysis
-    ImpactAnalysis(const Scene &scene, Console &console);
+    /// Told after every step: the cycle, the step and the number of steps.
+    using Progress =
+      std::function<void(unsigned int, unsigned int, unsigned int)>;
 
-    /// Computes and writes everything.
-    /// @throws ComputationError; files written so far are then valid, and
-    ///         summary.json tells of the failure
-    void
-    run();
+    /// Makes the first mesh.
+    /// @param parameters  must outlive the analysis
+    explicit ImpactAnalysis(const Parameters &parameters,
+                            const Progress   &progress = {});
+
+    /// The transient and its error on the present mesh.
+    /// @throws ComputationError naming step and quantity
+    CycleResult
+    compute_cycle();
+
+    /// Why the loop ends with this result; empty when it goes on.
+    std::optional<std::string>
+    outcome(const CycleResult &result) const;
+
+    /// Makes the mesh that a result asks for the present one, unless it is the
+    /// same again.
+    /// @return whether the mesh has changed
+    bool
+    adapt(const CycleResult &result);
+
+    /// The present mesh, and what was made on it; the law is null without an
+    /// impactor, the estimator where nothing asks for one.
+    const dealii::Triangulation<2> &
+    mesh() const;
+    const PlateModel &
+    model() const;
+    const ErrorEstimator *
+    estimator() const;
+    const ContactLaw *
+    contact_law() const;
 
   private:
-    void
-    run_cycles(Output &output);
-    CycleResult
-    compute_cycle(unsigned int cycle, double seconds_for_mesh);
     void
     run_transient(CycleResult &result);
     /// Cells nearer to a point load than half the thickness.
@@ -55,25 +77,22 @@ namespace PlateImpact
     void
     estimate_error(CycleResult &result);
 
-    /// Why the loop ends with this result; empty when it goes on.
-    std::optional<std::string>
-    outcome(const CycleResult &result) const;
-
-    const Scene                                    &scene;
     const Parameters                               &parameters;
-    Console                                        &console;
+    const Progress                                  progress;
     const bool                                      has_estimator;
     const PlateElement                              element;
-    const std::unique_ptr<const ContactLaw>         contact_law;
+    const std::unique_ptr<const ContactLaw>         law;
     const std::unique_ptr<const ContactIntegration> contact_integration;
     const std::unique_ptr<const MeshAdaptation>     adaptation;
     const std::vector<LoadPoint>                    load_patch;
 
-    std::unique_ptr<dealii::Triangulation<2>> mesh;
+    std::unique_ptr<dealii::Triangulation<2>> triangulation;
+    double       seconds_for_mesh = 0.; ///< to make the present one
+    unsigned int cycle            = 0;
 
     /// of the cycle; the estimator refers to the model, the model to the mesh
-    std::unique_ptr<PlateModel>     model;
-    std::unique_ptr<ErrorEstimator> estimator;
+    std::unique_ptr<PlateModel>     plate_model;
+    std::unique_ptr<ErrorEstimator> error_estimator;
   };
 } // namespace PlateImpact
 

@@ -1,0 +1,74 @@
+#include "plate_impact/run.h"
+
+#include "plate_impact/exceptions.h"
+#include "plate_impact/impact_analysis.h"
+#include "plate_impact/output.h"
+#include "plate_impact/reliability.h"
+
+#include <new>
+
+namespace PlateImpact
+{
+  namespace
+  {
+    void
+    run_cycles(const Scene &scene, Output &output, Console &console)
+    {
+      ImpactAnalysis analysis(scene.parameters,
+                              [&console](const auto cycle,
+                                         const auto step,
+                                         const auto n_steps) {
+                                console.progress(cycle, step, n_steps);
+                              });
+      console.begin(scene);
+      while (true)
+        {
+          CycleResult result = analysis.compute_cycle();
+          output.write_cycle(result, analysis.mesh());
+          std::optional<std::string> end = analysis.outcome(result);
+          if (!end && !analysis.adapt(result))
+            end = "mesh unchanged";
+          console.cycle(result);
+          if (!end)
+            continue;
+
+          if (!result.snapshots.empty())
+            output.write_fields(result,
+                                analysis.model(),
+                                *analysis.estimator());
+          std::vector<std::string> warnings;
+          if (result.history)
+            warnings = reliability_warnings(scene.parameters,
+                                            analysis.mesh(),
+                                            analysis.model().section(),
+                                            *analysis.contact_law(),
+                                            result);
+          output.finish(*end, warnings);
+          console.end(*end, result, warnings, output.main_files());
+          return;
+        }
+    }
+  } // namespace
+
+
+
+  void
+  run_scene(const Scene &scene, Console &console)
+  {
+    Output output(scene);
+    try
+      {
+        run_cycles(scene, output, console);
+      }
+    catch (const ComputationError &error)
+      {
+        output.write_failure(error.what());
+        throw;
+      }
+    catch (const std::bad_alloc &)
+      {
+        output.write_failure("not enough memory");
+        throw;
+      }
+  }
+} // namespace PlateImpact
