@@ -3,6 +3,9 @@
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/fe/mapping_q1.h>
 
+#include <Eigen/LU>
+#include <Eigen/QR>
+
 #include <algorithm>
 #include <cmath>
 
@@ -25,38 +28,20 @@ namespace PlateImpact
 
 
 
-    /// Resultants of strains, both 5 per point by any number of columns.
-    void
-    multiply_by_section(const PlateSection &section, Eigen::MatrixXd &values)
+    /// Five rows per point by n columns, of what is a row per point by 5 n.
+    Eigen::Map<const RowMajorMatrix>
+    by_resultant(const RowMajorMatrix &values)
     {
-      for (Eigen::Index q = 0; q < values.rows(); q += 5)
-        {
-          values.middleRows<3>(q) =
-            (section.bending_stiffness * values.middleRows<3>(q)).eval();
-          values.middleRows<2>(q + 3) *= section.shear_stiffness;
-        }
+      return {values.data(), 5 * values.rows(), values.cols() / 5};
     }
 
 
 
-    /// Samples to evaluate together: many make matrix products fast; on large
-    /// meshes, where one is work enough, few save memory.
-    unsigned int
-    buffer_size(const unsigned int n_cells)
-    {
-      return std::clamp(200000u / n_cells, 1u, 16u);
-    }
+    /// What the combinations of the states leave out, relative to them.
+    constexpr double span_tolerance = 1e-5;
 
-
-
-    std::vector<Point<2>>
-    corners()
-    {
-      std::vector<Point<2>> points;
-      for (const unsigned int v : GeometryInfo<2>::vertex_indices())
-        points.push_back(GeometryInfo<2>::unit_cell_vertex(v));
-      return points;
-    }
+    /// Cells times fields evaluated together, which bounds the memory.
+    constexpr double max_cells_by_fields = 1e6;
   } // namespace
 
 
@@ -76,9 +61,10 @@ namespace PlateImpact
     const std::function<bool(const Point<2> &)> &is_rough)
     : model(model)
     , target(target_error)
+    , stiffness(model.section().stiffness())
+    , root_of_compliance(model.section().root_of_compliance())
     , recovery(model.mesh(), is_rough)
     , is_counted(Eigen::VectorXd::Ones(model.mesh().n_active_cells()))
-    , buffer(model.n_unknowns(), buffer_size(model.mesh().n_active_cells()))
     , norm_integrals(Norms::Zero())
     , last_norms(Norms::Zero())
     , xi_integral(Eigen::VectorXd::Zero(model.mesh().n_active_cells()))
@@ -91,81 +77,135 @@ namespace PlateImpact
 
 
   void
-  ErrorEstimator::add_sample(const double time, const Eigen::VectorXd &unknowns)
+  ErrorEstimator::add_samples(const std::vector<double>               &times,
+                              const Eigen::Ref<const Eigen::MatrixXd> &unknowns)
   {
-    buffer.col(buffered_times.size()) = unknowns;
-    buffered_times.push_back(time);
-    ++samples;
-    if (buffered_times.size() == static_cast<std::size_t>(buffer.cols()))
-      evaluate_buffer();
-  }
-
-
-
-  Eigen::MatrixXd
-  ErrorEstimator::sampled_resultants(const Eigen::MatrixXd &unknowns) const
-  {
-    const unsigned int rows_per_cell =
-      StressRecovery::samples_per_cell * StressRecovery::n_resultants;
-    const unsigned int n_cells = model.mesh().n_active_cells();
-    Eigen::MatrixXd    samples(n_cells * rows_per_cell, unknowns.cols());
-    Eigen::MatrixXd    values;
-    for (unsigned int cell = 0; cell < n_cells; ++cell)
-      {
-        model.cell_values(cell, unknowns, values);
-        samples.middleRows(rows_per_cell * cell, rows_per_cell).noalias() =
-          model.shape(cell).strains_at_samples * values;
-      }
-    multiply_by_section(model.section(), samples);
-    return samples;
+    evaluate(times,
+             unknowns,
+             Eigen::MatrixXd::Identity(times.size(), times.size()));
   }
 
 
 
   void
-  ErrorEstimator::evaluate_buffer()
+  ErrorEstimator::add_samples(const std::vector<double>               &times,
+                              const Eigen::Ref<const Eigen::MatrixXd> &vectors,
+                              const Eigen::MatrixXd &coordinates)
   {
-    const unsigned int n_times = buffered_times.size();
-    if (n_times == 0)
-      return;
-    const auto            unknowns = buffer.leftCols(n_times);
-    const Eigen::MatrixXd coefficients =
-      recovery.coefficients(sampled_resultants(unknowns));
+    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr;
+    qr.setThreshold(span_tolerance);
+    qr.compute(coordinates);
+    const Eigen::Index    n = coordinates.rows(), span = qr.rank();
+    const Eigen::MatrixXd combinations =
+      qr.householderQ() * Eigen::MatrixXd::Identity(n, span);
+    const Eigen::MatrixXd in_combinations =
+      combinations.transpose() * coordinates;
 
-    const PlateSection          &section = model.section();
+    const Eigen::Index batch =
+      std::max<Eigen::Index>(1,
+                             max_cells_by_fields /
+                               model.mesh().n_active_cells());
+    if (span <= batch)
+      evaluate(times, vectors * combinations, in_combinations);
+    else
+      for (Eigen::Index first = 0; first < coordinates.cols(); first += batch)
+        {
+          const Eigen::Index size = std::min(batch, coordinates.cols() - first);
+          add_samples({times.begin() + first, times.begin() + first + size},
+                      vectors * coordinates.middleCols(first, size));
+        }
+  }
+
+
+
+  RowMajorMatrix
+  ErrorEstimator::at_points(
+    const unsigned int                       cell,
+    const Eigen::Matrix<double, 5, 5>       &factor,
+    const CellOperator                      &strains,
+    const Eigen::Ref<const Eigen::MatrixXd> &fields) const
+  {
+    CellOperator values(strains.rows(), strains.cols());
+    for (Eigen::Index row = 0; row < strains.rows(); row += 5)
+      values.middleRows<5>(row).noalias() = factor * strains.middleRows<5>(row);
+    Eigen::MatrixXd nodal_values;
+    model.cell_values(cell, fields, nodal_values);
+    RowMajorMatrix result(strains.rows() / 5, 5 * fields.cols());
+    Eigen::Map<RowMajorMatrix>(result.data(), strains.rows(), fields.cols())
+      .noalias() = values * nodal_values;
+    return result;
+  }
+
+
+
+  RowMajorMatrix
+  ErrorEstimator::recovered_coefficients(
+    const Eigen::Matrix<double, 5, 5>       &factor,
+    const Eigen::Ref<const Eigen::MatrixXd> &fields) const
+  {
+    const unsigned int per_cell = StressRecovery::samples_per_cell,
+                       n_cells  = model.mesh().n_active_cells();
+    RowMajorMatrix samples(per_cell * n_cells, 5 * fields.cols());
+    for (unsigned int cell = 0; cell < n_cells; ++cell)
+      samples.middleRows(per_cell * cell, per_cell) =
+        at_points(cell, factor, model.shape(cell).strains_at_samples, fields);
+    return recovery.coefficients(samples);
+  }
+
+
+
+  void
+  ErrorEstimator::evaluate(const std::vector<double>               &times,
+                           const Eigen::Ref<const Eigen::MatrixXd> &fields,
+                           const Eigen::MatrixXd                   &coordinates)
+  {
+    // Resultants s are scaled to R s, whose square is their energy: recovery is
+    // linear, and R mixes moments of the same parity only.
+    const Eigen::Matrix<double, 5, 5> factor = root_of_compliance * stiffness;
+    const RowMajorMatrix coefficients = recovered_coefficients(factor, fields);
     const std::vector<Point<2>> &unit_points =
       model.element().quadrature().get_points();
-    const unsigned int n_cells = model.mesh().n_active_cells();
-    Eigen::MatrixXd    e2      = Eigen::MatrixXd::Zero(n_cells, n_times);
-    Eigen::MatrixXd    u2      = e2;
-    Eigen::MatrixXd    values, resultants, recovered;
+    Eigen::MatrixXd e2(model.mesh().n_active_cells(), times.size());
+    // energies of pairs of fields
+    Eigen::MatrixXd counted_u2 =
+      Eigen::MatrixXd::Zero(fields.cols(), fields.cols());
+    Eigen::MatrixXd u2 = counted_u2;
+    RowMajorMatrix  recovered;
     for (const auto &cell : model.mesh().active_cell_iterators())
       {
         const unsigned int c     = cell->active_cell_index();
         const CellShape   &shape = model.shape(c);
-        model.cell_values(c, unknowns, values);
-        resultants.noalias() = shape.strains_at_quadrature * values;
-        multiply_by_section(section, resultants);
+        RowMajorMatrix     raw =
+          at_points(c, factor, shape.strains_at_quadrature, fields);
         recovery.evaluate(c,
                           unit_points,
                           to_real(cell, unit_points),
                           coefficients,
                           recovered);
-        recovered -= resultants;
-        for (unsigned int n = 0; n < n_times; ++n)
-          for (unsigned int q = 0; q < shape.weights.size(); ++q)
-            {
-              const double weight = shape.weights[q];
-              e2(c, n) += weight *
-                section.energy_density(recovered.col(n).segment<5>(5 * q));
-              u2(c, n) += weight *
-                section.energy_density(resultants.col(n).segment<5>(5 * q));
-            }
+        recovered -= raw;
+        for (unsigned int q = 0; q < shape.weights.size(); ++q)
+          {
+            raw.row(q) *= std::sqrt(shape.weights[q]);
+            recovered.row(q) *= std::sqrt(shape.weights[q]);
+          }
+        e2.row(c) =
+          (by_resultant(recovered) * coordinates).colwise().squaredNorm();
+        (is_counted[c] == 0. ? u2 : counted_u2)
+          .selfadjointView<Eigen::Upper>()
+          .rankUpdate(by_resultant(raw).transpose());
       }
-    update_max_stress(coefficients);
-    for (unsigned int n = 0; n < n_times; ++n)
-      integrate(buffered_times[n], e2.col(n), u2.col(n));
-    buffered_times.clear();
+    u2 += counted_u2;
+    update_max_stress(coefficients, coordinates);
+
+    samples += times.size();
+    for (std::size_t n = 0; n < times.size(); ++n)
+      {
+        const auto energy = [&](const Eigen::MatrixXd &energies) {
+          const Eigen::VectorXd state = coordinates.col(n);
+          return state.dot(energies.selfadjointView<Eigen::Upper>() * state);
+        };
+        integrate(times[n], e2.col(n), energy(counted_u2), energy(u2));
+      }
   }
 
 
@@ -173,12 +213,12 @@ namespace PlateImpact
   void
   ErrorEstimator::integrate(const double           time,
                             const Eigen::VectorXd &e2,
-                            const Eigen::VectorXd &u2)
+                            const double           counted_u2,
+                            const double           u2)
   {
-    const double counted_e2 = is_counted.dot(e2),
-                 counted_u2 = is_counted.dot(u2);
-    const Norms norms =
-      Norms(counted_e2, counted_e2 + counted_u2, e2.sum(), e2.sum() + u2.sum())
+    const double counted_e2 = is_counted.dot(e2);
+    const Norms  norms =
+      Norms(counted_e2, counted_e2 + counted_u2, e2.sum(), e2.sum() + u2)
         .cwiseSqrt();
     const double    e_m = target * norms[3] / std::sqrt(double(e2.size()));
     Eigen::VectorXd xi  = Eigen::VectorXd::Zero(e2.size());
@@ -196,25 +236,34 @@ namespace PlateImpact
 
 
   void
-  ErrorEstimator::update_max_stress(const Eigen::MatrixXd &coefficients)
+  ErrorEstimator::update_max_stress(const RowMajorMatrix  &coefficients,
+                                    const Eigen::MatrixXd &coordinates)
   {
-    Eigen::MatrixXd             recovered;
-    const std::vector<Point<2>> unit_points = corners();
+    const Eigen::Matrix3d unscaled =
+      root_of_compliance.topLeftCorner<3, 3>().inverse();
+    // at a vertex all cells recover the same
+    std::vector<bool> is_done(model.mesh().n_vertices());
+    RowMajorMatrix    recovered;
     for (const auto &cell : model.mesh().active_cell_iterators())
-      {
-        recovery.evaluate(cell->active_cell_index(),
-                          unit_points,
-                          to_real(cell, unit_points),
-                          coefficients,
-                          recovered);
-        for (Eigen::Index n = 0; n < recovered.cols(); ++n)
-          for (Eigen::Index q = 0; q < recovered.rows(); q += 5)
-            max_stress = std::max(
-              max_stress,
-              model.section().surface_von_mises_stress(recovered(q, n),
-                                                       recovered(q + 1, n),
-                                                       recovered(q + 2, n)));
-      }
+      for (const unsigned int v : cell->vertex_indices())
+        {
+          if (is_done[cell->vertex_index(v)])
+            continue;
+          is_done[cell->vertex_index(v)] = true;
+          recovery.evaluate(cell->active_cell_index(),
+                            {GeometryInfo<2>::unit_cell_vertex(v)},
+                            {cell->vertex(v)},
+                            coefficients,
+                            recovered);
+          const Eigen::MatrixXd moments =
+            unscaled * by_resultant(recovered).topRows<3>() * coordinates;
+          for (Eigen::Index n = 0; n < moments.cols(); ++n)
+            max_stress =
+              std::max(max_stress,
+                       model.section().surface_von_mises_stress(moments(0, n),
+                                                                moments(1, n),
+                                                                moments(2, n)));
+        }
   }
 
 
@@ -222,7 +271,6 @@ namespace PlateImpact
   ErrorEstimate
   ErrorEstimator::estimate()
   {
-    evaluate_buffer();
     ErrorEstimate result;
     if (norm_integrals[1] > 0.)
       {
@@ -245,11 +293,11 @@ namespace PlateImpact
     const Eigen::VectorXd       &unknowns,
     const std::vector<Point<2>> &unit_points) const
   {
-    const Eigen::MatrixXd coefficients =
-      recovery.coefficients(sampled_resultants(unknowns));
+    const RowMajorMatrix coefficients =
+      recovered_coefficients(stiffness, unknowns);
     Eigen::MatrixXd result(5 * unit_points.size(),
                            model.mesh().n_active_cells());
-    Eigen::MatrixXd values;
+    RowMajorMatrix  values;
     for (const auto &cell : model.mesh().active_cell_iterators())
       {
         const unsigned int c = cell->active_cell_index();
@@ -258,7 +306,7 @@ namespace PlateImpact
                           to_real(cell, unit_points),
                           coefficients,
                           values);
-        result.col(c) = values;
+        result.col(c) = by_resultant(values);
       }
     return result;
   }

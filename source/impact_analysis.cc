@@ -27,22 +27,67 @@ namespace PlateImpact
 
 
 
-    /// Adds the time until its end to a stage.
-    class Stopwatch
+    /// Charges the time since the last charge to a stage.
+    class StageClock
     {
     public:
-      explicit Stopwatch(double &seconds)
-        : seconds(seconds)
-      {}
-
-      ~Stopwatch()
+      void
+      charge(double &seconds)
       {
         seconds += timer.wall_time();
+        timer.restart();
       }
 
     private:
-      double     &seconds;
-      const Timer timer;
+      Timer timer;
+    };
+
+
+
+    /// States that wait to be judged together: many make matrix products fast;
+    /// on large meshes, where one is work enough, few save memory.
+    class WaitingStates
+    {
+    public:
+      /// @param reduced  the plate that the states belong to; null: the mesh
+      WaitingStates(const RitzPlate   *reduced,
+                    const unsigned int n_states,
+                    const unsigned int n_cells)
+        : reduced(reduced)
+        , limit(
+            std::min(n_states,
+                     reduced ? 500u : std::clamp(200000u / n_cells, 1u, 16u)))
+      {}
+
+      /// @return whether it is time to judge
+      bool
+      add(const double time, const Eigen::VectorXd &state)
+      {
+        if (states.size() == 0)
+          states.resize(state.size(), limit);
+        states.col(times.size()) = state;
+        times.push_back(time);
+        return times.size() == limit;
+      }
+
+      void
+      judge(ErrorEstimator &estimator)
+      {
+        if (times.empty())
+          return;
+        const auto waiting = states.leftCols(times.size());
+        if (reduced != nullptr)
+          estimator.add_samples(times, reduced->vectors(), waiting);
+        else
+          estimator.add_samples(times, waiting);
+        times.clear();
+      }
+
+    private:
+      const RitzPlate    *reduced;
+      const unsigned int  limit;
+      std::vector<double> times;
+      Eigen::MatrixXd     states;
     };
   } // namespace
 
@@ -68,10 +113,11 @@ namespace PlateImpact
           make_load_patch(parameters.contact, parameters.impactor.length) :
           std::vector<LoadPoint>())
   {
-    const Stopwatch stopwatch(seconds_for_mesh);
+    StageClock clock;
     triangulation =
       make_plate_quadrant(parameters.plate,
                           parameters.discretization.initial_cells);
+    clock.charge(seconds_for_mesh);
   }
 
 
@@ -82,11 +128,10 @@ namespace PlateImpact
     CycleResult result;
     result.cycle        = ++cycle;
     result.seconds.mesh = seconds_for_mesh;
-    {
-      const Stopwatch stopwatch(result.seconds.assembly);
-      plate_model =
-        std::make_unique<PlateModel>(*triangulation, element, parameters.plate);
-    }
+    StageClock clock;
+    plate_model =
+      std::make_unique<PlateModel>(*triangulation, element, parameters.plate);
+    clock.charge(result.seconds.assembly);
     result.cells              = triangulation->n_active_cells();
     result.degrees_of_freedom = plate_model->n_unknowns();
     result.min_cell_size      = std::numeric_limits<double>::max();
@@ -97,7 +142,7 @@ namespace PlateImpact
     if (parameters.has_impactor())
       run_transient(result);
     if (has_estimator)
-      estimate_error(result);
+      judge_mesh(result);
     return result;
   }
 
@@ -106,13 +151,14 @@ namespace PlateImpact
   bool
   ImpactAnalysis::adapt(const CycleResult &result)
   {
-    seconds_for_mesh = 0.;
-    const Stopwatch stopwatch(seconds_for_mesh);
+    StageClock clock;
     // whoever keeps the last mesh needs its model: adapt a copy
     auto adapted = std::make_unique<Triangulation<2>>();
     adapted->copy_triangulation(*triangulation);
     if (!adaptation->adapt(*adapted, *result.error))
       return false;
+    seconds_for_mesh = 0.;
+    clock.charge(seconds_for_mesh);
     error_estimator.reset();
     plate_model.reset();
     triangulation = std::move(adapted);
@@ -156,98 +202,106 @@ namespace PlateImpact
   void
   ImpactAnalysis::run_transient(CycleResult &result)
   {
-    Seconds   &seconds = result.seconds;
-    Timer      timer;
-    const auto add_to = [&timer](double &stage) {
-      stage += timer.wall_time();
-      timer.restart();
-    };
-
+    StageClock clock;
     plate_model->assemble();
     MeshPlate mesh_plate(*plate_model,
                          plate_model->load(load_patch),
                          make_linear_solver(
                            parameters.discretization.linear_solver));
-    add_to(seconds.assembly);
-    const Impactor             impactor = make_impactor(parameters.impactor);
-    std::unique_ptr<RitzBasis> basis;
-    std::optional<RitzPlate>   ritz_plate;
+    clock.charge(result.seconds.assembly);
+
+    const Impactor impactor = make_impactor(parameters.impactor);
+    RitzReduction  reduction(mesh_plate,
+                            plate_model->section(),
+                            parameters.time,
+                            has_estimator);
+    RitzPlate     *reduced = nullptr;
     if (parameters.time.integrator == "Ritz vectors")
       {
-        ++result.work.factorizations;
-        basis = settled_ritz_basis(mesh_plate,
-                                   plate_model->section(),
-                                   parameters.time,
-                                   *law,
-                                   *contact_integration,
-                                   impactor);
-        if (basis)
-          {
-            ritz_plate.emplace(*basis);
-            result.work.ritz_vectors  = basis->n_vectors();
-            result.work.linear_solves = basis->n_vectors();
-          }
-        add_to(seconds.stepping);
+        reduced = reduction.settle(*law, *contact_integration, impactor);
+        clock.charge(result.seconds.stepping);
       }
-    SemidiscretePlate &plate =
-      basis ? static_cast<SemidiscretePlate &>(*ritz_plate) : mesh_plate;
-    const auto unknowns = [&](const Eigen::VectorXd &z) -> Eigen::VectorXd {
-      if (!basis)
-        return z;
-      return basis->vectors() * ritz_plate->to_basis(z);
-    };
     TimeStepper stepper(parameters.time,
-                        plate,
+                        reduced != nullptr ?
+                          static_cast<SemidiscretePlate &>(*reduced) :
+                          mesh_plate,
                         *law,
                         *contact_integration,
                         impactor);
-    add_to(seconds.factorization);
+    clock.charge(result.seconds.factorization);
+    step_to_end(stepper, reduced, result);
+
+    result.work.factorizations = mesh_plate.n_factorizations();
+    result.work.ritz_vectors   = reduction.n_vectors();
+    result.work.linear_solves  = reduction.n_vectors() +
+      (reduced != nullptr ? 0 : stepper.n_linear_solves());
+  }
+
+
+
+  void
+  ImpactAnalysis::step_to_end(TimeStepper     &stepper,
+                              const RitzPlate *reduced,
+                              CycleResult     &result)
+  {
+    StageClock clock;
     if (has_estimator)
       error_estimator =
         std::make_unique<ErrorEstimator>(*plate_model,
                                          parameters.adaptivity.target_error,
                                          singular_cells(),
                                          line_load());
-    add_to(seconds.estimation);
-
     const unsigned int n_steps = stepper.n_steps();
     const unsigned int interval =
       std::clamp(n_steps / min_estimator_samples,
                  1u,
                  parameters.adaptivity.sampling_interval);
-    const unsigned int n_fields = parameters.output.field_samples;
-    ContactHistory     history;
+    WaitingStates waiting(reduced, n_steps / interval + 1, result.cells);
+    const auto    judge = [&] {
+      clock.charge(result.seconds.stepping);
+      waiting.judge(*error_estimator);
+      clock.charge(result.seconds.estimation);
+    };
+    clock.charge(result.seconds.estimation);
+
+    ContactHistory history;
     history.add(stepper.state());
     for (unsigned int step = 1; step <= n_steps; ++step)
       {
         stepper.advance();
         history.add(stepper.state());
-        const double time = stepper.state().time;
-        // steps at which k n_steps / n_fields passes a whole number
-        if (std::uint64_t(step) * n_fields / n_steps >
-            std::uint64_t(step - 1) * n_fields / n_steps)
-          result.snapshots.push_back({time, unknowns(stepper.displacement())});
-        if (has_estimator && (step % interval == 0 || step == n_steps))
-          {
-            add_to(seconds.stepping);
-            error_estimator->add_sample(time, unknowns(stepper.displacement()));
-            add_to(seconds.estimation);
-          }
+        if (is_snapshot(step, n_steps))
+          result.snapshots.push_back(
+            {stepper.state().time,
+             reduced ? reduced->vectors() * stepper.displacement() :
+                       stepper.displacement()});
+        if (has_estimator && (step % interval == 0 || step == n_steps) &&
+            waiting.add(stepper.state().time, stepper.displacement()))
+          judge();
         if (progress)
           progress(result.cycle, step, n_steps);
       }
-    add_to(seconds.stepping);
+    if (has_estimator)
+      judge();
+    else
+      clock.charge(result.seconds.stepping);
 
-    result.history         = std::move(history);
-    result.steps           = n_steps;
-    result.impulse         = stepper.impulse();
-    result.separation_time = stepper.separation_time();
-    if (!basis)
-      {
-        ++result.work.factorizations;
-        result.work.linear_solves += stepper.n_linear_solves();
-      }
-    result.work.contact_steps += stepper.n_contact_steps();
+    result.history            = std::move(history);
+    result.steps              = n_steps;
+    result.impulse            = stepper.impulse();
+    result.separation_time    = stepper.separation_time();
+    result.work.contact_steps = stepper.n_contact_steps();
+  }
+
+
+
+  bool
+  ImpactAnalysis::is_snapshot(const unsigned int step,
+                              const unsigned int n_steps) const
+  {
+    const std::uint64_t n_fields = parameters.output.field_samples;
+    // steps at which k n_steps / n_fields passes a whole number
+    return step * n_fields / n_steps > (step - 1) * n_fields / n_steps;
   }
 
 
@@ -279,9 +333,9 @@ namespace PlateImpact
 
 
   void
-  ImpactAnalysis::estimate_error(CycleResult &result)
+  ImpactAnalysis::judge_mesh(CycleResult &result)
   {
-    const Stopwatch stopwatch(result.seconds.estimation);
+    StageClock clock;
     result.error                  = error_estimator->estimate();
     result.work.estimator_samples = error_estimator->n_samples();
     for (const auto &cell : triangulation->active_cell_iterators())
@@ -291,6 +345,7 @@ namespace PlateImpact
           if (is_smallest(cell, parameters.adaptivity))
             ++result.cells_at_minimum_size;
         }
+    clock.charge(result.seconds.estimation);
   }
 
 

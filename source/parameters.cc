@@ -163,18 +163,21 @@ namespace PlateImpact
                      time.time_step,
                      "Shortened where End time is not a multiple of it. [s]");
       schema.declare("Integrator",
-                     "Newmark",
+                     "Ritz vectors",
                      Allowed::one_of({"Newmark", "Ritz vectors"}),
                      time.integrator,
-                     "What is integrated in time: the unknowns of "
-                     "the mesh or load-dependent Ritz vectors, where fewer "
-                     "of them than half of the steps suffice.");
+                     "What Newmark's method integrates: the unknowns of the "
+                     "mesh (Newmark), or their coordinates in load-dependent "
+                     "Ritz vectors, as many as the force needs; on the mesh "
+                     "nevertheless where that takes more of them than half "
+                     "of the steps.");
       schema.declare("Ritz tolerance",
                      "1e-5",
                      Allowed::number_above(0),
                      time.ritz_tolerance,
                      "Change of the force, as a fraction of its peak, below "
-                     "which no further Ritz vectors are added. [-]");
+                     "which no further Ritz vectors are added: a root mean "
+                     "square over the contact. [-]");
       schema.declare("Newmark beta",
                      "0.25",
                      positive,

@@ -1,5 +1,6 @@
 #include "plate_impact/plate_section.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 
 #include <cmath>
@@ -30,6 +31,28 @@ namespace PlateImpact
     const auto M = resultants.head<3>();
     const auto Q = resultants.tail<2>();
     return M.dot(bending_compliance * M) + Q.squaredNorm() / shear_stiffness;
+  }
+
+
+
+  Eigen::Matrix<double, 5, 5>
+  PlateSection::stiffness() const
+  {
+    Eigen::Matrix<double, 5, 5> matrix = Eigen::Matrix<double, 5, 5>::Zero();
+    matrix.topLeftCorner<3, 3>()       = bending_stiffness;
+    matrix(3, 3) = matrix(4, 4) = shear_stiffness;
+    return matrix;
+  }
+
+
+
+  Eigen::Matrix<double, 5, 5>
+  PlateSection::root_of_compliance() const
+  {
+    Eigen::Matrix<double, 5, 5> root = Eigen::Matrix<double, 5, 5>::Zero();
+    root.topLeftCorner<3, 3>()       = bending_compliance.llt().matrixU();
+    root(3, 3) = root(4, 4) = 1. / std::sqrt(shear_stiffness);
+    return root;
   }
 
 

@@ -3,8 +3,6 @@
 #include "plate_impact/exceptions.h"
 #include "plate_impact/zener.h"
 
-#include <Eigen/Eigenvalues>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,15 +13,16 @@ namespace PlateImpact
   RitzBasis::RitzBasis(MeshPlate &plate, const double sigma)
     : plate(plate)
     , sigma(sigma)
-  {
-    plate.factorize(sigma);
-  }
+  {}
 
 
 
   void
   RitzBasis::grow(const unsigned int n_wanted)
   {
+    if (n_wanted <= n || complete)
+      return;
+    plate.factorize(sigma);
     if (n_wanted > Q.cols())
       {
         Q.conservativeResize(plate.load().size(), n_wanted);
@@ -163,20 +162,57 @@ namespace PlateImpact
 
 
 
-  RitzPlate::RitzPlate(const RitzBasis &basis)
+  namespace
   {
-    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
-    solver.computeFromTridiagonal(basis.mass_diagonal(),
-                                  basis.mass_subdiagonal());
-    if (solver.info() != Eigen::Success)
-      throw ComputationError("the modes of the Ritz vectors were not found");
-    modes = solver.eigenvectors();
-    u     = basis.load() * modes.row(0);
-    // round-off can make zeros negative: masses of the fastest modes,
-    // stiffnesses of rigid motions
-    mass      = solver.eigenvalues().cwiseMax(0.);
-    stiffness = (1. - basis.shift() * mass.array()).cwiseMax(0.);
-  }
+    /// y = A x for a symmetric tridiagonal matrix.
+    void
+    multiply_tridiagonal(const Eigen::VectorXd &diagonal,
+                         const Eigen::VectorXd &beside,
+                         const Eigen::VectorXd &x,
+                         Eigen::VectorXd       &y)
+    {
+      const Eigen::Index n = beside.size();
+      y                    = diagonal.cwiseProduct(x);
+      y.head(n) += beside.cwiseProduct(x.tail(n));
+      y.tail(n) += beside.cwiseProduct(x.head(n));
+    }
+
+
+
+    /// (K^-1)_11, from pivots that end at the first row; infinite unless all
+    /// eigenvalues lie beyond what round-off leaves of the unit matrix.
+    double
+    first_of_inverse(const Eigen::VectorXd &diagonal,
+                     const Eigen::VectorXd &beside)
+    {
+      const double round_off = 1e-13;
+      double       pivot     = 0.;
+      for (Eigen::Index i = diagonal.size() - 1; i >= 0; --i)
+        {
+          const double eliminated =
+            i < beside.size() ? beside[i] * beside[i] / pivot : 0.;
+          pivot = diagonal[i] - round_off - eliminated;
+          if (pivot <= 0.)
+            return std::numeric_limits<double>::infinity();
+        }
+      return 1. / pivot;
+    }
+  } // namespace
+
+
+
+  RitzPlate::RitzPlate(const RitzBasis &basis, const unsigned int n)
+    : basis(basis)
+    , u(basis.load() * Eigen::VectorXd::Unit(n, 0))
+    , mass(basis.mass_diagonal().head(n))
+    , mass_beside(basis.mass_subdiagonal().head(n - 1))
+    , stiffness(1. - basis.shift() * mass.array())
+    , stiffness_beside(-basis.shift() * mass_beside)
+    , compliance(1.001 * u[0] * u[0] *
+                 first_of_inverse(stiffness, stiffness_beside))
+    , inverse_pivots(n)
+    , factor(n)
+  {}
 
 
 
@@ -192,7 +228,7 @@ namespace PlateImpact
   RitzPlate::multiply_stiffness(const Eigen::VectorXd &x,
                                 Eigen::VectorXd       &y) const
   {
-    y = stiffness.cwiseProduct(x);
+    multiply_tridiagonal(stiffness, stiffness_beside, x, y);
   }
 
 
@@ -200,7 +236,14 @@ namespace PlateImpact
   void
   RitzPlate::factorize(const double c)
   {
-    inverse = (stiffness + c * mass).cwiseInverse();
+    inverse_pivots[0] = 1. / (stiffness[0] + c * mass[0]);
+    for (Eigen::Index i = 1; i < mass.size(); ++i)
+      {
+        const double beside = stiffness_beside[i - 1] + c * mass_beside[i - 1];
+        factor[i]           = beside * inverse_pivots[i - 1];
+        inverse_pivots[i] =
+          1. / (stiffness[i] + c * mass[i] - factor[i] * beside);
+      }
   }
 
 
@@ -208,7 +251,13 @@ namespace PlateImpact
   void
   RitzPlate::solve(const Eigen::VectorXd &b, Eigen::VectorXd &x)
   {
-    x = inverse.cwiseProduct(b);
+    const Eigen::Index n = mass.size();
+    x                    = b;
+    for (Eigen::Index i = 1; i < n; ++i)
+      x[i] -= factor[i] * x[i - 1];
+    x.array() *= inverse_pivots.array();
+    for (Eigen::Index i = n - 1; i > 0; --i)
+      x[i - 1] -= factor[i] * x[i];
   }
 
 
@@ -216,28 +265,25 @@ namespace PlateImpact
   double
   RitzPlate::static_compliance() const
   {
-    // a stiffness is known to round-off of 1, not of itself
-    if (stiffness.minCoeff() < 1e-13)
-      return std::numeric_limits<double>::infinity();
-    return 1.001 * u.cwiseAbs2().dot(stiffness.cwiseInverse());
+    return compliance;
   }
 
 
 
-  Eigen::MatrixXd
-  RitzPlate::to_basis(const Eigen::MatrixXd &modal) const
+  Eigen::Ref<const Eigen::MatrixXd>
+  RitzPlate::vectors() const
   {
-    return modes * modal;
+    return basis.vectors().leftCols(mass.size());
   }
 
 
 
   namespace
   {
-    /// Share of the last third of the vectors in the displacements, in the norm
-    /// of K + sigma M, below which they serve the error estimator: measured,
-    /// eta is then that of the mesh to better than 1 % of itself.
-    constexpr double displacement_tolerance = 1e-3;
+    /// Share of the vectors added last in the displacements, in the norm of
+    /// K + sigma M, below which fields are right: measured, eta is then that
+    /// of the mesh to better than 1 % of itself.
+    constexpr double field_tolerance = 1e-2;
 
 
 
@@ -246,87 +292,152 @@ namespace PlateImpact
     {
       std::vector<double> forces; ///< after every step
 
-      /// Largest norm over time of the displacements in the last third of the
-      /// vectors, relative to that in all of them.
-      double tail = 0.;
+      /// Largest norm over time of the displacements in the vectors beyond the
+      /// first `n_before`, relative to that in all of them.
+      double share_of_new = 0.;
     };
 
     Trial
-    try_impact(const RitzBasis          &basis,
+    try_impact(RitzPlate                &plate,
+               const Eigen::Index        n_before,
                const TimeParameters     &time,
                const ContactLaw         &law,
                const ContactIntegration &integration,
                const Impactor           &impactor)
     {
-      RitzPlate          plate(basis);
       TimeStepper        stepper(time, plate, law, integration, impactor);
-      const unsigned int n_tail   = basis.n_vectors() / 3,
-                         interval = std::max(1u, stepper.n_steps() / 100);
-      double all = 0., tail = 0.;
-      Trial  result;
+      const unsigned int interval = std::max(1u, stepper.n_steps() / 100);
+      double             in_all = 0., in_new = 0.;
+      Trial              result;
+      result.forces.reserve(stepper.n_steps());
       for (unsigned int step = 1; step <= stepper.n_steps(); ++step)
         {
           stepper.advance();
           result.forces.push_back(stepper.state().force);
           if (step % interval != 0 && step != stepper.n_steps())
             continue;
-          const Eigen::VectorXd z = plate.to_basis(stepper.displacement());
-          all                     = std::max(all, z.norm());
-          tail                    = std::max(tail, z.tail(n_tail).norm());
+          const Eigen::VectorXd &z = stepper.displacement();
+          in_all                   = std::max(in_all, z.norm());
+          in_new = std::max(in_new, z.tail(z.size() - n_before).norm());
         }
-      if (all > 0.)
-        result.tail = tail / all;
+      if (in_all > 0.)
+        result.share_of_new = in_new / in_all;
       return result;
     }
 
 
 
-    /// Largest difference of two histories, relative to the peak of the second.
+    /// Root mean square over the contact of the difference of two histories,
+    /// relative to the peak of the second.
     double
     relative_difference(const std::vector<double> &a,
                         const std::vector<double> &b)
     {
-      double largest = 0.;
+      double       sum = 0., peak = 0.;
+      unsigned int n_contact = 0;
       for (std::size_t n = 0; n < b.size(); ++n)
-        largest = std::max(largest, std::abs(a[n] - b[n]));
-      const double peak = *std::max_element(b.begin(), b.end());
-      return peak > 0. ? largest / peak : largest;
+        if (a[n] != 0. || b[n] != 0.)
+          {
+            sum += (a[n] - b[n]) * (a[n] - b[n]);
+            peak = std::max(peak, b[n]);
+            ++n_contact;
+          }
+      if (n_contact == 0)
+        return 0.;
+      return std::sqrt(sum / n_contact) / peak;
     }
   } // namespace
 
 
 
-  std::unique_ptr<RitzBasis>
-  settled_ritz_basis(MeshPlate                &plate,
-                     const PlateSection       &section,
-                     const TimeParameters     &time,
-                     const ContactLaw         &law,
-                     const ContactIntegration &integration,
-                     const Impactor           &impactor)
+  namespace
+  {
+    double
+    frequency(const int half_octave)
+    {
+      return std::exp2(0.5 * half_octave);
+    }
+  } // namespace
+
+
+
+  RitzReduction::RitzReduction(MeshPlate            &plate,
+                               const PlateSection   &section,
+                               const TimeParameters &time,
+                               const bool            needs_fields)
+    : plate(plate)
+    , section(section)
+    , time(time)
+    , needs_fields(needs_fields)
+  {}
+
+
+
+  RitzPlate *
+  RitzReduction::settle(const ContactLaw         &law,
+                        const ContactIntegration &integration,
+                        const Impactor           &impactor)
   {
     // Vectors resolve frequencies around the root of sigma best. The force is
     // smooth enough for those beyond about a hundred over the contact time not
-    // to matter, and 40 pi measured best between 5 and 100 pi.
+    // to matter, and 40 pi measured best between 5 and 100 pi: so flat that the
+    // next in a coarse sequence serves as well, and impactors share bases.
     const double contact_time = 2. * zener_peak(law, impactor, section).time;
-    const double frequency    = 40. * std::acos(-1.) / contact_time;
-    auto basis = std::make_unique<RitzBasis>(plate, frequency * frequency);
+    const int    half_octave =
+      std::lround(2. * std::log2(40. * std::acos(-1.) / contact_time));
 
+    // Waves run along the string of vectors at this speed: until the end time
+    // fields take in three quarters of the distance, as measured, and a force
+    // about as many as waves can come back from.
+    const double distance = frequency(half_octave) * time.end_time;
+    const double n_first =
+      std::max(16., (needs_fields ? 0.5 : 0.25) * distance);
     // beyond half as many solves as steps the steps themselves are cheaper
-    const double        n_steps = time.end_time / time.time_step;
-    std::vector<double> previous;
-    for (double n = 16.; n == 16. || n <= 0.5 * n_steps; n = 1.5 * n)
+    const double        n_most = 0.5 * time.end_time / time.time_step;
+    std::vector<double> before;
+    Eigen::Index        n_before = 0;
+    for (double n = n_first; n <= std::max(n_most, 16.); n = 1.25 * n)
       {
-        basis->grow(static_cast<unsigned int>(n));
-        Trial trial = try_impact(*basis, time, law, integration, impactor);
+        const unsigned int n_wanted = static_cast<unsigned int>(n);
+        RitzPlate         &reduced  = reduced_plate(half_octave, n_wanted);
+        Trial              trial =
+          try_impact(reduced, n_before, time, law, integration, impactor);
         // The force is a scalar product of displacements with the load, and
         // settles before they do.
-        const bool is_settled = !previous.empty() &&
-          trial.tail <= displacement_tolerance &&
-          relative_difference(previous, trial.forces) <= time.ritz_tolerance;
-        if (basis->is_complete() || is_settled)
-          return basis;
-        previous = std::move(trial.forces);
+        const bool is_settled = n_before > 0 &&
+          relative_difference(before, trial.forces) <= time.ritz_tolerance &&
+          (!needs_fields || trial.share_of_new <= field_tolerance);
+        n_before = reduced.load().size();
+        before   = std::move(trial.forces);
+        // fewer than wanted: there are no more
+        if (is_settled || n_before < n_wanted)
+          return &reduced;
       }
     return nullptr;
+  }
+
+
+
+  RitzPlate &
+  RitzReduction::reduced_plate(const int half_octave, const unsigned int n)
+  {
+    const double omega = frequency(half_octave);
+    RitzBasis   &basis =
+      bases.try_emplace(half_octave, plate, omega * omega).first->second;
+    basis.grow(n);
+    return reduced_plates
+      .try_emplace({half_octave, n}, basis, std::min(n, basis.n_vectors()))
+      .first->second;
+  }
+
+
+
+  unsigned int
+  RitzReduction::n_vectors() const
+  {
+    unsigned int n = 0;
+    for (const auto &[half_octave, basis] : bases)
+      n += basis.n_vectors();
+    return n;
   }
 } // namespace PlateImpact

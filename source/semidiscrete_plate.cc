@@ -75,6 +75,9 @@ namespace PlateImpact
   void
   MeshPlate::factorize(const double c)
   {
+    if (c == factorized_for)
+      return;
+    factorized_for      = -1.;
     effective_stiffness = std::make_unique<Epetra_CrsMatrix>(model.stiffness());
 
     // K and M have the same entries in the same order
@@ -86,6 +89,16 @@ namespace PlateImpact
     };
     values(*effective_stiffness) += c * values(model.mass());
     solver->factorize(*effective_stiffness);
+    factorized_for = c;
+    ++factorizations;
+  }
+
+
+
+  unsigned int
+  MeshPlate::n_factorizations() const
+  {
+    return factorizations;
   }
 
 

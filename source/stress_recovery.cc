@@ -237,31 +237,29 @@ namespace PlateImpact
 
 
 
-  Eigen::MatrixXd
-  StressRecovery::coefficients(const Eigen::MatrixXd &samples) const
+  RowMajorMatrix
+  StressRecovery::coefficients(const RowMajorMatrix &samples) const
   {
-    Eigen::MatrixXd result(n_terms * n_resultants * patches.size(),
-                           samples.cols());
-    Eigen::MatrixXd patch_samples;
+    const Eigen::Index n_fields = samples.cols() / n_resultants;
+    RowMajorMatrix     result(n_terms * patches.size(), samples.cols());
+    RowMajorMatrix     patch_samples;
     for (unsigned int p = 0; p < patches.size(); ++p)
       {
         const Patch &patch = patches[p];
         patch_samples.resize(patch.fit.cols(), samples.cols());
-        for (unsigned int k = 0; k < n_resultants; ++k)
+        for (unsigned int i = 0; i < patch.images.size(); ++i)
           {
-            for (unsigned int i = 0; i < patch.images.size(); ++i)
-              {
-                const Image &image = patch.images[i];
-                const double sign =
-                  parity(k, image.mirrored_x, image.mirrored_y);
-                for (unsigned int g = 0; g < samples_per_cell; ++g)
-                  patch_samples.row(samples_per_cell * i + g) = sign *
-                    samples.row(
-                      n_resultants * (samples_per_cell * image.cell + g) + k);
-              }
-            result.middleRows<n_terms>(n_terms * (n_resultants * p + k))
-              .noalias() = patch.fit * patch_samples;
+            const Image &image = patch.images[i];
+            auto         rows =
+              patch_samples.middleRows<samples_per_cell>(samples_per_cell * i);
+            rows = samples.middleRows<samples_per_cell>(samples_per_cell *
+                                                        image.cell);
+            for (unsigned int k = 0; k < n_resultants; ++k)
+              if (parity(k, image.mirrored_x, image.mirrored_y) < 0.)
+                rows.middleCols(n_fields * k, n_fields) *= -1.;
           }
+        result.middleRows<n_terms>(n_terms * p).noalias() =
+          patch.fit * patch_samples;
       }
     return result;
   }
@@ -272,27 +270,28 @@ namespace PlateImpact
   StressRecovery::evaluate(const unsigned int           cell,
                            const std::vector<Point<2>> &unit_points,
                            const std::vector<Point<2>> &points,
-                           const Eigen::MatrixXd       &coefficients,
-                           Eigen::MatrixXd             &values) const
+                           const RowMajorMatrix        &coefficients,
+                           RowMajorMatrix              &values) const
   {
     const unsigned int n_points = unit_points.size();
-    values.setZero(n_resultants * n_points, coefficients.cols());
+    values.setZero(n_points, coefficients.cols());
+    Eigen::VectorXd blend(n_points);
     Eigen::MatrixXd weights(n_points, n_terms);
     for (unsigned int v = 0; v < 4; ++v)
       {
+        for (unsigned int q = 0; q < n_points; ++q)
+          blend[q] =
+            GeometryInfo<2>::d_linear_shape_function(unit_points[q], v);
+        if (blend.isZero(0.))
+          continue;
         const auto &used = patches_of_vertex[vertices_of_cell[cell][v]];
         for (const unsigned int p : used)
           {
             for (unsigned int q = 0; q < n_points; ++q)
-              weights.row(q) =
-                GeometryInfo<2>::d_linear_shape_function(unit_points[q], v) /
-                used.size() *
+              weights.row(q) = blend[q] / used.size() *
                 polynomial(patches[p].centre, patches[p].size, points[q]);
-            for (unsigned int k = 0; k < n_resultants; ++k)
-              values(Eigen::seqN(k, n_points, int(n_resultants)), Eigen::all) +=
-                weights *
-                coefficients.middleRows<n_terms>(n_terms *
-                                                 (n_resultants * p + k));
+            values.noalias() +=
+              weights * coefficients.middleRows<n_terms>(n_terms * p);
           }
       }
   }

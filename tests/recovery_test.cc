@@ -22,20 +22,20 @@ namespace PlateImpact
     {
       const MappingQ1<2> mapping;
       const QGauss<2>    gauss(2);
-      Eigen::MatrixXd    samples(20 * mesh.n_active_cells(), 1);
+      RowMajorMatrix     samples(4 * mesh.n_active_cells(), 5);
       for (const auto &cell : mesh.active_cell_iterators())
         for (unsigned int g = 0; g < 4; ++g)
-          samples.block<5, 1>(20 * cell->active_cell_index() + 5 * g, 0) =
+          samples.row(4 * cell->active_cell_index() + g) =
             field(mapping.transform_unit_to_real_cell(cell, gauss.point(g)));
 
       const StressRecovery  recovery(mesh);
-      const Eigen::MatrixXd coefficients = recovery.coefficients(samples);
+      const RowMajorMatrix  coefficients = recovery.coefficients(samples);
       std::vector<Point<2>> unit_points;
       for (const double x : {0., 0.3, 0.5, 1.})
         for (const double y : {0., 0.5, 0.8, 1.})
           unit_points.emplace_back(x, y);
-      double          error = 0., largest = 0.;
-      Eigen::MatrixXd values;
+      double         error = 0., largest = 0.;
+      RowMajorMatrix values;
       for (const auto &cell : mesh.active_cell_iterators())
         {
           std::vector<Point<2>> points;
@@ -51,7 +51,7 @@ namespace PlateImpact
               const Resultants exact = field(points[q]);
               error                  = std::max(
                 error,
-                (values.block<5, 1>(5 * q, 0) - exact).cwiseAbs().maxCoeff());
+                (values.row(q).transpose() - exact).cwiseAbs().maxCoeff());
               largest = std::max(largest, exact.cwiseAbs().maxCoeff());
             }
         }
@@ -177,7 +177,7 @@ namespace PlateImpact
           const PlateElement element(name);
           const PlateModel   model(*mesh, element, unit_plate("free", 0.1), 1.);
           ErrorEstimator     estimator(model, 0.05);
-          estimator.add_sample(1., model.interpolate(field));
+          estimator.add_samples({1.}, model.interpolate(field));
           const ErrorEstimate estimate = estimator.estimate();
           EXPECT_LT(estimate.eta, 1e-10) << name;
           EXPECT_LT(estimate.max_element_error(), 1e-8) << name;
@@ -192,7 +192,7 @@ namespace PlateImpact
       const PlateElement element("heterosis");
       const PlateModel   model(*mesh, element, unit_plate("clamped", 0.1), 1.);
       ErrorEstimator     estimator(model, 0.05);
-      estimator.add_sample(1., Eigen::VectorXd::Zero(model.n_unknowns()));
+      estimator.add_samples({1.}, Eigen::VectorXd::Zero(model.n_unknowns()));
       EXPECT_EQ(estimator.estimate().eta, 0.);
       EXPECT_EQ(estimator.estimate().max_element_error(), 0.);
     }
@@ -210,9 +210,9 @@ namespace PlateImpact
         return Field::Values{{std::sin(3. * p[0]), p[1] * p[1] * p[1], 0.}};
       }));
       ErrorEstimator        once(model, 0.05), often(model, 0.05);
-      once.add_sample(2., z);
+      once.add_samples({2.}, z);
       for (unsigned int n = 1; n <= 40; ++n)
-        often.add_sample(0.1 * n, (n + 1) * z);
+        often.add_samples({0.1 * n}, (n + 1) * z);
       EXPECT_NEAR(often.estimate().eta / once.estimate().eta, 1., 1e-12);
       // xi is constant but at t = 0, where it is 0: half an interval is lost
       EXPECT_NEAR(once.estimate().element_errors[4] /
@@ -281,7 +281,7 @@ namespace PlateImpact
                          std::cos(numbers::PI * p[1]);
                      })));
       ErrorEstimator estimator(model, 0.05);
-      estimator.add_sample(1., z);
+      estimator.add_samples({1.}, z);
       const ErrorEstimate estimate = estimator.estimate();
 
       const NavierPlate    exact(model.section());

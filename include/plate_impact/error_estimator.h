@@ -65,9 +65,24 @@ namespace PlateImpact
       const std::vector<unsigned int>                     &singular_cells = {},
       const std::function<bool(const dealii::Point<2> &)> &is_rough       = {});
 
-    /// Takes the unknowns of the plate at a time later than those before [s].
+    /// Takes states of the plate at times later than those before. All are
+    /// evaluated together, as matrix products.
+    /// @param times     [s]
+    /// @param unknowns  of the plate, a column per time
     void
-    add_sample(double time, const Eigen::VectorXd &unknowns);
+    add_samples(const std::vector<double>               &times,
+                const Eigen::Ref<const Eigen::MatrixXd> &unknowns);
+
+    /// The same for states given in a basis: since estimates are linear in the
+    /// states up to the norms of cells, they are made for as many vectors as
+    /// the states span, which is fewer than there are states.
+    /// @param vectors      unknowns of the plate, a column per vector;
+    ///                     orthonormal in an energy norm
+    /// @param coordinates  a row per vector, a column per time
+    void
+    add_samples(const std::vector<double>               &times,
+                const Eigen::Ref<const Eigen::MatrixXd> &vectors,
+                const Eigen::MatrixXd                   &coordinates);
 
     /// Error over all samples; the plate is at rest at t = 0.
     ErrorEstimate
@@ -87,26 +102,38 @@ namespace PlateImpact
     /// ||e||, (||u||^2 + ||e||^2)^{1/2} without singular cells, and with them.
     using Norms = Eigen::Vector4d;
 
-    Eigen::MatrixXd
-    sampled_resultants(const Eigen::MatrixXd &unknowns) const;
+    /// A factor times the strains of n fields at points of a cell, a row per
+    /// point by 5 n columns.
+    RowMajorMatrix
+    at_points(unsigned int                             cell,
+              const Eigen::Matrix<double, 5, 5>       &factor,
+              const CellOperator                      &strains,
+              const Eigen::Ref<const Eigen::MatrixXd> &fields) const;
+    /// Patches recovered from a factor times the strains of n fields.
+    RowMajorMatrix
+    recovered_coefficients(
+      const Eigen::Matrix<double, 5, 5>       &factor,
+      const Eigen::Ref<const Eigen::MatrixXd> &fields) const;
+    /// Takes states as combinations of fields.
     void
-    evaluate_buffer();
+    evaluate(const std::vector<double>               &times,
+             const Eigen::Ref<const Eigen::MatrixXd> &fields,
+             const Eigen::MatrixXd                   &coordinates);
     void
     integrate(double                 time,
               const Eigen::VectorXd &e2,
-              const Eigen::VectorXd &u2);
+              double                 counted_u2,
+              double                 u2);
     void
-    update_max_stress(const Eigen::MatrixXd &coefficients);
+    update_max_stress(const RowMajorMatrix  &coefficients,
+                      const Eigen::MatrixXd &coordinates);
 
-    const PlateModel    &model;
-    const double         target;
-    const StressRecovery recovery;
-    Eigen::VectorXd      is_counted; ///< 0 for singular cells, else 1
-
-    /// samples that wait to be evaluated together, as one matrix product
-    Eigen::MatrixXd     buffer;
-    std::vector<double> buffered_times;
-    unsigned int        samples = 0;
+    const PlateModel                 &model;
+    const double                      target;
+    const Eigen::Matrix<double, 5, 5> stiffness, root_of_compliance;
+    const StressRecovery              recovery;
+    Eigen::VectorXd is_counted; ///< 0 for singular cells, else 1
+    unsigned int    samples = 0;
 
     /// integrals so far, and integrands at the last time
     double          last_time = 0.;

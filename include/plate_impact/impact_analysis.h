@@ -12,6 +12,8 @@
 #include "plate_impact/parameters.h"
 #include "plate_impact/plate_element.h"
 #include "plate_impact/plate_model.h"
+#include "plate_impact/ritz_basis.h"
+#include "plate_impact/time_stepper.h"
 
 #include <functional>
 #include <memory>
@@ -68,6 +70,13 @@ namespace PlateImpact
   private:
     void
     run_transient(CycleResult &result);
+    /// @param reduced  the plate that is stepped; null: that of the mesh
+    void
+    step_to_end(TimeStepper     &stepper,
+                const RitzPlate *reduced,
+                CycleResult     &result);
+    bool
+    is_snapshot(unsigned int step, unsigned int n_steps) const;
     /// Cells nearer to a point load than half the thickness.
     std::vector<unsigned int>
     singular_cells() const;
@@ -75,7 +84,7 @@ namespace PlateImpact
     std::function<bool(const dealii::Point<2> &)>
     line_load() const;
     void
-    estimate_error(CycleResult &result);
+    judge_mesh(CycleResult &result);
 
     const Parameters                               &parameters;
     const Progress                                  progress;

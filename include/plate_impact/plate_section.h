@@ -40,6 +40,14 @@ namespace PlateImpact
     double
     energy_density(const Resultants &resultants) const;
 
+    /// Resultants per strains; its bending part is bending_stiffness.
+    Eigen::Matrix<double, 5, 5>
+    stiffness() const;
+
+    /// R, upper triangular, with energy_density(s) = |R s|^2.
+    Eigen::Matrix<double, 5, 5>
+    root_of_compliance() const;
+
     /// Von Mises stress at the faces of the plate, the paper's effective
     /// stress: sigma = 6 M / t^2, no transverse shear. [Pa]
     double

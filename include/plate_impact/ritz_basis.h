@@ -7,7 +7,8 @@
 
 #include <Eigen/Core>
 
-#include <memory>
+#include <map>
+#include <utility>
 
 namespace PlateImpact
 {
@@ -27,15 +28,14 @@ namespace PlateImpact
   class RitzBasis
   {
   public:
-    /// Factorizes K + sigma M.
-    /// @param plate  must outlive the basis, which uses its factorization
+    /// @param plate  must outlive the basis
     /// @param sigma  1/s^2, above 0, so that plates that are free to move have
-    /// a
-    ///               basis too
+    ///               a basis too
     RitzBasis(MeshPlate &plate, double sigma);
 
     /// Adds vectors, one solve each, until there are n or, when the space is
-    /// exhausted, as many as there can be.
+    /// exhausted, as many as there can be. Factorizes K + sigma M unless the
+    /// plate holds it.
     void
     grow(unsigned int n);
 
@@ -89,12 +89,14 @@ namespace PlateImpact
   };
 
 
-  /// The plate in a basis of Ritz vectors, turned into the basis' own modes: K
-  /// and M are diagonal, and a solve costs a division per vector.
+  /// The plate in the first vectors of a basis: M = T and K = I - sigma T are
+  /// tridiagonal, a product or a solve costs a few operations per vector.
   class RitzPlate : public SemidiscretePlate
   {
   public:
-    explicit RitzPlate(const RitzBasis &basis);
+    /// @param basis  must outlive the plate
+    /// @param n      vectors used, at most basis.n_vectors()
+    RitzPlate(const RitzBasis &basis, unsigned int n);
 
     const Eigen::VectorXd &
     load() const override;
@@ -108,29 +110,63 @@ namespace PlateImpact
     double
     static_compliance() const override;
 
-    /// Coordinates in the basis of coordinates in the modes, one column each.
-    Eigen::MatrixXd
-    to_basis(const Eigen::MatrixXd &modal) const;
+    /// Unknowns of the mesh by the vectors used.
+    Eigen::Ref<const Eigen::MatrixXd>
+    vectors() const;
 
   private:
-    Eigen::MatrixXd modes; ///< in the basis
-    Eigen::VectorXd mass, stiffness, u, inverse;
+    const RitzBasis      &basis;
+    const Eigen::VectorXd u;
+    const Eigen::VectorXd mass, mass_beside;           ///< diagonals of T [s^2]
+    const Eigen::VectorXd stiffness, stiffness_beside; ///< of I - sigma T
+    const double          compliance;
+    Eigen::VectorXd       inverse_pivots, factor; ///< of K + c M
   };
 
 
-  /// A basis that is large enough: vectors are added until half as many again
-  /// change the force at no time by more than `time.ritz_tolerance` of its
-  /// peak.
-  /// @return nothing when that takes more solves than half of the steps, so
-  /// that
-  ///         stepping on the mesh is the cheaper way
-  std::unique_ptr<RitzBasis>
-  settled_ritz_basis(MeshPlate                &plate,
-                     const PlateSection       &section,
-                     const TimeParameters     &time,
-                     const ContactLaw         &law,
-                     const ContactIntegration &integration,
-                     const Impactor           &impactor);
+  /// Reduces the plate of a mesh for one impactor after another. An impactor
+  /// gets the first basis of a sequence, growing by a quarter at a time, with
+  /// which its force history has settled: the last growth changed it by less
+  /// than `time.ritz_tolerance` of the peak, as a root mean square over the
+  /// contact, and, where fields are asked for, displacements hardly use the
+  /// vectors added last. What an impactor gets depends on nothing but plate,
+  /// load, time and itself; vectors that another one has asked for before are
+  /// not computed again.
+  class RitzReduction
+  {
+  public:
+    /// @param plate         must outlive the reduction, which factorizes it
+    /// @param needs_fields  whether more than the force is to be right
+    RitzReduction(MeshPlate            &plate,
+                  const PlateSection   &section,
+                  const TimeParameters &time,
+                  bool                  needs_fields);
+
+    /// @return the reduced plate, which belongs to the reduction; null when it
+    ///         takes more solves than half of the steps, so that stepping on
+    ///         the mesh is the cheaper way
+    RitzPlate *
+    settle(const ContactLaw         &law,
+           const ContactIntegration &integration,
+           const Impactor           &impactor);
+
+    /// Vectors computed so far, a solve each.
+    unsigned int
+    n_vectors() const;
+
+  private:
+    RitzPlate &
+    reduced_plate(int half_octave, unsigned int n);
+
+    MeshPlate           &plate;
+    const PlateSection  &section;
+    const TimeParameters time;
+    const bool           needs_fields;
+
+    /// By 2 log2 of the root of the shift [1/s], and by the number of vectors.
+    std::map<int, RitzBasis>                          bases;
+    std::map<std::pair<int, unsigned int>, RitzPlate> reduced_plates;
+  };
 } // namespace PlateImpact
 
 #endif

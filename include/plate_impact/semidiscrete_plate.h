@@ -62,10 +62,14 @@ namespace PlateImpact
     void
     multiply_stiffness(const Eigen::VectorXd &x,
                        Eigen::VectorXd       &y) const override;
+    /// Does nothing when the last factorization was for the same c.
     void
     factorize(double c) override;
     void
     solve(const Eigen::VectorXd &b, Eigen::VectorXd &x) override;
+
+    unsigned int
+    n_factorizations() const;
 
     /// y = M x.
     void
@@ -82,6 +86,8 @@ namespace PlateImpact
     const Eigen::VectorXd             u;
     std::unique_ptr<Epetra_CrsMatrix> effective_stiffness;
     std::unique_ptr<LinearSolver>     solver;
+    double       factorized_for = -1.; ///< c of the last factorization
+    unsigned int factorizations = 0;
   };
 } // namespace PlateImpact
 

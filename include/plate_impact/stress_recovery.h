@@ -15,6 +15,11 @@
 
 namespace PlateImpact
 {
+  /// Stores the rows of a point, or the terms of a polynomial, side by side.
+  using RowMajorMatrix =
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+
   /// Superconvergent patch recovery (Zienkiewicz & Zhu 1992,
   /// doi:10.1002/nme.1620330702; eqs. 9-15 of the paper) of the five stress
   /// resultants from samples at the 2x2 Gauss points of every cell.
@@ -62,24 +67,23 @@ namespace PlateImpact
       const dealii::Triangulation<2>                      &mesh,
       const std::function<bool(const dealii::Point<2> &)> &is_rough = {});
 
-    /// Coefficients of all patches from samples.
-    /// @param samples  5 (4 cell + point) + resultant by n columns (for example
-    ///                 times); cells by active index
-    /// @return 8 (5 patch + resultant) + term by n columns
-    Eigen::MatrixXd
-    coefficients(const Eigen::MatrixXd &samples) const;
+    /// Coefficients of all patches from samples of n fields at once.
+    /// @param samples  4 cell + point rows (cells by active index) by 5 n
+    ///                 columns, resultant n + field
+    /// @return 8 patch + term rows by 5 n columns
+    RowMajorMatrix
+    coefficients(const RowMajorMatrix &samples) const;
 
     /// Recovered resultants at points of a cell.
     /// @param unit_points  on the reference cell
     /// @param points       the same points on the plate [m]
-    /// @param values       set to 5 point + resultant by n columns
+    /// @param values       set to a row per point by 5 n columns
     void
     evaluate(unsigned int                         cell,
              const std::vector<dealii::Point<2>> &unit_points,
              const std::vector<dealii::Point<2>> &points,
-             const Eigen::MatrixXd               &coefficients,
-             Eigen::MatrixXd                     &values) const;
-
+             const RowMajorMatrix                &coefficients,
+             RowMajorMatrix                      &values) const;
 
   private:
     /// An image of a cell in the plate unfolded across its planes of symmetry.

@@ -1,0 +1,263 @@
+// The plate reduced to Ritz vectors against the plate of the mesh.
+#include "plate_impact/error_estimator.h"
+#include "plate_impact/plate_mesh.h"
+#include "plate_impact/ritz_basis.h"
+#include "plate_impact/scene.h"
+#include "test_plate.h"
+
+namespace PlateImpact
+{
+  namespace
+  {
+    /// A plate on a mesh, ready to be struck.
+    struct Target
+    {
+      explicit Target(const std::vector<std::string> &overrides)
+        : parameters(read_scene(std::string(TEST_DATA) +
+                                  "/reference/scene-interface.prm",
+                                overrides)
+                       .parameters)
+        , mesh(make_plate_quadrant(parameters.plate,
+                                   parameters.discretization.initial_cells))
+        , element(parameters.discretization.element)
+        , model(assembled(*mesh, element, parameters))
+        , plate(*model,
+                model->load(make_load_patch(parameters.contact,
+                                            parameters.impactor.length)),
+                make_linear_solver("CHOLMOD"))
+      {}
+
+      static std::unique_ptr<PlateModel>
+      assembled(const dealii::Triangulation<2> &mesh,
+                const PlateElement             &element,
+                const Parameters               &parameters)
+      {
+        auto model =
+          std::make_unique<PlateModel>(mesh, element, parameters.plate);
+        model->assemble();
+        return model;
+      }
+
+      ContactHistory
+      strike(SemidiscretePlate &plate, const double velocity) const
+      {
+        Parameters struck        = parameters;
+        struck.impactor.velocity = velocity;
+        const auto law           = make_contact_law(struck);
+        const auto integration =
+          make_contact_integration(struck.contact.integration);
+        TimeStepper stepper(struck.time,
+                            plate,
+                            *law,
+                            *integration,
+                            make_impactor(struck.impactor));
+        return run_to_end(stepper);
+      }
+
+      RitzPlate *
+      settle(RitzReduction &reduction, const double velocity) const
+      {
+        Parameters struck        = parameters;
+        struck.impactor.velocity = velocity;
+        return reduction.settle(*make_contact_law(struck),
+                                *make_contact_integration(
+                                  struck.contact.integration),
+                                make_impactor(struck.impactor));
+      }
+
+      const Parameters                                parameters;
+      const std::unique_ptr<dealii::Triangulation<2>> mesh;
+      const PlateElement                              element;
+      const std::unique_ptr<PlateModel>               model;
+      MeshPlate                                       plate;
+    };
+
+
+
+    /// Root mean square over the steps with contact, of the peak.
+    double
+    difference(const ContactHistory &a, const ContactHistory &b)
+    {
+      double       sum = 0.;
+      unsigned int n   = 0;
+      for (std::size_t i = 0; i < b.states().size(); ++i)
+        if (b.states()[i].force > 0.)
+          {
+            const double d = a.states()[i].force - b.states()[i].force;
+            sum += d * d;
+            ++n;
+          }
+      return std::sqrt(sum / n) / b.peak().force;
+    }
+
+
+
+    TEST(RitzBasis, VectorsAreOrthonormalAndProjectTheMass)
+    {
+      Target       target({"Discretization/Initial cells=6,6"});
+      const double sigma = 1e12;
+      RitzBasis    basis(target.plate, sigma);
+      basis.grow(150);
+      ASSERT_EQ(basis.n_vectors(), 150);
+      const Eigen::MatrixXd Q = basis.vectors(),
+                            M = dense(target.model->mass()),
+                            A = dense(target.model->stiffness()) + sigma * M;
+      EXPECT_LT((Q.transpose() * A * Q -
+                 Eigen::MatrixXd::Identity(Q.cols(), Q.cols()))
+                  .cwiseAbs()
+                  .maxCoeff(),
+                1e-8);
+      Eigen::MatrixXd T = sigma * Q.transpose() * M * Q;
+      T.diagonal() -= sigma * basis.mass_diagonal();
+      T.diagonal(1) -= sigma * basis.mass_subdiagonal();
+      T.diagonal(-1) -= sigma * basis.mass_subdiagonal();
+      EXPECT_LT(T.cwiseAbs().maxCoeff(), 1e-8);
+      Eigen::VectorXd load = Q.transpose() * target.plate.load();
+      load[0] -= basis.load();
+      EXPECT_LT(load.cwiseAbs().maxCoeff(), 1e-8 * basis.load());
+    }
+
+
+
+    TEST(RitzBasis, EndsWhenTheSpaceIsExhausted)
+    {
+      Target    target({"Discretization/Initial cells=1,1"});
+      RitzBasis basis(target.plate, 1e12);
+      basis.grow(1000);
+      EXPECT_TRUE(basis.is_complete());
+      EXPECT_LE(basis.n_vectors(), target.model->n_unknowns());
+      RitzPlate reduced(basis, basis.n_vectors());
+      EXPECT_LT(difference(target.strike(reduced, 1.),
+                           target.strike(target.plate, 1.)),
+                1e-8);
+    }
+
+
+
+    TEST(RitzReduction, ForcesAreThoseOfTheMesh)
+    {
+      const std::vector<std::vector<std::string>> scenes = {
+        {"Discretization/Initial cells=12,12"},
+        {"Discretization/Initial cells=12,8", "Plate/Support=free"},
+        {"Discretization/Initial cells=12,12",
+         "Plate/Thickness=0.002",
+         "Impactor/Velocity=5",
+         "Time/End time=160e-6",
+         "Time/Time step=2e-7"},
+        {"Discretization/Initial cells=8,8",
+         "Impactor/Shape=cylinder",
+         "Contact/Law=line",
+         "Contact/Load distribution=strip",
+         "Contact/Patch radius=0.0005"}};
+      for (const auto &scene : scenes)
+        {
+          Target        target(scene);
+          const double  velocity = target.parameters.impactor.velocity;
+          RitzReduction reduction(target.plate,
+                                  target.model->section(),
+                                  target.parameters.time,
+                                  /*needs_fields=*/false);
+          RitzPlate    *reduced = target.settle(reduction, velocity);
+          ASSERT_NE(reduced, nullptr);
+          EXPECT_LE(reduction.n_vectors(), 400); // half as many as steps
+          EXPECT_LT(difference(target.strike(*reduced, velocity),
+                               target.strike(target.plate, velocity)),
+                    3. * target.parameters.time.ritz_tolerance)
+            << scene[1 % scene.size()];
+        }
+    }
+
+
+
+    TEST(RitzReduction, AnImpactorDoesNotFeelTheOnesBeforeIt)
+    {
+      Target     target({"Discretization/Initial cells=6,6"});
+      const auto fresh = [&] {
+        return RitzReduction(target.plate,
+                             target.model->section(),
+                             target.parameters.time,
+                             /*needs_fields=*/true);
+      };
+      RitzReduction shared = fresh();
+      for (const double velocity : {50., 1., 0.01, 1.})
+        {
+          RitzReduction alone = fresh();
+          RitzPlate    *a     = target.settle(shared, velocity);
+          RitzPlate    *b     = target.settle(alone, velocity);
+          ASSERT_NE(a, nullptr);
+          ASSERT_NE(b, nullptr);
+          EXPECT_EQ(difference(target.strike(*a, velocity),
+                               target.strike(*b, velocity)),
+                    0.);
+        }
+    }
+
+
+
+    TEST(RitzPlate, KnowsTheStaticCompliance)
+    {
+      Target    clamped({"Discretization/Initial cells=6,6"});
+      RitzBasis basis(clamped.plate, 1e12);
+      basis.grow(120);
+      const double exact = clamped.plate.load().dot(
+        solve_static(*clamped.model, clamped.plate.load()));
+      const double bound = RitzPlate(basis, 120).static_compliance();
+      EXPECT_GE(bound, exact);
+      EXPECT_LT(bound, 1.01 * exact);
+
+      Target free({"Discretization/Initial cells=6,6", "Plate/Support=free"});
+      RitzBasis of_free(free.plate, 1e12);
+      of_free.grow(120);
+      EXPECT_TRUE(std::isinf(RitzPlate(of_free, 120).static_compliance()));
+    }
+
+
+
+    TEST(RitzPlate, StatesAreJudgedAsThoseOfTheMesh)
+    {
+      Target        target({"Discretization/Initial cells=6,6"});
+      RitzReduction reduction(target.plate,
+                              target.model->section(),
+                              target.parameters.time,
+                              /*needs_fields=*/true);
+      RitzPlate    *reduced = target.settle(reduction, 1.);
+      ASSERT_NE(reduced, nullptr);
+      const auto law         = make_contact_law(target.parameters);
+      const auto integration = make_contact_integration("energy conserving");
+      const auto estimate    = [&](SemidiscretePlate &plate) {
+        ErrorEstimator      estimator(*target.model, 0.05);
+        TimeStepper         stepper(target.parameters.time,
+                            plate,
+                            *law,
+                            *integration,
+                            make_impactor(target.parameters.impactor));
+        std::vector<double> times;
+        Eigen::MatrixXd     states(plate.load().size(), 0);
+        for (unsigned int step = 1; step <= stepper.n_steps(); ++step)
+          {
+            stepper.advance();
+            if (step % 20 != 0)
+              continue;
+            times.push_back(stepper.state().time);
+            states.conservativeResize(Eigen::NoChange, times.size());
+            states.rightCols<1>() = stepper.displacement();
+          }
+        if (&plate == reduced)
+          estimator.add_samples(times, reduced->vectors(), states);
+        else
+          estimator.add_samples(times, states);
+        return estimator.estimate();
+      };
+      const ErrorEstimate of_mesh    = estimate(target.plate),
+                          of_vectors = estimate(*reduced);
+      EXPECT_NEAR(of_vectors.eta, of_mesh.eta, 2e-3 * of_mesh.eta);
+      EXPECT_NEAR(of_vectors.max_effective_stress,
+                  of_mesh.max_effective_stress,
+                  2e-3 * of_mesh.max_effective_stress);
+      for (std::size_t cell = 0; cell < of_mesh.element_errors.size(); ++cell)
+        EXPECT_NEAR(of_vectors.element_errors[cell],
+                    of_mesh.element_errors[cell],
+                    0.02 * of_mesh.max_element_error());
+    }
+  } // namespace
+} // namespace PlateImpact
