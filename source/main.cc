@@ -132,6 +132,14 @@ namespace
 int
 main(const int argc, const char *const *argv)
 {
+#ifdef __AVX2__
+  if (!__builtin_cpu_supports("avx2"))
+    {
+      std::cerr << "plate-impact: this program was built for processors with "
+                   "AVX2; build it on this machine\n";
+      return failed_computing;
+    }
+#endif
   // Nothing here gains from threads; not starting them saves time.
   dealii::MultithreadInfo::set_thread_limit(1);
   try

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <limits>
 #include <vector>
 
@@ -280,6 +281,9 @@ namespace PlateImpact
 
   namespace
   {
+    /// Growths by an eighth over which a force must settle: a quarter in all.
+    constexpr std::size_t n_growths = 2;
+
     /// Share of the vectors added last in the displacements, in the norm of
     /// K + sigma M, below which fields are right: measured, eta is then that
     /// of the mesh to better than 1 % of itself.
@@ -292,14 +296,28 @@ namespace PlateImpact
     {
       std::vector<double> forces; ///< after every step
 
-      /// Largest norm over time of the displacements in the vectors beyond the
-      /// first `n_before`, relative to that in all of them.
-      double share_of_new = 0.;
+      /// Sums over time of the squares of every coordinate.
+      Eigen::VectorXd squares;
+
+      Eigen::Index
+      size() const
+      {
+        return squares.size();
+      }
+
+      /// Norm of the displacements in the vectors from `first`, relative to
+      /// that in all.
+      double
+      share_beyond(const Eigen::Index first) const
+      {
+        const double all = squares.sum();
+        return all > 0. ? std::sqrt(squares.tail(size() - first).sum() / all) :
+                          0.;
+      }
     };
 
     Trial
     try_impact(RitzPlate                &plate,
-               const Eigen::Index        n_before,
                const TimeParameters     &time,
                const ContactLaw         &law,
                const ContactIntegration &integration,
@@ -307,21 +325,16 @@ namespace PlateImpact
     {
       TimeStepper        stepper(time, plate, law, integration, impactor);
       const unsigned int interval = std::max(1u, stepper.n_steps() / 100);
-      double             in_all = 0., in_new = 0.;
       Trial              result;
       result.forces.reserve(stepper.n_steps());
+      result.squares.setZero(plate.load().size());
       for (unsigned int step = 1; step <= stepper.n_steps(); ++step)
         {
           stepper.advance();
           result.forces.push_back(stepper.state().force);
-          if (step % interval != 0 && step != stepper.n_steps())
-            continue;
-          const Eigen::VectorXd &z = stepper.displacement();
-          in_all                   = std::max(in_all, z.norm());
-          in_new = std::max(in_new, z.tail(z.size() - n_before).norm());
+          if (step % interval == 0)
+            result.squares += stepper.displacement().cwiseAbs2();
         }
-      if (in_all > 0.)
-        result.share_of_new = in_new / in_all;
       return result;
     }
 
@@ -393,25 +406,26 @@ namespace PlateImpact
     const double n_first =
       std::max(16., (needs_fields ? 0.5 : 0.25) * distance);
     // beyond half as many solves as steps the steps themselves are cheaper
-    const double        n_most = 0.5 * time.end_time / time.time_step;
-    std::vector<double> before;
-    Eigen::Index        n_before = 0;
-    for (double n = n_first; n <= std::max(n_most, 16.); n = 1.25 * n)
+    const double n_most = std::max(16., 0.5 * time.end_time / time.time_step);
+    std::deque<Trial> trials; // the last ones
+    for (double n = n_first; n <= n_most; n = 1.12 * n)
       {
         const unsigned int n_wanted = static_cast<unsigned int>(n);
         RitzPlate         &reduced  = reduced_plate(half_octave, n_wanted);
-        Trial              trial =
-          try_impact(reduced, n_before, time, law, integration, impactor);
+        if (reduced.load().size() < n_wanted)
+          return &reduced; // there are no more
+        trials.push_back(try_impact(reduced, time, law, integration, impactor));
+        if (trials.size() <= n_growths)
+          continue;
         // The force is a scalar product of displacements with the load, and
         // settles before they do.
-        const bool is_settled = n_before > 0 &&
-          relative_difference(before, trial.forces) <= time.ritz_tolerance &&
-          (!needs_fields || trial.share_of_new <= field_tolerance);
-        n_before = reduced.load().size();
-        before   = std::move(trial.forces);
-        // fewer than wanted: there are no more
-        if (is_settled || n_before < n_wanted)
+        const Trial &earlier = trials.front(), &latest = trials.back();
+        if (relative_difference(earlier.forces, latest.forces) <=
+              time.ritz_tolerance &&
+            (!needs_fields ||
+             latest.share_beyond(earlier.size()) <= field_tolerance))
           return &reduced;
+        trials.pop_front();
       }
     return nullptr;
   }

@@ -125,13 +125,13 @@ namespace PlateImpact
 
 
   /// Reduces the plate of a mesh for one impactor after another. An impactor
-  /// gets the first basis of a sequence, growing by a quarter at a time, with
-  /// which its force history has settled: the last growth changed it by less
-  /// than `time.ritz_tolerance` of the peak, as a root mean square over the
-  /// contact, and, where fields are asked for, displacements hardly use the
-  /// vectors added last. What an impactor gets depends on nothing but plate,
-  /// load, time and itself; vectors that another one has asked for before are
-  /// not computed again.
+  /// gets the first basis of a growing sequence with which its force history
+  /// has settled: the last quarter of growth changed it by less than
+  /// `time.ritz_tolerance` of the peak, as a root mean square over the contact,
+  /// and, where fields are asked for, displacements hardly use the vectors
+  /// added last. What an impactor gets depends on nothing but plate, load, time
+  /// and itself; vectors that another one has asked for before are not computed
+  /// again.
   class RitzReduction
   {
   public:
