@@ -78,19 +78,20 @@ namespace PlateImpact
     const double total_height =
       header + 2 * margin + std::max(height, result.error ? 330. : 0.);
 
-    out << std::setprecision(8)
-        << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 "
-        << total_width << ' ' << total_height << "\" width=\"" << total_width
-        << "\" height=\"" << total_height
-        << "\" font-family=\"sans-serif\" font-size=\"13\">\n"
-        << "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
-        << "<text x=\"" << margin << "\" y=\"" << header - 8 << "\">Cycle "
-        << result.cycle << ": " << result.cells << " cells";
+    out
+      << std::setprecision(8)
+      << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 "
+      << total_width << ' ' << total_height << "\" width=\"" << total_width
+      << "\" height=\"" << total_height
+      << "\" font-family=\"sans-serif\" font-size=\"13\">\n"
+      << "<rect class=\"ground\" width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
+      << "<text x=\"" << margin << "\" y=\"" << header - 8 << "\">Cycle "
+      << result.cycle << ": " << result.cells << " cells";
     if (result.error)
       out << std::setprecision(3) << ", eta = " << 100. * result.error->eta
           << " %" << std::setprecision(8);
     out << ". Impact at the lower left corner.</text>\n"
-        << "<g stroke=\"#444\" stroke-width=\"0.6\">\n";
+        << "<g class=\"mesh\" stroke=\"#444\" stroke-width=\"0.6\">\n";
     const unsigned int around[] = {0, 1, 3, 2};
     for (const auto &cell : mesh.active_cell_iterators())
       {

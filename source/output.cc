@@ -9,7 +9,6 @@
 #include "plate_impact/mesh_adaptation.h"
 #include "plate_impact/plate_mesh.h"
 #include "plate_impact/plate_model.h"
-#include "plate_impact/report.h"
 #include "plate_impact/version.h"
 
 #include <fstream>
@@ -132,6 +131,7 @@ namespace PlateImpact
   Output::Output(const Scene &scene)
     : scene(scene)
     , directory(scene.parameters.output.directory)
+    , report(scene)
   {
     std::error_code error;
     fs::create_directories(directory, error);
@@ -214,16 +214,17 @@ namespace PlateImpact
                              *result.error,
                              scene.parameters.adaptivity);
       });
+    std::ostringstream picture;
     if (scene.parameters.output.write_meshes ||
         scene.parameters.output.write_report)
       {
-        std::ostringstream picture;
         write_mesh_svg(picture, mesh, result);
-        mesh_pictures.push_back(picture.str());
         if (scene.parameters.output.write_meshes)
           write_file("mesh" + suffix + ".svg",
                      [&](std::ostream &out) { out << picture.str(); });
       }
+    if (scene.parameters.output.write_report)
+      report.add_cycle(result, picture.str());
     result.seconds.output += timer.wall_time();
     cycles.push_back(to_json(result));
   }
@@ -313,7 +314,7 @@ namespace PlateImpact
 
 
 
-  void
+  nlohmann::ordered_json
   Output::write_summary(const std::string              &outcome,
                         const std::vector<std::string> &warnings)
   {
@@ -325,6 +326,7 @@ namespace PlateImpact
     summary["cycles"]   = cycles;
     write_file("summary.json",
                [&](std::ostream &out) { out << summary.dump(2) << '\n'; });
+    return summary;
   }
 
 
@@ -333,11 +335,10 @@ namespace PlateImpact
   Output::finish(const std::string              &outcome,
                  const std::vector<std::string> &warnings)
   {
-    write_summary(outcome, warnings);
+    const nlohmann::ordered_json summary = write_summary(outcome, warnings);
     if (scene.parameters.output.write_report)
-      write_file("report.html", [&](std::ostream &out) {
-        write_report(out, scene, outcome, warnings, cycles, mesh_pictures);
-      });
+      write_file("report.html",
+                 [&](std::ostream &out) { report.write(out, summary); });
   }
 
 

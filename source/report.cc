@@ -1,120 +1,434 @@
 #include "plate_impact/report.h"
 
+#include "plate_impact/contact_law.h"
+#include "plate_impact/impactor.h"
+#include "plate_impact/page.h"
+#include "plate_impact/plate_section.h"
+#include "plate_impact/prefixed_unit.h"
 #include "plate_impact/version.h"
+#include "plate_impact/zener.h"
 
-#include <iomanip>
+#include <algorithm>
+#include <cmath>
 #include <ostream>
-#include <sstream>
 
 namespace PlateImpact
 {
   namespace
   {
-    std::string
-    escaped(const std::string &text)
+    using Json = nlohmann::ordered_json;
+
+    /// More points than these do not show on a screen.
+    constexpr std::size_t max_plotted_states = 1200;
+
+
+
+    /// A quantity of the table of cycles.
+    struct Quantity
     {
-      std::string result;
-      for (const char c : text)
-        if (c == '&')
-          result += "&amp;";
-        else if (c == '<')
-          result += "&lt;";
-        else if (c == '>')
-          result += "&gt;";
-        else
-          result += c;
-      return result;
+      std::string name, key, unit; ///< unit of SI; "%" for fractions
+    };
+
+    const std::vector<Quantity> quantities = {
+      {"Cells", "cells", ""},
+      {"Unknowns", "degrees_of_freedom", ""},
+      {"Smallest cell", "min_cell_size", "m"},
+      {"η", "discretization_error", "%"},
+      {"largest ξ′", "max_element_error", ""},
+      {"Cells with ξ′ ≥ 1", "cells_above_limit", ""},
+      {"Peak force", "peak_force", "N"},
+      {"at", "time_of_peak_force", "s"},
+      {"First contact ends", "first_contact_end", "s"},
+      {"Contacts", "number_of_contacts", ""},
+      {"Impulse", "impulse", "N s"},
+      {"Impactor at the end", "final_impactor_velocity", "m/s"},
+      {"Largest displacement", "max_plate_displacement", "m"},
+      {"Largest stress", "max_effective_stress", "Pa"},
+      {"Energy drift", "relative_energy_drift", ""}};
+
+
+
+    /// What a quantity is over the cycles; NaN where a cycle does not have it.
+    std::vector<double>
+    over_cycles(const Json &cycles, const std::string &key)
+    {
+      std::vector<double> values;
+      for (const Json &cycle : cycles)
+        values.push_back(cycle.contains(key) ? cycle[key].get<double>() :
+                                               std::nan(""));
+      return values;
     }
 
 
 
-    struct Column
+    /// Quantities below each other: few cycles beside each other fit any
+    /// screen.
+    Table
+    table_of_cycles(const Json &cycles)
     {
-      std::string title, key;
-      double      factor; ///< from SI units to those of the title
-    };
-
-    const std::vector<Column> columns = {
-      {"Cycle", "cycle", 1.},
-      {"Cells", "cells", 1.},
-      {"Unknowns", "degrees_of_freedom", 1.},
-      {"eta [%]", "discretization_error", 100.},
-      {"max xi&#8242;", "max_element_error", 1.},
-      {"Peak force [N]", "peak_force", 1.},
-      {"at time [&#181;s]", "time_of_peak_force", 1e6},
-      {"First contact ends [&#181;s]", "first_contact_end", 1e6},
-      {"Impulse [N s]", "impulse", 1.},
-      {"Impactor at the end [m/s]", "final_impactor_velocity", 1.},
-      {"Energy drift", "relative_energy_drift", 1.}};
-
-
-
-    void
-    write_table(std::ostream &out, const nlohmann::ordered_json &cycles)
-    {
-      out << "<div class=\"wide\"><table><tr>";
-      for (const Column &column : columns)
-        if (cycles.back().contains(column.key))
-          out << "<th>" << column.title << "</th>";
-      out << "</tr>\n";
-      for (const auto &cycle : cycles)
+      Table table;
+      table.columns.push_back("Cycle");
+      for (const Json &cycle : cycles)
+        table.columns.push_back(std::to_string(cycle["cycle"].get<int>()));
+      for (const Quantity &quantity : quantities)
         {
-          out << "<tr>";
-          for (const Column &column : columns)
-            if (cycles.back().contains(column.key))
-              {
-                out << "<td>";
-                if (cycle.contains(column.key))
-                  out << column.factor * cycle[column.key].get<double>();
-                out << "</td>";
-              }
-          out << "</tr>\n";
+          if (!cycles.back().contains(quantity.key))
+            continue;
+          std::vector<double> values = over_cycles(cycles, quantity.key);
+          std::string         unit   = quantity.unit;
+          if (unit == "%")
+            for (double &value : values)
+              value *= 100.;
+          else if (!unit.empty())
+            {
+              const PrefixedUnit prefixed(unit, values);
+              unit   = prefixed.name();
+              values = prefixed(values);
+            }
+          table.rows.push_back(
+            {quantity.name + (unit.empty() ? "" : " [" + unit + "]")});
+          for (const double value : values)
+            table.rows.back().push_back(six_digits(value));
         }
-      out << "</table></div>\n";
+      return table;
+    }
+
+
+
+    /// The scene in a sentence.
+    std::string
+    description(const Parameters &parameters)
+    {
+      const PlateParameters &plate = parameters.plate;
+      const PrefixedUnit     side("m",
+                              std::max(plate.side_lengths[0],
+                                       plate.side_lengths[1])),
+        thickness("m", plate.thickness);
+      std::string support = plate.support.front();
+      if (plate.support.size() > 1 && plate.support[1] != support)
+        support += " (x edges) and " + plate.support[1] + " (y edges)";
+      const std::string target = "plate of " +
+        six_digits(side(plate.side_lengths[0])) + " × " +
+        side.text(plate.side_lengths[1]) + ", " +
+        thickness.text(plate.thickness) + " thick, " + support;
+      if (!parameters.has_impactor())
+        return "A " + target + ". Nothing strikes it.";
+
+      const ImpactorParameters &impactor = parameters.impactor;
+      const auto text = [](const double value, const char *unit) {
+        return PrefixedUnit(unit, value).text(value);
+      };
+      // masses in grams below one kilogram
+      return "A " + impactor.shape + " of radius " +
+        text(impactor.radius, "m") + " and mass " +
+        text(1e3 * impactor.mass, "g") + " strikes the middle of a " + target +
+        ", at " + text(impactor.velocity, "m/s") + ".";
+    }
+
+
+
+    std::string
+    percentage(const double fraction)
+    {
+      return six_digits(100. * fraction) + " %";
+    }
+
+
+
+    /// Peak force and contact time of an infinite thin plate, beside ours.
+    Fact
+    zener_fact(const Parameters &parameters, const double peak_force)
+    {
+      const ExpectedPeak expected =
+        zener_peak(*make_contact_law(parameters),
+                   make_impactor(parameters.impactor),
+                   PlateSection(parameters.plate));
+      const double deviation = peak_force / expected.force - 1.;
+      char         text[32];
+      std::snprintf(text, sizeof(text), "%+.2f %%", 100. * deviation);
+      return {"Zener's infinite thin plate",
+              PrefixedUnit("N", expected.force).text(expected.force),
+              "at " + PrefixedUnit("s", expected.time).text(expected.time) +
+                (parameters.impactor.shape == "cylinder" ?
+                   ", struck at a point: a lower bound for a cylinder; ours: " :
+                   "; ours: ") +
+                text};
+    }
+
+
+
+    /// A quantity of every cycle over the cycles or over the unknowns.
+    Plot
+    convergence(const Json        &cycles,
+                const std::string &key,
+                const std::string &title,
+                const std::string &y_title,
+                const double       factor)
+    {
+      std::vector<double> values = over_cycles(cycles, key);
+      for (double &value : values)
+        value *= factor;
+      return {title,
+              "",
+              {"unknowns", true},
+              {y_title, false},
+              {{title,
+                over_cycles(cycles, "degrees_of_freedom"),
+                values,
+                0,
+                Style::line_and_points}},
+              {}};
+    }
+
+
+
+    Plot
+    seconds_by_stage(const Json &cycles)
+    {
+      Plot plot{"Time by stage",
+                "",
+                {"wall time [s]", false},
+                {"cycle", false},
+                {},
+                {}};
+      for (const Json &cycle : cycles)
+        plot.categories.push_back(std::to_string(cycle["cycle"].get<int>()));
+      for (const auto &[stage, seconds] : cycles.back()["seconds"].items())
+        {
+          if (stage == "total")
+            continue;
+          std::vector<double> values;
+          for (const Json &cycle : cycles)
+            values.push_back(cycle["seconds"][stage].get<double>());
+          plot.series.push_back(
+            {stage, {}, values, unsigned(plot.series.size())});
+        }
+      return plot;
     }
   } // namespace
 
 
 
-  void
-  write_report(std::ostream                   &out,
-               const Scene                    &scene,
-               const std::string              &outcome,
-               const std::vector<std::string> &warnings,
-               const nlohmann::ordered_json   &cycles,
-               const std::vector<std::string> &pictures)
+  Report::Report(const Scene &scene)
+    : scene(scene)
+  {}
+
+
+
+  Report::PlottedHistory
+  Report::plotted(const CycleResult &result)
   {
-    const auto &last = cycles.back();
-    out << std::setprecision(6)
-        << "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
-           "<meta name=\"viewport\" content=\"width=device-width\">"
-           "<title>plate-impact: "
-        << escaped(scene.name)
-        << "</title><style>body{font-family:sans-serif;margin:2em auto;"
-           "max-width:70em;padding:0 1em}table{border-collapse:collapse}"
-           "td,th{border:1px solid #bbb;padding:.3em .6em;text-align:right}"
-           ".wide{overflow-x:auto}.meshes{display:grid;gap:1em;"
-           "grid-template-columns:repeat(auto-fit,minmax(20em,1fr))}"
-           "svg{max-width:100%;height:auto}"
-           "pre{background:#f4f4f4;color:#111;padding:1em;overflow-x:auto}"
-           "</style></head><body>\n<h1>"
-        << escaped(scene.name) << "</h1>\n<p>Outcome: <b>" << escaped(outcome)
-        << "</b>";
+    const std::vector<ContactState> &states = result.history->states();
+    const std::size_t stride = 1 + (states.size() - 1) / max_plotted_states;
+    const ContactState *const peak = &result.history->peak();
+
+    PlottedHistory history;
+    history.cycle = result.cycle;
+    for (std::size_t i = 0; i < states.size(); ++i)
+      {
+        const ContactState &state = states[i];
+        if (i % stride != 0 && i + 1 != states.size() && &state != peak)
+          continue;
+        history.time.push_back(state.time);
+        history.force.push_back(state.force);
+        history.plate_displacement.push_back(state.plate_displacement);
+        history.impactor_displacement.push_back(state.impactor_displacement);
+        history.indentation.push_back(state.indentation);
+        history.plate_energy.push_back(state.plate_energy);
+        history.contact_energy.push_back(state.contact_energy);
+        history.impactor_energy.push_back(state.impactor_energy);
+        history.total_energy.push_back(state.total_energy());
+      }
+    return history;
+  }
+
+
+
+  void
+  Report::add_outcome(Page &page, const Json &summary) const
+  {
+    const Json &last = summary["cycles"].back();
+    page.section("Outcome");
+    for (const std::string warning : summary["warnings"])
+      page.notice("Warning: " + warning);
+    std::vector<Fact> facts;
+    const auto        number = [&last](const char *key) {
+      return last[key].get<double>();
+    };
+    const auto with_unit = [](const double value, const char *unit) {
+      return PrefixedUnit(unit, value).text(value);
+    };
     if (last.contains("peak_force"))
-      out << ". Peak force: <b>" << last["peak_force"].get<double>()
-          << " N</b> at " << 1e6 * last["time_of_peak_force"].get<double>()
-          << " &#181;s";
-    out << ".</p>\n";
-    for (const std::string &warning : warnings)
-      out << "<p><b>Warning:</b> " << escaped(warning) << "</p>\n";
-    out << "<h2>Cycles</h2>\n";
-    write_table(out, cycles);
-    out << "<h2>Meshes</h2>\n<div class=\"meshes\">\n";
-    for (const std::string &picture : pictures)
-      out << picture;
-    out << "</div>\n<h2>Scene</h2>\n<p>plate-impact " << PLATE_IMPACT_VERSION
-        << "; save as a .prm file and give it to <code>plate-impact run</code> "
-           "to repeat the run.</p>\n<pre>"
-        << escaped(scene.text) << "</pre>\n</body></html>\n";
+      {
+        facts.push_back({"Peak force",
+                         six_digits(number("peak_force")) + " N",
+                         "at " + with_unit(number("time_of_peak_force"), "s")});
+        facts.push_back(zener_fact(scene.parameters, number("peak_force")));
+        if (last.contains("first_contact_end"))
+          facts.push_back(
+            {"First contact ends",
+             with_unit(number("first_contact_end"), "s"),
+             "contacts: " + six_digits(number("number_of_contacts"))});
+        facts.push_back({"Impactor at the end",
+                         with_unit(number("final_impactor_velocity"), "m/s"),
+                         "positive towards the plate; impulse " +
+                           with_unit(number("impulse"), "N s")});
+        facts.push_back(
+          {"Largest displacement under the load",
+           with_unit(number("max_plate_displacement"), "m"),
+           "at the peak force " +
+             with_unit(number("plate_displacement_at_peak"), "m")});
+      }
+    if (last.contains("discretization_error"))
+      facts.push_back(
+        {"Discretization error η",
+         percentage(number("discretization_error")),
+         "target " + percentage(scene.parameters.adaptivity.target_error) +
+           "; largest ξ′ " + six_digits(number("max_element_error"))});
+    facts.push_back(
+      {"Outcome",
+       summary["outcome"].get<std::string>(),
+       "cycles: " + std::to_string(summary["cycles"].size()) +
+         ", cells: " + six_digits(number("cells")) +
+         ", unknowns: " + six_digits(number("degrees_of_freedom"))});
+    page.facts(facts);
+  }
+
+
+
+  void
+  Report::add_histories(Page &page) const
+  {
+    if (histories.empty())
+      return;
+    const PlottedHistory &last = histories.back();
+    const PrefixedUnit    time("s", last.time);
+    const auto            plot =
+      [&](const std::string &title,
+          const std::string &unit_name,
+          const std::vector<
+            std::pair<std::string, std::vector<double> PlottedHistory::*>>
+            &quantities) {
+        double largest = 0.;
+        for (const auto &[name, values] : quantities)
+          for (const double value : last.*values)
+            largest = std::max(largest, std::abs(value));
+        const PrefixedUnit unit(unit_name, largest);
+        Plot               plot{title,
+                  "",
+                  {"time [" + time.name() + "]"},
+                  {title + " [" + unit.name() + "]"},
+                  {},
+                  {}};
+        for (const PlottedHistory &history : histories)
+          for (std::size_t i = 0; i < quantities.size(); ++i)
+            {
+              const bool        is_last = &history == &last;
+              const std::string cycle =
+                "cycle " + std::to_string(history.cycle);
+              const bool is_one = quantities.size() == 1;
+              plot.series.push_back(
+                {is_one ? cycle :
+                          quantities[i].first + (is_last ? "" : ", " + cycle),
+                 time(history.time),
+                 unit(history.*(quantities[i].second)),
+                 is_one ? unsigned(&last - &history) : unsigned(i),
+                 is_last || is_one ? Style::line : Style::faint});
+            }
+        return plot;
+      };
+    page.section("Histories");
+    using History = PlottedHistory;
+    page.plots({plot("Force", "N", {{"", &History::force}})});
+    page.plots({plot("Displacement",
+                     "m",
+                     {{"plate", &History::plate_displacement},
+                      {"impactor", &History::impactor_displacement},
+                      {"indentation", &History::indentation}}),
+                plot("Energy",
+                     "J",
+                     {{"impactor", &History::impactor_energy},
+                      {"plate", &History::plate_energy},
+                      {"contact", &History::contact_energy},
+                      {"total", &History::total_energy}})});
+    page.paragraph(
+      "Pointer or arrow keys read values; a click on a name hides it. "
+      "Cycles before the last are thin. contact_history.csv has every step.");
+  }
+
+
+
+  void
+  Report::add_cycles(Page &page, const Json &cycles) const
+  {
+    page.section("Cycles");
+    page.table(table_of_cycles(cycles));
+    if (cycles.size() > 1)
+      {
+        std::vector<Plot> plots;
+        if (cycles.back().contains("discretization_error"))
+          {
+            plots.push_back(
+              convergence(cycles, "discretization_error", "η", "η [%]", 100.));
+            plots.back().y.logarithmic = true;
+          }
+        if (cycles.back().contains("peak_force"))
+          plots.push_back(convergence(cycles,
+                                      "peak_force",
+                                      "Peak force",
+                                      "peak force [N]",
+                                      1.));
+        page.plots(plots);
+      }
+    page.plots({seconds_by_stage(cycles)});
+  }
+
+
+
+  void
+  Report::add_meshes(Page &page) const
+  {
+    if (pictures.empty())
+      return;
+    page.section("Meshes");
+    page.pictures(pictures);
+  }
+
+
+
+  void
+  Report::add_scene(Page &page) const
+  {
+    page.section("Repeat it");
+    page.paragraph("plate-impact " PLATE_IMPACT_VERSION
+                   ". Save these values, which are in scene.prm too, and run");
+    page.preformatted("plate-impact run scene.prm");
+    page.preformatted(scene.text);
+  }
+
+
+
+  void
+  Report::write(std::ostream &out, const Json &summary) const
+  {
+    Page page(scene.name, description(scene.parameters));
+    page.embed("summary", summary);
+    add_outcome(page, summary);
+    add_histories(page);
+    add_cycles(page, summary["cycles"]);
+    add_meshes(page);
+    add_scene(page);
+    page.write(out);
+  }
+
+
+
+  void
+  Report::add_cycle(const CycleResult &result, const std::string &picture)
+  {
+    if (result.history)
+      histories.push_back(plotted(result));
+    if (!picture.empty())
+      pictures.push_back(picture);
   }
 } // namespace PlateImpact

@@ -4,6 +4,7 @@
 #include <deal.II/grid/tria.h>
 
 #include "plate_impact/cycle_result.h"
+#include "plate_impact/report.h"
 #include "plate_impact/scene.h"
 
 #include <nlohmann/json.hpp>
@@ -60,14 +61,14 @@ namespace PlateImpact
     void
     write_file(const std::string                         &name,
                const std::function<void(std::ostream &)> &write);
-    void
+    nlohmann::ordered_json
     write_summary(const std::string              &outcome,
                   const std::vector<std::string> &warnings);
 
     const Scene                &scene;
     const std::filesystem::path directory;
     nlohmann::ordered_json      cycles = nlohmann::ordered_json::array();
-    std::vector<std::string>    mesh_pictures;
+    Report                      report;
   };
 
 

@@ -1,0 +1,162 @@
+#ifndef plate_impact_page_h
+#define plate_impact_page_h
+
+#include <nlohmann/json.hpp>
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace PlateImpact
+{
+  /// How a series of a plot is drawn.
+  enum class Style
+  {
+    line,
+    faint, ///< thin, for what comes before; hides and shows with the series of
+           ///< the same colour
+    dashed,
+    points,
+    line_and_points
+  };
+
+  struct Series
+  {
+    std::string         name;
+    std::vector<double> x, y; ///< y alone in a bar plot; not finite: a gap
+    unsigned int        colour = 0;
+    Style               style  = Style::line;
+  };
+
+  struct Axis
+  {
+    std::string title; ///< with its unit in brackets
+    bool        logarithmic = false;
+  };
+
+  struct Plot
+  {
+    std::string         title, caption;
+    Axis                x, y;
+    std::vector<Series> series;
+
+    /// When given: stacked horizontal bars, one for each category.
+    std::vector<std::string> categories;
+  };
+
+  struct Table
+  {
+    std::vector<std::string>              columns; ///< with units
+    std::vector<std::vector<std::string>> rows;    ///< the first cell is a name
+    bool                                  has_words = false; ///< not numbers
+  };
+
+  /// A number that a reader looks for first.
+  struct Fact
+  {
+    std::string name, value, note;
+  };
+
+  /// Values over a rectangular grid, as coloured fields with a scale.
+  struct ColourMap
+  {
+    std::string         title, value_title; ///< the latter with its unit
+    Axis                x, y;
+    std::vector<double> x_values, y_values;
+    std::vector<double> values; ///< row by row, x fastest; not finite: empty
+  };
+
+
+  /// A self-contained HTML page of text, tables, plots and pictures, for
+  /// report.html, comparison.html and the page of a sweep.
+  ///
+  ///   Page page("scene.prm", "Peak force of three plates");
+  ///   page.section("Outcome");
+  ///   page.facts({{"Peak force", "1301.1 N", "at 34.3 µs"}});
+  ///   page.section("Convergence");
+  ///   page.plots({{"Error of the force", "", {"seconds", true}, {"error",
+  ///   true},
+  ///                {{"uniform", seconds, errors, 0, Style::line_and_points}},
+  ///                {}}});
+  ///   output.write_file("page.html", [&](auto &out) { page.write(out); });
+  ///
+  /// Text and tables are plain HTML and need no script. Numbers behind the
+  /// plots are one JSON block, element `data`: `plots`, whose series name their
+  /// numbers by index into `arrays` (six digits; a vector used twice is stored
+  /// once), and whatever is embed()ded. Chart.js, which draws them, and style
+  /// and scripts (source/page/) are within the file; it opens without a
+  /// network. Strings are UTF-8 text, not HTML: they are escaped here.
+  class Page
+  {
+  public:
+    Page(const std::string &title, const std::string &lead);
+
+    /// Begins a section and adds it to the table of contents.
+    void
+    section(const std::string &title);
+
+    void
+    heading(const std::string &title);
+
+    void
+    paragraph(const std::string &text);
+
+    /// A paragraph that stands out: a warning.
+    void
+    notice(const std::string &text);
+
+    void
+    facts(const std::vector<Fact> &facts);
+
+    void
+    table(const Table &table);
+
+    /// Plots beside each other where there is room; `small` ones for many.
+    void
+    plots(const std::vector<Plot> &plots, bool small = false);
+
+    void
+    colour_maps(const std::vector<ColourMap> &maps);
+
+    /// Pictures, SVG, beside each other where there is room.
+    void
+    pictures(const std::vector<std::string> &svg);
+
+    /// Text as it stands, such as a scene.
+    void
+    preformatted(const std::string &text);
+
+    /// Adds a value to the JSON block.
+    void
+    embed(const std::string &name, const nlohmann::ordered_json &value);
+
+    void
+    write(std::ostream &out) const;
+
+    /// HTML that a class of the page's scripts fills.
+    void
+    markup(const std::string &html);
+
+  private:
+    unsigned int
+    array(const std::vector<double> &values);
+
+    const std::string                title, lead;
+    std::string                      contents, content;
+    bool                             is_in_section = false;
+    unsigned int                     n_sections    = 0;
+    nlohmann::ordered_json           plot_data, map_data, embedded;
+    std::vector<std::vector<double>> arrays;
+  };
+
+  /// A value with six significant digits, as everywhere in the program's
+  /// output; a dash when it is not finite.
+  std::string
+  six_digits(double value);
+
+  /// Text with the characters that mean something to HTML escaped.
+  std::string
+  escaped(const std::string &text);
+} // namespace PlateImpact
+
+#endif
