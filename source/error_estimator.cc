@@ -77,6 +77,14 @@ namespace PlateImpact
 
 
   void
+  ErrorEstimator::keep_element_errors(const unsigned int interval)
+  {
+    interval_of_kept = interval;
+  }
+
+
+
+  void
   ErrorEstimator::add_samples(const std::vector<double>               &times,
                               const Eigen::Ref<const Eigen::MatrixXd> &unknowns)
   {
@@ -231,6 +239,10 @@ namespace PlateImpact
     last_time  = time;
     last_norms = norms;
     last_xi    = xi;
+    sample_times.push_back(time);
+    sample_errors.push_back(norms[1] > 0. ? norms[0] / norms[1] : 0.);
+    if (interval_of_kept > 0 && sample_times.size() % interval_of_kept == 0)
+      kept_element_errors.push_back(xi.cast<float>());
   }
 
 
@@ -283,6 +295,9 @@ namespace PlateImpact
       Eigen::Map<Eigen::VectorXd>(result.element_errors.data(),
                                   xi_integral.size()) = xi_integral / last_time;
     result.max_effective_stress = max_stress;
+    result.sample_times         = sample_times;
+    result.sample_errors        = sample_errors;
+    result.kept_element_errors  = kept_element_errors;
     return result;
   }
 

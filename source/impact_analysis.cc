@@ -89,6 +89,72 @@ namespace PlateImpact
       std::vector<double> times;
       Eigen::MatrixXd     states;
     };
+
+
+
+    /// Takes the states that the report shows: that of the largest force, and
+    /// frames of a film, at most 48, fewer where they would take more than 64
+    /// MB.
+    class ReportedStates
+    {
+    public:
+      /// @param reduced  as above
+      ReportedStates(const RitzPlate   *reduced,
+                     const unsigned int n_samples,
+                     const unsigned int n_unknowns)
+        : reduced(reduced)
+        , frame_interval(1 +
+                         n_samples / std::clamp(8000000u / n_unknowns, 8u, 48u))
+      {}
+
+      /// Samples of the estimator from frame to frame.
+      unsigned int
+      samples_per_frame() const
+      {
+        return frame_interval;
+      }
+
+      void
+      take_step(const TimeStepper &stepper)
+      {
+        if (stepper.state().force > peak_force)
+          {
+            peak_force = stepper.state().force;
+            peak       = {stepper.state().time, stepper.displacement()};
+          }
+      }
+
+      void
+      take_sample(const TimeStepper &stepper, std::vector<Snapshot> &frames)
+      {
+        if (++n_samples % frame_interval == 0)
+          frames.push_back(
+            unreduced({stepper.state().time, stepper.displacement()}));
+      }
+
+      std::optional<Snapshot>
+      peak_state() const
+      {
+        if (peak_force == 0.)
+          return {};
+        return unreduced(peak);
+      }
+
+    private:
+      Snapshot
+      unreduced(const Snapshot &state) const
+      {
+        if (reduced == nullptr)
+          return state;
+        return {state.time, reduced->vectors() * state.unknowns};
+      }
+
+      const RitzPlate   *reduced;
+      const unsigned int frame_interval;
+      unsigned int       n_samples  = 0;
+      double             peak_force = 0.;
+      Snapshot           peak;
+    };
   } // namespace
 
 
@@ -256,8 +322,14 @@ namespace PlateImpact
       std::clamp(n_steps / min_estimator_samples,
                  1u,
                  parameters.adaptivity.sampling_interval);
-    WaitingStates waiting(reduced, n_steps / interval + 1, result.cells);
-    const auto    judge = [&] {
+    WaitingStates  waiting(reduced, n_steps / interval + 1, result.cells);
+    ReportedStates reported(reduced,
+                            n_steps / interval,
+                            result.degrees_of_freedom);
+    const bool     has_report = parameters.output.write_report;
+    if (has_report)
+      error_estimator->keep_element_errors(reported.samples_per_frame());
+    const auto judge = [&] {
       clock.charge(result.seconds.stepping);
       waiting.judge(*error_estimator);
       clock.charge(result.seconds.estimation);
@@ -275,7 +347,13 @@ namespace PlateImpact
             {stepper.state().time,
              reduced ? reduced->vectors() * stepper.displacement() :
                        stepper.displacement()});
-        if (has_estimator && (step % interval == 0 || step == n_steps) &&
+        const bool is_sample =
+          has_estimator && (step % interval == 0 || step == n_steps);
+        if (has_report)
+          reported.take_step(stepper);
+        if (has_report && is_sample)
+          reported.take_sample(stepper, result.frames);
+        if (is_sample &&
             waiting.add(stepper.state().time, stepper.displacement()))
           judge();
         if (progress)
@@ -286,6 +364,7 @@ namespace PlateImpact
     else
       clock.charge(result.seconds.stepping);
 
+    result.peak_state         = reported.peak_state();
     result.history            = std::move(history);
     result.steps              = n_steps;
     result.impulse            = stepper.impulse();

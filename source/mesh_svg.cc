@@ -56,6 +56,48 @@ namespace PlateImpact
             height * std::log(highest / tick) / std::log(highest / lowest)
             << "\">" << tick << (tick == 1. ? " (limit)" : "") << "</text>\n";
     }
+
+
+    /// Size of a mesh that begins at the origin. [m]
+    Point<2>
+    extent(const Triangulation<2> &mesh)
+    {
+      Point<2> far;
+      for (const auto &vertex : mesh.get_vertices())
+        for (unsigned int d = 0; d < 2; ++d)
+          far[d] = std::max(far[d], vertex[d]);
+      return far;
+    }
+
+
+
+    /// The cells, coloured by xi' where it is known, y upwards.
+    /// @param scale      from metres
+    /// @param left, bottom  where the origin of the mesh is
+    void
+    write_cells(std::ostream           &out,
+                const Triangulation<2> &mesh,
+                const CycleResult      &result,
+                const double            scale,
+                const double            left,
+                const double            bottom)
+    {
+      const unsigned int around[] = {0, 1, 3, 2};
+      out << "<g class=\"mesh\" stroke=\"#444\" stroke-width=\"0.6\">\n"
+          << std::fixed << std::setprecision(2);
+      for (const auto &cell : mesh.active_cell_iterators())
+        {
+          out << "<polygon points=\"";
+          for (const unsigned int v : around)
+            out << (v == 0 ? "" : " ") << left + scale * cell->vertex(v)[0]
+                << ',' << bottom - scale * cell->vertex(v)[1];
+          const std::string fill = result.error ?
+            colour(result.error->element_errors[cell->active_cell_index()]) :
+            "none";
+          out << "\" fill=\"" << fill << "\"/>\n";
+        }
+      out << "</g>\n" << std::defaultfloat;
+    }
   } // namespace
 
 
@@ -65,48 +107,47 @@ namespace PlateImpact
                  const Triangulation<2> &mesh,
                  const CycleResult      &result)
   {
-    Point<2> far;
-    for (const auto &vertex : mesh.get_vertices())
-      for (unsigned int d = 0; d < 2; ++d)
-        far[d] = std::max(far[d], vertex[d]);
-    const double longest = std::max(far[0], far[1]);
-    const double size = 600., margin = 20., header = 34.;
-    const double scale = size / longest;
-    const double width = far[0] * scale, height = far[1] * scale;
-    const double total_width =
+    const Point<2> far  = extent(mesh);
+    const double   size = 600., margin = 20., header = 34.;
+    const double   scale = size / std::max(far[0], far[1]);
+    const double   width = far[0] * scale, height = far[1] * scale;
+    const double   total_width =
       std::max(2 * margin + width + (result.error ? 150. : 0.), 420.);
     const double total_height =
       header + 2 * margin + std::max(height, result.error ? 330. : 0.);
 
-    out
-      << std::setprecision(8)
-      << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 "
-      << total_width << ' ' << total_height << "\" width=\"" << total_width
-      << "\" height=\"" << total_height
-      << "\" font-family=\"sans-serif\" font-size=\"13\">\n"
-      << "<rect class=\"ground\" width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
-      << "<text x=\"" << margin << "\" y=\"" << header - 8 << "\">Cycle "
-      << result.cycle << ": " << result.cells << " cells";
+    out << std::setprecision(8)
+        << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 "
+        << total_width << ' ' << total_height << "\" width=\"" << total_width
+        << "\" height=\"" << total_height
+        << "\" font-family=\"sans-serif\" font-size=\"13\">\n"
+        << "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
+        << "<text x=\"" << margin << "\" y=\"" << header - 8 << "\">Cycle "
+        << result.cycle << ": " << result.cells << " cells";
     if (result.error)
       out << std::setprecision(3) << ", eta = " << 100. * result.error->eta
-          << " %" << std::setprecision(8);
-    out << ". Impact at the lower left corner.</text>\n"
-        << "<g class=\"mesh\" stroke=\"#444\" stroke-width=\"0.6\">\n";
-    const unsigned int around[] = {0, 1, 3, 2};
-    for (const auto &cell : mesh.active_cell_iterators())
-      {
-        out << "<polygon points=\"";
-        for (const unsigned int v : around)
-          out << margin + scale * cell->vertex(v)[0] << ','
-              << header + margin + height - scale * cell->vertex(v)[1] << ' ';
-        const std::string fill = result.error ?
-          colour(result.error->element_errors[cell->active_cell_index()]) :
-          "none";
-        out << "\" fill=\"" << fill << "\"/>\n";
-      }
-    out << "</g>\n";
+          << " %";
+    out << ". Impact at the lower left corner.</text>\n";
+    write_cells(out, mesh, result, scale, margin, header + margin + height);
     if (result.error)
       write_scale(out, 2 * margin + width, header + margin + 24.);
     out << "</svg>\n";
+  }
+
+
+
+  std::string
+  mesh_picture(const Triangulation<2> &mesh, const CycleResult &result)
+  {
+    const Point<2>     far   = extent(mesh);
+    const double       scale = 400. / std::max(far[0], far[1]);
+    std::ostringstream out;
+    out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-1 -1 "
+        << scale * far[0] + 2. << ' ' << scale * far[1] + 2.
+        << "\" role=\"img\" aria-label=\"Mesh of cycle " << result.cycle
+        << ", impact at the lower left corner\">\n";
+    write_cells(out, mesh, result, scale, 0., scale * far[1]);
+    out << "</svg>";
+    return out.str();
   }
 } // namespace PlateImpact

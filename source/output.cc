@@ -5,6 +5,7 @@
 #include <deal.II/fe/fe_tools.h>
 #include <deal.II/numerics/data_out.h>
 
+#include "plate_impact/deflection_film.h"
 #include "plate_impact/exceptions.h"
 #include "plate_impact/mesh_adaptation.h"
 #include "plate_impact/plate_mesh.h"
@@ -185,10 +186,13 @@ namespace PlateImpact
 
 
   void
-  Output::write_cycle(CycleResult &result, const Triangulation<2> &mesh)
+  Output::write_cycle(CycleResult          &result,
+                      const PlateModel     &model,
+                      const ErrorEstimator *estimator)
   {
-    Timer             timer;
-    const std::string suffix = "_cycle_" + std::to_string(result.cycle);
+    Timer                   timer;
+    const Triangulation<2> &mesh   = model.mesh();
+    const std::string       suffix = "_cycle_" + std::to_string(result.cycle);
     if (result.history)
       {
         if (result.cycle > 1)
@@ -214,17 +218,11 @@ namespace PlateImpact
                              *result.error,
                              scene.parameters.adaptivity);
       });
-    std::ostringstream picture;
-    if (scene.parameters.output.write_meshes ||
-        scene.parameters.output.write_report)
-      {
-        write_mesh_svg(picture, mesh, result);
-        if (scene.parameters.output.write_meshes)
-          write_file("mesh" + suffix + ".svg",
-                     [&](std::ostream &out) { out << picture.str(); });
-      }
+    if (scene.parameters.output.write_meshes)
+      write_file("mesh" + suffix + ".svg",
+                 [&](std::ostream &out) { write_mesh_svg(out, mesh, result); });
     if (scene.parameters.output.write_report)
-      report.add_cycle(result, picture.str());
+      report.add_cycle(result, model, estimator);
     result.seconds.output += timer.wall_time();
     cycles.push_back(to_json(result));
   }
@@ -333,12 +331,15 @@ namespace PlateImpact
 
   void
   Output::finish(const std::string              &outcome,
-                 const std::vector<std::string> &warnings)
+                 const std::vector<std::string> &warnings,
+                 const CycleResult              &last,
+                 const PlateModel               &model)
   {
     const nlohmann::ordered_json summary = write_summary(outcome, warnings);
     if (scene.parameters.output.write_report)
-      write_file("report.html",
-                 [&](std::ostream &out) { report.write(out, summary); });
+      write_file("report.html", [&](std::ostream &out) {
+        report.write(out, summary, deflection_film(last, model));
+      });
   }
 
 

@@ -14,6 +14,10 @@ namespace PlateImpact
 {
   namespace
   {
+    using Json = nlohmann::ordered_json;
+
+
+
     std::string
     name_of(const Style style)
     {
@@ -50,14 +54,11 @@ namespace PlateImpact
 
     /// JSON within a script element: nothing may look like its end.
     std::string
-    script_text(const nlohmann::ordered_json &value)
+    script_text(const Json &value)
     {
       std::string text;
       for (const char c :
-           value.dump(-1,
-                      ' ',
-                      false,
-                      nlohmann::ordered_json::error_handler_t::replace))
+           value.dump(-1, ' ', false, Json::error_handler_t::replace))
         if (c == '<')
           text += "\\u003c";
         else
@@ -87,7 +88,7 @@ namespace PlateImpact
 
 
 
-    nlohmann::ordered_json
+    Json
     to_json(const Axis &axis)
     {
       return {{"title", axis.title}, {"logarithmic", axis.logarithmic}};
@@ -131,9 +132,10 @@ namespace PlateImpact
   Page::Page(const std::string &title, const std::string &lead)
     : title(title)
     , lead(lead)
-    , plot_data(nlohmann::ordered_json::array())
-    , map_data(nlohmann::ordered_json::array())
-    , embedded(nlohmann::ordered_json::object())
+    , plot_data(Json::array())
+    , map_data(Json::array())
+    , mesh_data(Json::array())
+    , embedded(Json::object())
   {}
 
 
@@ -224,7 +226,7 @@ namespace PlateImpact
           content += "<figcaption>" + escaped(plot.caption) + "</figcaption>";
         content += "</figure>\n";
 
-        nlohmann::ordered_json series = nlohmann::ordered_json::array();
+        Json series = Json::array();
         for (const Series &s : plot.series)
           series.push_back({{"name", s.name},
                             {"x", array(s.x)},
@@ -265,12 +267,33 @@ namespace PlateImpact
 
 
   void
-  Page::pictures(const std::vector<std::string> &svg)
+  Page::meshes(const std::vector<MeshPicture> &meshes)
   {
-    content += "<div class=\"grid meshes\">\n";
-    for (const std::string &picture : svg)
-      content += "<figure>" + picture + "</figure>\n";
-    content += "</div>\n";
+    Json group = Json::array();
+    content += "<div class=\"mesh-group\" data-meshes=\"" +
+      std::to_string(mesh_data.size()) + "\"><div class=\"grid meshes\">\n";
+    for (const MeshPicture &mesh : meshes)
+      {
+        content += "<figure>" + mesh.svg + "<figcaption>" +
+          escaped(mesh.title) + "</figcaption></figure>\n";
+        Json fields = Json::array();
+        for (const CellField &field : mesh.fields)
+          fields.push_back({{"name", field.name},
+                            {"isRatio", field.is_ratio},
+                            {"values", array(field.values)}});
+        group.push_back({{"title", mesh.title}, {"fields", fields}});
+      }
+    content += "</div></div>\n";
+    mesh_data.push_back(group);
+  }
+
+
+
+  void
+  Page::film(const Json &film)
+  {
+    content += "<figure class=\"player\" data-film></figure>\n";
+    embed("film", film);
   }
 
 
@@ -284,15 +307,7 @@ namespace PlateImpact
 
 
   void
-  Page::markup(const std::string &html)
-  {
-    content += html;
-  }
-
-
-
-  void
-  Page::embed(const std::string &name, const nlohmann::ordered_json &value)
+  Page::embed(const std::string &name, const Json &value)
   {
     embedded[name] = value;
   }
@@ -328,7 +343,8 @@ namespace PlateImpact
         data += ']';
       }
     data += "],\n\"plots\":" + script_text(plot_data) +
-      ",\n\"maps\":" + script_text(map_data);
+      ",\n\"maps\":" + script_text(map_data) +
+      ",\n\"meshes\":" + script_text(mesh_data);
     for (const auto &[name, value] : embedded.items())
       data += ",\n\"" + name + "\":" + script_text(value);
     data += "}";
@@ -336,16 +352,17 @@ namespace PlateImpact
     const std::string header = "<h1>" + escaped(title) +
       "</h1>\n<p class=\"lead\">" + escaped(lead) +
       "</p>\n<nav aria-label=\"Contents\"><ul>\n" + contents + "</ul></nav>";
-    write_filled(
-      out,
-      PageAssets::page,
-      {{"TITLE", escaped(title)},
-       {"STYLE", std::string(PageAssets::style)},
-       {"HEADER", header},
-       {"CONTENT", content + (is_in_section ? "</section>" : "")},
-       {"DATA", data},
-       {"LIBRARY", std::string(PageAssets::chart_js)},
-       {"SCRIPT",
-        std::string(PageAssets::plots_js).append(PageAssets::maps_js)}});
+    write_filled(out,
+                 PageAssets::page,
+                 {{"TITLE", escaped(title)},
+                  {"STYLE", std::string(PageAssets::style)},
+                  {"HEADER", header},
+                  {"CONTENT", content + (is_in_section ? "</section>" : "")},
+                  {"DATA", data},
+                  {"LIBRARY", std::string(PageAssets::chart_js)},
+                  {"SCRIPT",
+                   std::string(PageAssets::plots_js)
+                     .append(PageAssets::maps_js)
+                     .append(PageAssets::film_js)}});
   }
 } // namespace PlateImpact

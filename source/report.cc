@@ -1,8 +1,10 @@
 #include "plate_impact/report.h"
 
 #include "plate_impact/contact_law.h"
+#include "plate_impact/error_estimator.h"
 #include "plate_impact/impactor.h"
-#include "plate_impact/page.h"
+#include "plate_impact/output.h"
+#include "plate_impact/plate_model.h"
 #include "plate_impact/plate_section.h"
 #include "plate_impact/prefixed_unit.h"
 #include "plate_impact/version.h"
@@ -20,6 +22,10 @@ namespace PlateImpact
 
     /// More points than these do not show on a screen.
     constexpr std::size_t max_plotted_states = 1200;
+
+    /// Cells of all meshes together that a page shows; a browser is slow with
+    /// more.
+    constexpr std::size_t max_pictured_cells = 15000;
 
 
 
@@ -157,27 +163,59 @@ namespace PlateImpact
 
 
 
-    /// A quantity of every cycle over the cycles or over the unknowns.
+    /// A quantity over the cycles.
     Plot
-    convergence(const Json        &cycles,
-                const std::string &key,
-                const std::string &title,
-                const std::string &y_title,
-                const double       factor)
+    over_cycles_plot(const Json        &cycles,
+                     const std::string &key,
+                     const Axis        &y,
+                     const double       factor = 1.)
     {
       std::vector<double> values = over_cycles(cycles, key);
       for (double &value : values)
         value *= factor;
+      const std::string title = y.title.substr(0, y.title.find(" ["));
       return {title,
               "",
-              {"unknowns", true},
-              {y_title, false},
+              {"cycle"},
+              y,
               {{title,
-                over_cycles(cycles, "degrees_of_freedom"),
+                over_cycles(cycles, "cycle"),
                 values,
                 0,
                 Style::line_and_points}},
               {}};
+    }
+
+
+
+    /// Recovered resultants of a state at the centres of the cells.
+    std::vector<CellField>
+    resultant_fields(const Snapshot       &state,
+                     const PlateModel     &model,
+                     const ErrorEstimator &estimator)
+    {
+      const Eigen::MatrixXd resultants =
+        estimator.recovered_resultants(state.unknowns,
+                                       {dealii::Point<2>(0.5, 0.5)});
+      const std::string      names[] = {"moment M_x [N]",
+                                        "moment M_y [N]",
+                                        "moment M_xy [N]",
+                                        "shear force Q_x [N/m]",
+                                        "shear force Q_y [N/m]"};
+      std::vector<CellField> fields;
+      for (unsigned int i = 0; i < 5; ++i)
+        {
+          const Eigen::VectorXd values = resultants.row(i);
+          fields.push_back({names[i], false, {values.begin(), values.end()}});
+        }
+      CellField stress{"von Mises stress at the faces [Pa]", false, {}};
+      for (Eigen::Index c = 0; c < resultants.cols(); ++c)
+        stress.values.push_back(
+          model.section().surface_von_mises_stress(resultants(0, c),
+                                                   resultants(1, c),
+                                                   resultants(2, c)));
+      fields.push_back(stress);
+      return fields;
     }
 
 
@@ -297,6 +335,65 @@ namespace PlateImpact
 
 
   void
+  Report::add_evidence(Page &page, const Json &summary) const
+  {
+    const Json       &cycles     = summary["cycles"];
+    const Json       &last       = cycles.back();
+    const Parameters &parameters = scene.parameters;
+    if (!last.contains("peak_force"))
+      return;
+    const auto with_unit = [](const double value, const char *unit) {
+      return PrefixedUnit(unit, value).text(value);
+    };
+    Table table{{"What the peak force depends on", "Evidence"}, {}, true};
+    if (last.contains("discretization_error"))
+      {
+        std::string text = "η = " + percentage(last["discretization_error"]) +
+          " of the energy norm, target " +
+          percentage(parameters.adaptivity.target_error) +
+          "; the peak force is usually far more accurate.";
+        if (last.contains("singular_cells"))
+          text += " Without " + six_digits(last["singular_cells"]) +
+            " cells at the point load; with them " +
+            percentage(last["discretization_error_of_all_cells"]) + ".";
+        table.rows.push_back({"Mesh: estimated error", text});
+      }
+    if (cycles.size() > 1)
+      {
+        const double before = cycles[cycles.size() - 2]["peak_force"];
+        const double change = last["peak_force"].get<double>() / before - 1.;
+        table.rows.push_back(
+          {"Mesh: change in the last cycle",
+           percentage(change) + " (from " + six_digits(before) + " N)"});
+      }
+    table.rows.push_back(
+      {"Time step",
+       with_unit(parameters.time.time_step, "s") + ", " +
+         six_digits(last["steps"]) + " steps; energy drift " +
+         six_digits(last["relative_energy_drift"]) +
+         (last.contains("first_contact_end") ? "; " +
+              six_digits(last["first_contact_end"].get<double>() /
+                         parameters.time.time_step) +
+              " steps of contact" :
+                                               "")});
+    const std::string &load = parameters.contact.load_distribution;
+    const double       cell = last["min_cell_size"];
+    table.rows.push_back(
+      {"Load",
+       load == "point" || load == "line" ? load +
+           ": the peak force has no limit under refinement; smallest "
+           "cell " +
+           with_unit(cell, "m") :
+                                           load + " of radius or half-width " +
+           with_unit(parameters.contact.patch_radius, "m") +
+           "; smallest cell " + with_unit(cell, "m")});
+    page.heading("How far to trust the peak force");
+    page.table(table);
+  }
+
+
+
+  void
   Report::add_histories(Page &page) const
   {
     if (histories.empty())
@@ -364,21 +461,30 @@ namespace PlateImpact
     page.section("Cycles");
     page.table(table_of_cycles(cycles));
     if (cycles.size() > 1)
+      page.plots(
+        {over_cycles_plot(cycles,
+                          "discretization_error",
+                          {"η [%]", true},
+                          100.),
+         over_cycles_plot(cycles, "peak_force", {"peak force [N]"}),
+         over_cycles_plot(cycles, "degrees_of_freedom", {"unknowns", true})},
+        true);
+    if (!error_histories.empty())
       {
-        std::vector<Plot> plots;
-        if (cycles.back().contains("discretization_error"))
-          {
-            plots.push_back(
-              convergence(cycles, "discretization_error", "η", "η [%]", 100.));
-            plots.back().y.logarithmic = true;
-          }
-        if (cycles.back().contains("peak_force"))
-          plots.push_back(convergence(cycles,
-                                      "peak_force",
-                                      "Peak force",
-                                      "peak force [N]",
-                                      1.));
-        page.plots(plots);
+        const PrefixedUnit unit("s", error_histories.back().time);
+        Plot               plot{"Relative error in time, η(t)",
+                  "‖e‖ over the norm of the solution at the samples of the "
+                                "estimator; η is its mean with that norm as weight.",
+                  {"time [" + unit.name() + "]"},
+                  {"η(t) [%]", true},
+                  {},
+                  {}};
+        for (const ErrorHistory &history : error_histories)
+          plot.series.push_back({"cycle " + std::to_string(history.cycle),
+                                 unit(history.time),
+                                 history.error,
+                                 unsigned(&error_histories.back() - &history)});
+        page.plots({plot});
       }
     page.plots({seconds_by_stage(cycles)});
   }
@@ -388,10 +494,39 @@ namespace PlateImpact
   void
   Report::add_meshes(Page &page) const
   {
-    if (pictures.empty())
+    if (meshes.empty())
       return;
     page.section("Meshes");
-    page.pictures(pictures);
+    page.paragraph("A quarter of the plate; the impact is at the lower left "
+                   "corner. Resultants are those at the peak force, recovered, "
+                   "at the centres of the cells.");
+    // the last meshes matter most
+    std::size_t              n_cells = 0;
+    std::vector<MeshPicture> shown;
+    for (auto mesh = meshes.rbegin(); mesh != meshes.rend(); ++mesh)
+      {
+        n_cells += mesh->n_cells;
+        if (n_cells > max_pictured_cells)
+          break;
+        shown.insert(shown.begin(), *mesh);
+      }
+    if (shown.size() < meshes.size())
+      page.paragraph("Meshes of too many cells for a page are left out; see "
+                     "mesh_cycle_K.svg and Output/Field samples.");
+    if (!shown.empty())
+      page.meshes(shown);
+  }
+
+
+
+  void
+  Report::add_film(Page &page, const Json &film) const
+  {
+    if (film.is_null())
+      return;
+    page.section("In time");
+    page.paragraph("Deflection and element errors on the last mesh.");
+    page.film(film);
   }
 
 
@@ -409,14 +544,16 @@ namespace PlateImpact
 
 
   void
-  Report::write(std::ostream &out, const Json &summary) const
+  Report::write(std::ostream &out, const Json &summary, const Json &film) const
   {
     Page page(scene.name, description(scene.parameters));
     page.embed("summary", summary);
     add_outcome(page, summary);
+    add_evidence(page, summary);
     add_histories(page);
-    add_cycles(page, summary["cycles"]);
+    add_film(page, film);
     add_meshes(page);
+    add_cycles(page, summary["cycles"]);
     add_scene(page);
     page.write(out);
   }
@@ -424,11 +561,35 @@ namespace PlateImpact
 
 
   void
-  Report::add_cycle(const CycleResult &result, const std::string &picture)
+  Report::add_cycle(const CycleResult    &result,
+                    const PlateModel     &model,
+                    const ErrorEstimator *estimator)
   {
     if (result.history)
       histories.push_back(plotted(result));
-    if (!picture.empty())
-      pictures.push_back(picture);
+    if (result.error)
+      {
+        error_histories.push_back(
+          {result.cycle, result.error->sample_times, {}});
+        for (const double error : result.error->sample_errors)
+          error_histories.back().error.push_back(100. * error);
+      }
+    std::string title = "Cycle " + std::to_string(result.cycle) + ": " +
+      std::to_string(result.cells) + " cells";
+    if (result.error)
+      title += ", η = " + percentage(result.error->eta);
+    MeshPicture mesh{title, result.cells, {}, {}};
+    if (result.cells <= max_pictured_cells)
+      {
+        mesh.svg = mesh_picture(model.mesh(), result);
+        if (result.error)
+          mesh.fields.push_back(
+            {"element error ξ′", true, result.error->element_errors});
+        if (estimator != nullptr && result.peak_state)
+          for (const CellField &field :
+               resultant_fields(*result.peak_state, model, *estimator))
+            mesh.fields.push_back(field);
+      }
+    meshes.push_back(mesh);
   }
 } // namespace PlateImpact

@@ -24,7 +24,7 @@ namespace PlateImpact
       while (true)
         {
           CycleResult result = analysis.compute_cycle();
-          output.write_cycle(result, analysis.mesh());
+          output.write_cycle(result, analysis.model(), analysis.estimator());
           std::optional<std::string> end = analysis.outcome(result);
           if (!end && !analysis.adapt(result))
             end = "mesh unchanged";
@@ -43,7 +43,7 @@ namespace PlateImpact
                                             analysis.model().section(),
                                             *analysis.contact_law(),
                                             result);
-          output.finish(*end, warnings);
+          output.finish(*end, warnings, result, analysis.model());
           console.end(*end, result, warnings, output.main_files());
           return;
         }

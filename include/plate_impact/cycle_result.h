@@ -59,6 +59,11 @@ namespace PlateImpact
     std::optional<double>         separation_time; ///< no contact since [s]
     std::vector<Snapshot>         snapshots;
 
+    /// For the report: the state of the largest force, and states evenly over
+    /// the samples of the estimator, those of error->kept_element_errors.
+    std::optional<Snapshot> peak_state;
+    std::vector<Snapshot>   frames;
+
     Work    work;
     Seconds seconds;
   };

@@ -30,6 +30,13 @@ namespace PlateImpact
     /// samples, from recovered resultants. [Pa]
     double max_effective_stress = 0.;
 
+    /// Relative error ||e|| / (||u||^2 + ||e||^2)^{1/2} at the samples, without
+    /// singular cells; eta is its mean with the denominator as weight.
+    std::vector<double> sample_times, sample_errors;
+
+    /// xi_i(t) at the samples that were to be kept.
+    std::vector<Eigen::VectorXf> kept_element_errors;
+
     double
     max_element_error() const;
   };
@@ -64,6 +71,10 @@ namespace PlateImpact
       double                                               target_error,
       const std::vector<unsigned int>                     &singular_cells = {},
       const std::function<bool(const dealii::Point<2> &)> &is_rough       = {});
+
+    /// Keeps the errors of the elements at every so manieth sample; 0: none.
+    void
+    keep_element_errors(unsigned int interval);
 
     /// Takes states of the plate at times later than those before. All are
     /// evaluated together, as matrix products.
@@ -140,6 +151,10 @@ namespace PlateImpact
     Norms           norm_integrals, last_norms;
     Eigen::VectorXd xi_integral, last_xi;
     double          max_stress = 0.;
+
+    unsigned int                 interval_of_kept = 0;
+    std::vector<double>          sample_times, sample_errors;
+    std::vector<Eigen::VectorXf> kept_element_errors;
   };
 } // namespace PlateImpact
 

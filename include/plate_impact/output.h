@@ -30,11 +30,15 @@ namespace PlateImpact
     /// @throws ComputationError, as all members, when a file cannot be written
     explicit Output(const Scene &scene);
 
+    /// @param estimator  null where the scene has none
+    ///
     /// contact_history.csv, the one of the cycle before becoming
     /// contact_history_cycle_K.csv; element_errors_cycle_K.csv;
     /// mesh_cycle_K.svg.
     void
-    write_cycle(CycleResult &result, const dealii::Triangulation<2> &mesh);
+    write_cycle(CycleResult          &result,
+                const PlateModel     &model,
+                const ErrorEstimator *estimator);
 
     /// fields.pvd and a VTU file for every snapshot of the last cycle:
     /// deflection, rotations, recovered resultants, von Mises stress at the
@@ -47,7 +51,9 @@ namespace PlateImpact
     /// summary.json and report.html.
     void
     finish(const std::string              &outcome,
-           const std::vector<std::string> &warnings);
+           const std::vector<std::string> &warnings,
+           const CycleResult              &last,
+           const PlateModel               &model);
 
     /// summary.json of a run that failed, with the cycles before.
     void
@@ -77,6 +83,10 @@ namespace PlateImpact
   write_mesh_svg(std::ostream                   &out,
                  const dealii::Triangulation<2> &mesh,
                  const CycleResult              &result);
+
+  /// The same without words and scale, for pages.
+  std::string
+  mesh_picture(const dealii::Triangulation<2> &mesh, const CycleResult &result);
 } // namespace PlateImpact
 
 #endif

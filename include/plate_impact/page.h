@@ -57,6 +57,22 @@ namespace PlateImpact
     std::string name, value, note;
   };
 
+  /// Values of the cells of a mesh.
+  struct CellField
+  {
+    std::string         name;             ///< with its unit
+    bool                is_ratio = false; ///< to a limit of 1: scale 0.1 to 10
+    std::vector<double> values;
+  };
+
+  struct MeshPicture
+  {
+    std::string            title;
+    unsigned int           n_cells;
+    std::string            svg;    ///< as mesh_picture() makes it
+    std::vector<CellField> fields; ///< the first is what the picture shows
+  };
+
   /// Values over a rectangular grid, as coloured fields with a scale.
   struct ColourMap
   {
@@ -118,9 +134,14 @@ namespace PlateImpact
     void
     colour_maps(const std::vector<ColourMap> &maps);
 
-    /// Pictures, SVG, beside each other where there is room.
+    /// Meshes beside each other where there is room, to be coloured by any of
+    /// their fields, on one scale for all.
     void
-    pictures(const std::vector<std::string> &svg);
+    meshes(const std::vector<MeshPicture> &meshes);
+
+    /// A player for deflection_film().
+    void
+    film(const nlohmann::ordered_json &film);
 
     /// Text as it stands, such as a scene.
     void
@@ -133,10 +154,6 @@ namespace PlateImpact
     void
     write(std::ostream &out) const;
 
-    /// HTML that a class of the page's scripts fills.
-    void
-    markup(const std::string &html);
-
   private:
     unsigned int
     array(const std::vector<double> &values);
@@ -145,7 +162,7 @@ namespace PlateImpact
     std::string                      contents, content;
     bool                             is_in_section = false;
     unsigned int                     n_sections    = 0;
-    nlohmann::ordered_json           plot_data, map_data, embedded;
+    nlohmann::ordered_json           plot_data, map_data, mesh_data, embedded;
     std::vector<std::vector<double>> arrays;
   };
 

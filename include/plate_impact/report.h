@@ -2,6 +2,7 @@
 #define plate_impact_report_h
 
 #include "plate_impact/cycle_result.h"
+#include "plate_impact/page.h"
 #include "plate_impact/scene.h"
 
 #include <nlohmann/json.hpp>
@@ -12,7 +13,8 @@
 
 namespace PlateImpact
 {
-  class Page;
+  class ErrorEstimator;
+  class PlateModel;
 
   /// report.html: a run on one page. Takes what it shows cycle by cycle, since
   /// the meshes do not stay.
@@ -22,13 +24,18 @@ namespace PlateImpact
     /// @param scene  must outlive the report
     explicit Report(const Scene &scene);
 
-    /// @param picture  the mesh as SVG
+    /// @param estimator  null where the scene has none
     void
-    add_cycle(const CycleResult &result, const std::string &picture);
+    add_cycle(const CycleResult    &result,
+              const PlateModel     &model,
+              const ErrorEstimator *estimator);
 
     /// @param summary  the content of summary.json
+    /// @param film     deflection_film() of the last cycle
     void
-    write(std::ostream &out, const nlohmann::ordered_json &summary) const;
+    write(std::ostream                 &out,
+          const nlohmann::ordered_json &summary,
+          const nlohmann::ordered_json &film) const;
 
   private:
     /// Steps of a history that plots show, as columns.
@@ -46,17 +53,29 @@ namespace PlateImpact
     void
     add_outcome(Page &page, const nlohmann::ordered_json &summary) const;
     void
+    add_evidence(Page &page, const nlohmann::ordered_json &summary) const;
+    void
     add_histories(Page &page) const;
     void
     add_cycles(Page &page, const nlohmann::ordered_json &cycles) const;
     void
     add_meshes(Page &page) const;
     void
+    add_film(Page &page, const nlohmann::ordered_json &film) const;
+    void
     add_scene(Page &page) const;
+
+    /// eta(t) of a cycle.
+    struct ErrorHistory
+    {
+      unsigned int        cycle;
+      std::vector<double> time, error;
+    };
 
     const Scene                &scene;
     std::vector<PlottedHistory> histories;
-    std::vector<std::string>    pictures;
+    std::vector<ErrorHistory>   error_histories;
+    std::vector<MeshPicture>    meshes;
   };
 } // namespace PlateImpact
 

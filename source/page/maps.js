@@ -14,15 +14,18 @@ function colourAt(palette, s) {
   return 'rgb(' + palette[i].map((c, k) => Math.round(c + (at - i) * (palette[i + 1][k] - c))).join(',') + ')';
 }
 
-/** A bar with the colours of a palette between its ends. */
-function makeScale(palette, low, high, title) {
+/** A bar with the colours of a palette, with labels evenly along it. */
+function makeScale(palette, labels, title) {
   const scale = document.createElement('div');
   scale.className = 'scale';
-  const bar = document.createElement('span');
+  const bar = document.createElement('div');
   bar.className = 'bar';
   bar.style.background = 'linear-gradient(to right,' +
     palette.map((_, i) => colourAt(palette, i / (palette.length - 1))).join(',') + ')';
-  scale.append(low, bar, high + (title ? ' ' + title : ''));
+  const line = document.createElement('div');
+  line.className = 'labels';
+  line.append(...labels.map((label) => Object.assign(document.createElement('span'), { textContent: label })));
+  scale.append(title, bar, line);
   return scale;
 }
 
@@ -66,7 +69,65 @@ function makeMap(holder) {
   labels(ys, Math.max(2, height / 24)).forEach((label, j) => svg.append(svgElement('text', { x: left - 6, y: 8 + height - (j + 0.5) * dy, 'text-anchor': 'end' }, label)));
   svg.append(svgElement('text', { x: left + width / 2, y: height + 40, 'text-anchor': 'middle' }, map.x.title));
   svg.append(svgElement('text', { transform: `translate(14 ${height / 2}) rotate(-90)`, 'text-anchor': 'middle' }, map.y.title));
-  holder.append(svg, makeScale(palettes.sequential, formatted(low), formatted(high), map.value), readout);
+  holder.append(svg, makeScale(palettes.sequential, [formatted(low), formatted((low + high) / 2), formatted(high)], map.value), readout);
 }
 
 document.querySelectorAll('[data-map]').forEach(makeMap);
+
+// ---------------------------------------------------------------- meshes
+
+/** Places of values on a palette, for all meshes of a group alike. */
+function fieldScale(fields) {
+  if (fields[0].isRatio)
+    return { palette: palettes.diverging, labels: ['≤ 0.1', '0.3', '1 (limit)', '3', '≥ 10'],
+      place: (value) => 0.5 + 0.5 * Math.log10(Math.max(value, 1e-12)) };
+  let high = 0, isSigned = false;
+  for (const { values } of fields)
+    for (const value of data.arrays[values]) {
+      high = Math.max(high, Math.abs(value));
+      isSigned = isSigned || value < 0;
+    }
+  high = high || 1;
+  // square roots: resultants are largest by far at the impact
+  const root = (value) => Math.sign(value) * Math.sqrt(Math.abs(value) / high);
+  const label = (value) => formatted(value, 3);
+  return isSigned ?
+    { palette: palettes.diverging, labels: [-high, -high / 4, 0, high / 4, high].map(label), place: (value) => 0.5 + 0.5 * root(value) } :
+    { palette: palettes.sequential, labels: [0, high / 4, high].map(label), place: root };
+}
+
+function makeMeshes(holder) {
+  const meshes = data.meshes[holder.dataset.meshes];
+  if (!meshes.every((mesh) => mesh.fields.length > 0)) return;
+  const figures = [...holder.querySelectorAll('figure')];
+  const controls = document.createElement('div');
+  controls.className = 'controls';
+  const label = Object.assign(document.createElement('label'), { textContent: 'Colour: ' });
+  const select = document.createElement('select');
+  meshes[0].fields.forEach((field, i) => select.append(new Option(field.name, i)));
+  label.append(select);
+  controls.append(label);
+  const scaleHolder = document.createElement('div');
+  const readout = Object.assign(document.createElement('div'), { className: 'readout' });
+  holder.prepend(controls, scaleHolder);
+  holder.append(readout);
+
+  const show = () => {
+    const scale = fieldScale(meshes.map((mesh) => mesh.fields[select.value]));
+    scaleHolder.replaceChildren(makeScale(scale.palette, scale.labels, meshes[0].fields[select.value].name));
+    meshes.forEach((mesh, i) => {
+      const values = data.arrays[mesh.fields[select.value].values];
+      figures[i].querySelectorAll('polygon').forEach((cell, c) => cell.setAttribute('fill', colourAt(scale.palette, scale.place(values[c]))));
+    });
+  };
+  select.addEventListener('change', show);
+  figures.forEach((figure, i) => figure.addEventListener('pointerover', (event) => {
+    if (event.target.tagName !== 'polygon') return;
+    const c = [...event.target.parentNode.children].indexOf(event.target);
+    readout.textContent = `${meshes[i].title.split(':')[0]}, cell ${c}: ` + meshes[i].fields
+      .map((field) => `${field.name} ${formatted(data.arrays[field.values][c], 4)}`).join(', ');
+  }));
+  show();
+}
+
+document.querySelectorAll('[data-meshes]').forEach(makeMeshes);

@@ -50,7 +50,7 @@ Chart.register({
   }
 });
 
-function axis(description, overrides) {
+function axis(description, overrides, values) {
   const result = {
     type: description.logarithmic ? 'logarithmic' : 'linear',
     title: { display: true, text: description.title, color: cssColour('text') },
@@ -65,8 +65,10 @@ function axis(description, overrides) {
       const shown = decades > 2.5 ? [1] : decades > 1.2 ? [1, 2, 5] : [1, 2, 3, 4, 5, 6, 8];
       return shown.some((s) => Math.abs(s - lead) < 1e-6) ? formatted(value, 3) : '';
     };
-  else
+  else {
     result.ticks.callback = (value) => formatted(value, 5);
+    if (values?.every(Number.isInteger) && Math.max(...values) - Math.min(...values) < 25) result.ticks.stepSize = 1;
+  }
   return result;
 }
 
@@ -144,7 +146,7 @@ function makePlot(canvas, plot) {
       interaction: bars ? { mode: 'index', axis: 'y', intersect: false } : { mode: 'nearestOfEach', intersect: false },
       scales: bars ?
         { x: axis(plot.x, { stacked: true }), y: axis(plot.y, { type: 'category', stacked: true }) } :
-        { x: axis(plot.x), y: axis(plot.y) },
+        { x: axis(plot.x, {}, plot.series.flatMap((series) => data.arrays[series.x])), y: axis(plot.y) },
       plugins: {
         legend: {
           display: plot.series.length > 1, position: 'bottom', onClick: toggleSeries,
