@@ -22,12 +22,13 @@ namespace PlateImpact
 
 
 
-  PrefixedUnit::PrefixedUnit(const std::string &unit, const double largest)
+  PrefixedUnit::PrefixedUnit(const std::string &unit, const double value)
     : prefixed(unit)
     , factor(1.)
   {
+    const double      largest    = std::abs(value);
     const std::string prefixes[] = {"p", "n", "µ", "m", "", "k", "M", "G", "T"};
-    // values from 1 to 1000, newtons and metres per second up to 100000
+    // forces read better as 1301 N than as 1.301 kN
     const bool is_everyday = largest >= 1. && largest < 1e5;
     if (!std::isfinite(largest) || largest <= 0. || is_everyday)
       return;

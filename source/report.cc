@@ -366,25 +366,27 @@ namespace PlateImpact
           {"Mesh: change in the last cycle",
            percentage(change) + " (from " + six_digits(before) + " N)"});
       }
-    table.rows.push_back(
-      {"Time step",
-       with_unit(parameters.time.time_step, "s") + ", " +
-         six_digits(last["steps"]) + " steps; energy drift " +
-         six_digits(last["relative_energy_drift"]) +
-         (last.contains("first_contact_end") ? "; " +
-              six_digits(last["first_contact_end"].get<double>() /
-                         parameters.time.time_step) +
-              " steps of contact" :
-                                               "")});
+    table.rows.push_back({"Time step",
+                          with_unit(parameters.time.time_step, "s") + ", " +
+                            six_digits(last["steps"]) +
+                            " steps; energy drift " +
+                            six_digits(last["relative_energy_drift"]) +
+                            (last.contains("first_contact_end") ? "; " +
+                                 std::to_string(std::lround(
+                                   last["first_contact_end"].get<double>() /
+                                   parameters.time.time_step)) +
+                                 " of the steps in the first contact" :
+                                                                  "")});
     const std::string &load = parameters.contact.load_distribution;
     const double       cell = last["min_cell_size"];
     table.rows.push_back(
       {"Load",
-       load == "point" || load == "line" ? load +
+       load == "point" || load == "line" ?
+         load +
            ": the peak force has no limit under refinement; smallest "
            "cell " +
            with_unit(cell, "m") :
-                                           load + " of radius or half-width " +
+         load + (load == "strip" ? " of half-width " : " of radius ") +
            with_unit(parameters.contact.patch_radius, "m") +
            "; smallest cell " + with_unit(cell, "m")});
     page.heading("How far to trust the peak force");

@@ -12,9 +12,8 @@ namespace PlateImpact
   {
   public:
     /// @param unit     of SI without prefix, such as "s"
-    /// @param largest  magnitude of the values to show; 0 or not finite: no
-    /// prefix
-    PrefixedUnit(const std::string &unit, double largest);
+    /// @param value  the largest to show; 0 or not finite: no prefix
+    PrefixedUnit(const std::string &unit, double value);
 
     /// For the largest of some values.
     PrefixedUnit(const std::string &unit, const std::vector<double> &values);

@@ -34,7 +34,10 @@ class Film {
   makePatches() {
     const { film, corners } = this;
     const nine = film.nodesPerCell === 9;
-    const quads = nine ? [[0, 1, 4, 3], [1, 2, 5, 4], [3, 4, 7, 6], [4, 5, 8, 7]] : [[0, 1, 3, 2]];
+    // with the corners along which a quadrilateral borders on other cells
+    const quads = nine ?
+      [[[0, 1, 4, 3], [3, 0, 1]], [[1, 2, 5, 4], [0, 1, 2]], [[3, 4, 7, 6], [0, 3, 2]], [[4, 5, 8, 7], [1, 2, 3]]] :
+      [[[0, 1, 3, 2], [0, 1, 2, 3, 0]]];
     const side = nine ? 3 : 2;
     this.extent = corners.reduce((a, b) => Math.max(a, b), 0);
     this.nodes = new Float32Array(2 * film.cells * film.nodesPerCell);
@@ -51,8 +54,8 @@ class Film {
     const quarters = film.cells > 4000 ? [[1, 1]] : [[1, 1], [-1, 1], [1, -1], [-1, -1]];
     for (const [mirrorX, mirrorY] of quarters)
       for (let cell = 0; cell < film.cells; ++cell)
-        for (const quad of quads)
-          this.patches.push({ cell, mirrorX, mirrorY, nodes: quad.map((n) => cell * film.nodesPerCell + n) });
+        for (const [quad, border] of quads)
+          this.patches.push({ cell, mirrorX, mirrorY, border, nodes: quad.map((n) => cell * film.nodesPerCell + n) });
   }
 
   makeControls() {
@@ -128,7 +131,7 @@ class Film {
       return colourAt(palettes.diverging, 0.5 + sum / 4 / this.largest / 2);
     }
     const value = this.cellErrors[this.frame * this.film.cells + patch.cell];
-    return value === -32768 ? cssColour('surface') : colourAt(palettes.diverging, 0.5 + value / 20000);
+    return value === -32768 ? 'rgb(255,255,255)' : colourAt(palettes.diverging, 0.5 + value / 20000);
   }
 
   draw() {
@@ -157,14 +160,19 @@ class Film {
       return { patch, points, depth };
     });
     drawn.sort((a, b) => b.depth - a.depth);
-    context.strokeStyle = cssColour('text') + '50';
-    context.lineWidth = 0.5;
+    context.lineWidth = 0.6;
     for (const { patch, points } of drawn) {
-      context.beginPath();
-      points.forEach(([x, y], i) => (i === 0 ? context.moveTo(x, y) : context.lineTo(x, y)));
-      context.closePath();
-      context.fillStyle = this.colourOf(patch, offset);
+      const trace = (corners) => {
+        context.beginPath();
+        corners.forEach((corner, i) => (i === 0 ? context.moveTo(...points[corner]) : context.lineTo(...points[corner])));
+      };
+      trace([0, 1, 2, 3, 0]);
+      // the line hides the seam between two fillings
+      context.fillStyle = context.strokeStyle = this.colourOf(patch, offset);
       context.fill();
+      context.stroke();
+      trace(patch.border);
+      context.strokeStyle = 'rgba(0,0,0,0.45)';
       context.stroke();
     }
     this.readout.textContent = `t = ${withUnit(film.times[this.frame], 's')},  F = ${withUnit(film.forces[this.frame], 'N')},  ` +

@@ -1,7 +1,6 @@
 'use strict';
 
 const data = JSON.parse(document.getElementById('data').textContent);
-const motionless = matchMedia('(prefers-reduced-motion: reduce)').matches;
 
 /** A colour of page.css as it is now, in light or dark. */
 function cssColour(name) {

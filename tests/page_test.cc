@@ -1,0 +1,222 @@
+// Pages of plots and tables: what is in the file, without a browser.
+#include "plate_impact/page.h"
+#include "plate_impact/prefixed_unit.h"
+#include "program_fixture.h"
+
+#include <cmath>
+#include <limits>
+#include <regex>
+
+namespace PlateImpact
+{
+  namespace
+  {
+    std::string
+    written(const Page &page)
+    {
+      std::ostringstream out;
+      page.write(out);
+      return out.str();
+    }
+
+
+
+    /// The JSON block of a page.
+    nlohmann::json
+    data_of(const std::string &page)
+    {
+      const std::string begin =
+        "<script type=\"application/json\" id=\"data\">";
+      const std::size_t first = page.find(begin) + begin.size();
+      return nlohmann::json::parse(
+        page.substr(first, page.find("</script>", first) - first));
+    }
+
+
+
+    void
+    remove_all(std::string       &text,
+               const std::string &begin,
+               const std::string &end)
+    {
+      for (std::size_t at; (at = text.find(begin)) != text.npos;)
+        text.erase(at, text.find(end, at + begin.size()) + end.size() - at);
+    }
+
+
+
+    /// References that would need a network: all that are not in comments of
+    /// licences and no names of XML.
+    unsigned int
+    n_references(std::string page)
+    {
+      remove_all(page, "/*!", "*/");
+      remove_all(page, "http://www.w3.org/2000/", "svg");
+      const std::regex reference("https?://|src=|@import|url\\(");
+      return std::distance(std::sregex_iterator(page.begin(),
+                                                page.end(),
+                                                reference),
+                           std::sregex_iterator());
+    }
+
+
+
+    TEST(Page, StoresNumbersOnceAndGapsAsNull)
+    {
+      const std::vector<double> x = {1., 2., 3.};
+      Page                      page("title", "lead");
+      page.plots({{"plot",
+                   "caption",
+                   {"x [m]", true},
+                   {"y"},
+                   {{"a", x, {1. / 3., std::nan(""), 1e-30}},
+                    {"b", x, x, 3, Style::dashed}},
+                   {}}});
+      const nlohmann::json data = data_of(written(page));
+      EXPECT_EQ(data["arrays"].size(), 2u);
+      const nlohmann::json &series = data["plots"][0]["series"];
+      EXPECT_EQ(series[0]["x"], series[1]["y"]);
+      EXPECT_EQ(series[1]["style"], "dashed");
+      EXPECT_EQ(data["plots"][0]["x"]["logarithmic"], true);
+      EXPECT_EQ(data["arrays"][1],
+                nlohmann::json::parse("[0.333333,null,1e-30]"));
+    }
+
+
+
+    TEST(Page, TextStaysText)
+    {
+      const std::string evil = "</script><script>alert(1)</script>&\"<b>";
+      Page              page(evil, evil);
+      page.section(evil);
+      page.notice(evil);
+      page.facts({{evil, evil, evil}});
+      page.table({{evil}, {{evil, evil}}, true});
+      page.preformatted(evil);
+      page.plots({{evil, evil, {evil}, {evil}, {{evil, {}, {}}}, {evil}}});
+      page.embed("evil", evil);
+      const std::string html = written(page);
+      EXPECT_EQ(html.find("alert(1)</script>"), std::string::npos);
+      EXPECT_EQ(html.find("<b>"), std::string::npos);
+      EXPECT_EQ(data_of(html)["evil"], evil);
+    }
+
+
+
+    TEST(Page, BytesThatAreNoTextAreReplaced)
+    {
+      Page page("\xff", "");
+      page.embed("name", "\xff");
+      EXPECT_EQ(data_of(written(page))["name"], "\uFFFD");
+    }
+
+
+
+    TEST(Page, UnitsGetPrefixesThatReadWell)
+    {
+      const auto text = [](const double value, const std::string &unit) {
+        return PrefixedUnit(unit, value).text(value);
+      };
+      EXPECT_EQ(text(3.43e-5, "s"), "34.3 µs");
+      EXPECT_EQ(text(1301.14, "N"), "1301.14 N");
+      EXPECT_EQ(text(2.1e11, "Pa"), "210 GPa");
+      EXPECT_EQ(text(1e-3, "m"), "1 mm");
+      EXPECT_EQ(text(-0.25, "m"), "-250 mm");
+      EXPECT_EQ(text(0., "m"), "0 m");
+      EXPECT_EQ(text(1e-30, "s"), "1e-18 ps");
+      EXPECT_EQ(PrefixedUnit("m", std::nan("")).name(), "m");
+    }
+
+
+
+    /// report.html of a run.
+    class ReportPage : public Program
+    {
+    protected:
+      std::string
+      report(const std::string &scene, const std::string &more)
+      {
+        EXPECT_EQ(run(scene, more), 0) << err;
+        return text(results() / "report.html");
+      }
+    };
+
+    const std::string quick = " --set 'Time/Time step=1e-6' ";
+
+
+
+    TEST_F(ReportPage, HoldsTheNumbersOfTheSummaryAndNeedsNoNetwork)
+    {
+      const std::string page = report(main_scene, quick);
+      EXPECT_EQ(n_references(page), 0u);
+      EXPECT_LT(page.size(), 3e6);
+      const nlohmann::json data = data_of(page);
+      EXPECT_EQ(data["summary"], summary());
+      // the force as the page tells it and as it plots it
+      const double       peak = last_cycle()["peak_force"];
+      std::ostringstream digits;
+      digits << peak;
+      EXPECT_NE(page.find(">" + digits.str() + " N<"), std::string::npos);
+      const nlohmann::json &force  = data["plots"][0];
+      const nlohmann::json  cycles = summary()["cycles"];
+      ASSERT_EQ(force["series"].size(), cycles.size());
+      for (unsigned int i = 0; i < cycles.size(); ++i)
+        {
+          const std::vector<double> values =
+            data["arrays"][force["series"][i]["y"].get<int>()];
+          EXPECT_EQ(values.size(), 81u);
+          expect_near(*std::max_element(values.begin(), values.end()),
+                      cycles[i]["peak_force"],
+                      1e-5);
+        }
+      EXPECT_EQ(data["meshes"][0].size(), cycles.size());
+      EXPECT_EQ(data["meshes"][0][0]["fields"].size(), 7u);
+      EXPECT_EQ(data["film"]["cells"], last_cycle()["cells"]);
+    }
+
+
+
+    TEST_F(ReportPage, FilmShowsTheDeflectionUnderTheLoad)
+    {
+      const nlohmann::json film =
+        data_of(report(main_scene, "--set 'Time/Time step=2e-7'"))["film"];
+      EXPECT_GE(film["times"].size(), 40u);
+      // the deflection under the load is what the contact law sees, averaged
+      // over a patch that is small beside the dent
+      expect_near(32767. * film["deflectionUnit"].get<double>(),
+                  last_cycle()["max_plate_displacement"],
+                  0.01);
+    }
+
+
+
+    TEST_F(ReportPage, LeavesOutWhatTheSceneDoesNotHave)
+    {
+      const std::string still =
+        report(main_scene, quick + "--set Impactor/Shape=none");
+      for (const std::string name : {"Zener", "Histories", "In time", "η"})
+        EXPECT_EQ(still.find(">" + name), std::string::npos) << name;
+      EXPECT_FALSE(data_of(still).contains("film"));
+      const std::string single =
+        report(main_scene, quick + "--set Adaptivity/Strategy=none");
+      EXPECT_EQ(single.find("change in the last cycle"), std::string::npos);
+      EXPECT_NE(single.find("Zener"), std::string::npos);
+    }
+
+
+
+    TEST_F(ReportPage, LongHistoriesAreThinnedAndKeepThePeak)
+    {
+      const nlohmann::json data =
+        data_of(report(main_scene,
+                       "--set 'Time/Time step=1e-8' --set "
+                       "Adaptivity/Strategy=none"));
+      const std::vector<double> force =
+        data["arrays"][data["plots"][0]["series"][0]["y"].get<int>()];
+      EXPECT_LT(force.size(), 1500u);
+      expect_near(*std::max_element(force.begin(), force.end()),
+                  last_cycle()["peak_force"],
+                  1e-5);
+    }
+  } // namespace
+} // namespace PlateImpact
