@@ -27,6 +27,17 @@ namespace PlateImpact
 
 
 
+    /// l of a contact along 0 <= x <= l, 0 for a sphere. [m]
+    double
+    contact_half_length(const Parameters &parameters)
+    {
+      return parameters.impactor.shape == "cylinder" ?
+        0.5 * parameters.impactor.length :
+        0.;
+    }
+
+
+
     /// Charges the time since the last charge to a stage.
     class StageClock
     {
@@ -172,7 +183,8 @@ namespace PlateImpact
     , contact_integration(
         make_contact_integration(parameters.contact.integration))
     , adaptation(parameters.has_impactor() ?
-                   make_mesh_adaptation(parameters.adaptivity) :
+                   make_mesh_adaptation(parameters.adaptivity,
+                                        contact_half_length(parameters)) :
                    nullptr)
     , load_patch(
         parameters.has_impactor() ?
@@ -221,7 +233,7 @@ namespace PlateImpact
     // whoever keeps the last mesh needs its model: adapt a copy
     auto adapted = std::make_unique<Triangulation<2>>();
     adapted->copy_triangulation(*triangulation);
-    if (!adaptation->adapt(*adapted, *result.error))
+    if (!adaptation->adapt(*adapted, *result.error, adaptation_warnings))
       return false;
     seconds_for_mesh = 0.;
     clock.charge(seconds_for_mesh);
@@ -229,6 +241,14 @@ namespace PlateImpact
     plate_model.reset();
     triangulation = std::move(adapted);
     return true;
+  }
+
+
+
+  const std::vector<std::string> &
+  ImpactAnalysis::warnings() const
+  {
+    return adaptation_warnings;
   }
 
 

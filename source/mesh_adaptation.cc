@@ -1,8 +1,9 @@
 #include "plate_impact/mesh_adaptation.h"
 
-#include <deal.II/grid/cell_id.h>
-
+#include "plate_impact/graded_refinement.h"
 #include "plate_impact/plate_mesh.h"
+#include "plate_impact/ranked_refinement.h"
+#include "plate_impact/remeshing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -110,18 +111,6 @@ namespace PlateImpact
           return true;
       return false;
     }
-
-
-
-    std::vector<CellId>
-    sorted_cells(const Triangulation<2> &mesh)
-    {
-      std::vector<CellId> cells;
-      for (const auto &cell : mesh.active_cell_iterators())
-        cells.push_back(cell->id());
-      std::sort(cells.begin(), cells.end());
-      return cells;
-    }
   } // namespace
 
 
@@ -131,7 +120,7 @@ namespace PlateImpact
                const ErrorEstimate        &estimate,
                const AdaptivityParameters &adaptivity)
   {
-    const double        largest = mesh.begin(0)->diameter();
+    const double        largest = adaptivity.maximum_cell_size;
     std::vector<double> sizes(mesh.n_active_cells());
     for (const auto &cell : mesh.active_cell_iterators())
       {
@@ -157,6 +146,18 @@ namespace PlateImpact
 
 
 
+  std::vector<CellId>
+  sorted_cells(const Triangulation<2> &mesh)
+  {
+    std::vector<CellId> cells;
+    for (const auto &cell : mesh.active_cell_iterators())
+      cells.push_back(cell->id());
+    std::sort(cells.begin(), cells.end());
+    return cells;
+  }
+
+
+
   HangingNodeAdaptation::HangingNodeAdaptation(
     const AdaptivityParameters &adaptivity)
     : adaptivity(adaptivity)
@@ -166,7 +167,8 @@ namespace PlateImpact
 
   bool
   HangingNodeAdaptation::adapt(Triangulation<2>    &mesh,
-                               const ErrorEstimate &estimate) const
+                               const ErrorEstimate &estimate,
+                               std::vector<std::string> &) const
   {
     const std::vector<CellId> before = sorted_cells(mesh);
     const std::vector<double> sizes  = target_sizes(mesh, estimate, adaptivity);
@@ -201,7 +203,9 @@ namespace PlateImpact
 
 
   bool
-  UniformRefinement::adapt(Triangulation<2> &mesh, const ErrorEstimate &) const
+  UniformRefinement::adapt(Triangulation<2> &mesh,
+                           const ErrorEstimate &,
+                           std::vector<std::string> &) const
   {
     if (is_smallest(mesh.begin_active(), adaptivity))
       return false;
@@ -212,7 +216,8 @@ namespace PlateImpact
 
 
   std::unique_ptr<const MeshAdaptation>
-  make_mesh_adaptation(const AdaptivityParameters &adaptivity)
+  make_mesh_adaptation(const AdaptivityParameters &adaptivity,
+                       const double                contact_half_length)
   {
     if (adaptivity.strategy == "none")
       return nullptr;
@@ -220,6 +225,15 @@ namespace PlateImpact
       return std::make_unique<HangingNodeAdaptation>(adaptivity);
     if (adaptivity.strategy == "uniform")
       return std::make_unique<UniformRefinement>(adaptivity);
+    if (adaptivity.strategy == "remeshing")
+      return std::make_unique<Remeshing>(adaptivity, contact_half_length);
+    if (adaptivity.strategy == "graded")
+      return std::make_unique<GradedRefinement>(adaptivity,
+                                                contact_half_length);
+    if (adaptivity.strategy == "fixed fraction")
+      return std::make_unique<FixedFraction>(adaptivity);
+    if (adaptivity.strategy == "fixed number")
+      return std::make_unique<FixedNumber>(adaptivity);
     throw std::logic_error("no strategy named " + adaptivity.strategy);
   }
 } // namespace PlateImpact

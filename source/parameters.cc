@@ -4,6 +4,20 @@
 
 namespace PlateImpact
 {
+  std::vector<std::string>
+  adaptation_strategies()
+  {
+    return {"none",
+            "hanging nodes",
+            "remeshing",
+            "fixed fraction",
+            "fixed number",
+            "uniform",
+            "graded"};
+  }
+
+
+
   namespace
   {
     void
@@ -193,10 +207,16 @@ namespace PlateImpact
       schema.begin_section("Adaptivity");
       schema.declare("Strategy",
                      "hanging nodes",
-                     Allowed::one_of(
-                       {"none", "hanging nodes", "remeshing", "uniform"}),
+                     Allowed::one_of(adaptation_strategies()),
                      adaptivity.strategy,
-                     "How the mesh follows the error.");
+                     "How the mesh follows the error. hanging nodes, "
+                     "remeshing: cells of the target sizes, by refinement and "
+                     "coarsening or by a new mesh of quadrilaterals. fixed "
+                     "fraction, fixed number: the cells with the largest "
+                     "errors are halved, until they hold a share of the error "
+                     "or of the cells. uniform: all cells are. graded: sizes "
+                     "proportional to the distance from the contact, whatever "
+                     "the error.");
       schema.declare("Target error",
                      "0.05",
                      Allowed::number_between(0, 1),
@@ -220,6 +240,38 @@ namespace PlateImpact
         adaptivity.minimum_cell_size,
         "Of a cell's longer side; 0: a quarter of the patch radius, "
         "or of the thickness under a point or line load. [m]");
+      schema.declare("Maximum cell size",
+                     "0",
+                     Allowed::number_from(0),
+                     adaptivity.maximum_cell_size,
+                     "Of a cell's longer side, in meshes that follow the "
+                     "error; 0: that of the initial cells. [m]");
+      const Allowed share = Allowed::number_between(0, 1);
+      schema.declare("Refined share of error",
+                     "0.7",
+                     share,
+                     adaptivity.refined_share_of_error,
+                     "fixed fraction: the cells with the largest errors that "
+                     "together hold at most this share of the squared error "
+                     "are halved (Doerfler's marking). [-]");
+      schema.declare("Coarsened share of error",
+                     "0.01",
+                     share,
+                     adaptivity.coarsened_share_of_error,
+                     "fixed fraction: the cells with the smallest errors that "
+                     "together hold at most this share are doubled. [-]");
+      schema.declare("Refined share of cells",
+                     "0.3",
+                     share,
+                     adaptivity.refined_share_of_cells,
+                     "fixed number: this share of the cells, those with the "
+                     "largest errors, is halved. [-]");
+      schema.declare("Coarsened share of cells",
+                     "0.03",
+                     share,
+                     adaptivity.coarsened_share_of_cells,
+                     "fixed number: this share of the cells, those with the "
+                     "smallest errors, is doubled. [-]");
       schema.declare(
         "Sampling interval",
         "5",

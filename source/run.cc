@@ -27,7 +27,10 @@ namespace PlateImpact
           output.write_cycle(result, analysis.model(), analysis.estimator());
           std::optional<std::string> end = analysis.outcome(result);
           if (!end && !analysis.adapt(result))
-            end = "mesh unchanged";
+            end =
+              result.error->eta <= scene.parameters.adaptivity.target_error ?
+              "target reached" :
+              "mesh unchanged";
           console.cycle(result);
           if (!end)
             continue;
@@ -43,6 +46,9 @@ namespace PlateImpact
                                             analysis.model().section(),
                                             *analysis.contact_law(),
                                             result);
+          warnings.insert(warnings.end(),
+                          analysis.warnings().begin(),
+                          analysis.warnings().end());
           output.finish(*end, warnings, result, analysis.model());
           console.end(*end, result, warnings, output.main_files());
           return;

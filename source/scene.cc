@@ -112,11 +112,6 @@ namespace PlateImpact
     void
     Checker::check_availability()
     {
-      const std::vector<std::pair<std::string, std::string>> unavailable = {
-        {"Adaptivity/Strategy", "remeshing"}};
-      for (const auto &[path, value] : unavailable)
-        if (schema.value(path) == value)
-          refuse({path}, "is not available yet");
       for (const std::string section : {"Comparison", "Sweep"})
         for (const std::string &path : schema.entries_of(section))
           if (schema.is_changed(path))
@@ -229,6 +224,24 @@ namespace PlateImpact
                 "Plate/Side lengths",
                 "Discretization/Initial cells"},
                "m is larger than the initial cells, " + in_words(h) + " m");
+      const AdaptivityParameters &adaptivity = parameters.adaptivity;
+      if (adaptivity.maximum_cell_size > 0. &&
+          adaptivity.maximum_cell_size < adaptivity.minimum_cell_size)
+        refuse({"Adaptivity/Maximum cell size", "Adaptivity/Minimum cell size"},
+               "m is below Minimum cell size, " +
+                 in_words(adaptivity.minimum_cell_size) + " m");
+      if (adaptivity.refined_share_of_error +
+            adaptivity.coarsened_share_of_error >
+          1.)
+        refuse({"Adaptivity/Refined share of error",
+                "Adaptivity/Coarsened share of error"},
+               "and Coarsened share of error are together more than 1");
+      if (adaptivity.refined_share_of_cells +
+            adaptivity.coarsened_share_of_cells >
+          1.)
+        refuse({"Adaptivity/Refined share of cells",
+                "Adaptivity/Coarsened share of cells"},
+               "and Coarsened share of cells are together more than 1");
     }
 
 
@@ -290,6 +303,12 @@ namespace PlateImpact
                             " m and reaches beyond the plate");
           schema.set("Contact", "Patch radius", radius);
         }
+      const auto &cells = parameters.discretization.initial_cells;
+      const auto &sides = parameters.plate.side_lengths;
+      if (parameters.adaptivity.maximum_cell_size == 0.)
+        schema.set("Adaptivity",
+                   "Maximum cell size",
+                   0.5 * std::max(sides[0] / cells[0], sides[1] / cells[1]));
       if (parameters.adaptivity.minimum_cell_size == 0.)
         schema.set("Adaptivity",
                    "Minimum cell size",

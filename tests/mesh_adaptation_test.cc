@@ -13,9 +13,15 @@ namespace PlateImpact
     adaptivity(const std::string &strategy, const double minimum_size = 1e-6)
     {
       AdaptivityParameters parameters;
-      parameters.strategy          = strategy;
-      parameters.size_exponent     = 0.5;
-      parameters.minimum_cell_size = minimum_size;
+      parameters.strategy                 = strategy;
+      parameters.size_exponent            = 0.5;
+      parameters.minimum_cell_size        = minimum_size;
+      parameters.maximum_cell_size        = 0.5;
+      parameters.target_error             = 0.05;
+      parameters.refined_share_of_error   = 0.7;
+      parameters.coarsened_share_of_error = 0.01;
+      parameters.refined_share_of_cells   = 0.3;
+      parameters.coarsened_share_of_cells = 0.03;
       return parameters;
     }
 
@@ -29,6 +35,24 @@ namespace PlateImpact
       for (const auto &cell : mesh.active_cell_iterators())
         estimate.element_errors.push_back(xi(cell->center()));
       return estimate;
+    }
+
+
+
+    /// One adaptation, without warnings.
+    /// @return whether the mesh has changed
+    bool
+    adapt(const AdaptivityParameters &parameters,
+          Triangulation<2>           &mesh,
+          const ErrorEstimate        &estimate,
+          const double                contact_half_length = 0.)
+    {
+      std::vector<std::string> warnings;
+      const bool               is_changed =
+        make_mesh_adaptation(parameters, contact_half_length)
+          ->adapt(mesh, estimate, warnings);
+      EXPECT_TRUE(warnings.empty()) << warnings.front();
+      return is_changed;
     }
 
 
@@ -64,7 +88,7 @@ namespace PlateImpact
       const auto estimate   = errors(*mesh, [](const Point<2> &p) {
         return p.norm() < 0.2 ? 200. : 0.9;
       });
-      EXPECT_TRUE(make_mesh_adaptation(parameters)->adapt(*mesh, estimate));
+      EXPECT_TRUE(adapt(parameters, *mesh, estimate));
       // sqrt(200) asks for 14.1 times smaller cells: four levels
       EXPECT_NEAR(smallest(*mesh), 0.25 / 16., 1e-12);
       for (const auto &cell : mesh->active_cell_iterators())
@@ -88,13 +112,13 @@ namespace PlateImpact
     {
       const auto mesh       = unit_square(2);
       const auto parameters = adaptivity("hanging nodes");
-      const auto adaptation = make_mesh_adaptation(parameters);
-      adaptation->adapt(*mesh,
-                        errors(*mesh, [](const Point<2> &) { return 50.; }));
+      adapt(parameters, *mesh, errors(*mesh, [](const Point<2> &) {
+              return 50.;
+            }));
       EXPECT_EQ(mesh->n_active_cells(), 4u * 64u);
-      adaptation->adapt(*mesh, errors(*mesh, [](const Point<2> &p) {
-        return p[0] > 0.5 ? 1e-4 : 0.9;
-      }));
+      adapt(parameters, *mesh, errors(*mesh, [](const Point<2> &p) {
+              return p[0] > 0.5 ? 1e-4 : 0.9;
+            }));
       EXPECT_LT(mesh->n_active_cells(), 200u);
       // and keeps what is right
       unsigned int n_left = 0;
@@ -109,13 +133,14 @@ namespace PlateImpact
     {
       const auto mesh       = unit_square(3);
       const auto parameters = adaptivity("hanging nodes", 0.1);
-      const auto adaptation = make_mesh_adaptation(parameters);
-      adaptation->adapt(*mesh,
-                        errors(*mesh, [](const Point<2> &) { return 1e9; }));
+      adapt(parameters, *mesh, errors(*mesh, [](const Point<2> &) {
+              return 1e9;
+            }));
       EXPECT_NEAR(smallest(*mesh), 1. / 6., 1e-12);
       EXPECT_TRUE(is_smallest(mesh->begin_active(), parameters));
-      adaptation->adapt(*mesh,
-                        errors(*mesh, [](const Point<2> &) { return 0.; }));
+      adapt(parameters, *mesh, errors(*mesh, [](const Point<2> &) {
+              return 0.;
+            }));
       EXPECT_EQ(mesh->n_active_cells(), 9u);
     }
 
@@ -123,12 +148,91 @@ namespace PlateImpact
 
     TEST(MeshAdaptation, ReportsThatAMeshStaysAsItIs)
     {
-      const auto mesh       = unit_square(3);
-      const auto adaptation = make_mesh_adaptation(adaptivity("hanging nodes"));
-      EXPECT_FALSE(adaptation->adapt(*mesh, errors(*mesh, [](const Point<2> &) {
-        return 0.8;
-      })));
+      const auto mesh = unit_square(3);
+      EXPECT_FALSE(adapt(adaptivity("hanging nodes"),
+                         *mesh,
+                         errors(*mesh, [](const Point<2> &) { return 0.8; })));
       EXPECT_EQ(mesh->n_active_cells(), 9u);
+    }
+
+
+
+    TEST(MeshAdaptation, FixedFractionMarksTheShareOfTheSquaredError)
+    {
+      const auto mesh                   = unit_square(10);
+      auto       parameters             = adaptivity("fixed fraction");
+      parameters.refined_share_of_error = 0.5;
+      // four cells hold 4/5 of the squared error, three of them more than half
+      const auto estimate = errors(*mesh, [](const Point<2> &p) {
+        return p[0] < 0.2 && p[1] < 0.2 ? 1. + 0.1 * p[0] + 0.01 * p[1] :
+                                          std::sqrt(1. / 96.);
+      });
+      EXPECT_TRUE(adapt(parameters, *mesh, estimate));
+      EXPECT_EQ(mesh->n_active_cells(), 100u + 3u * 2u);
+    }
+
+
+
+    TEST(MeshAdaptation, FixedNumberMarksTheShareOfTheCells)
+    {
+      const auto mesh       = unit_square(10);
+      auto       parameters = adaptivity("fixed number");
+      const auto estimate =
+        errors(*mesh, [](const Point<2> &p) { return p[0] + 0.01 * p[1]; });
+      EXPECT_TRUE(adapt(parameters, *mesh, estimate));
+      EXPECT_EQ(mesh->n_active_cells(), 100u + 3u * 30u);
+      for (const auto &cell : mesh->active_cell_iterators())
+        EXPECT_EQ(cell->level(), cell->center()[0] > 0.7 ? 1 : 0);
+    }
+
+
+
+    TEST(MeshAdaptation, RanksLeaveOutCellsThatMayNotBeRefined)
+    {
+      for (const std::string strategy : {"fixed fraction", "fixed number"})
+        {
+          // cells soon at the minimum size have most of the error
+          const auto mesh       = unit_square(4);
+          const auto parameters = adaptivity(strategy, 0.1);
+          const auto estimate   = [&mesh] {
+            return errors(*mesh, [](const Point<2> &p) {
+              return p.norm() < 0.1 ? 1e6 : 10. - p.norm();
+            });
+          };
+          EXPECT_TRUE(adapt(parameters, *mesh, estimate()));
+          const unsigned int n_cells = mesh->n_active_cells();
+          EXPECT_NEAR(smallest(*mesh), 0.125, 1e-12);
+          EXPECT_TRUE(adapt(parameters, *mesh, estimate()));
+          EXPECT_GT(mesh->n_active_cells(), n_cells);
+          EXPECT_NEAR(smallest(*mesh), 0.125, 1e-12);
+        }
+    }
+
+
+
+    TEST(MeshAdaptation, GradedCellsGrowWithTheDistanceFromTheContact)
+    {
+      for (const double half_length : {0., 0.3})
+        {
+          const auto          mesh       = unit_square(4);
+          const auto          parameters = adaptivity("graded", 0.01);
+          const ErrorEstimate none;
+          for (const double theta : {1., 0.5, 0.25})
+            {
+              EXPECT_TRUE(adapt(parameters, *mesh, none, half_length));
+              EXPECT_NEAR(smallest(*mesh), 1. / 64., 1e-12);
+              for (const auto &cell : mesh->active_cell_iterators())
+                {
+                  const Point<2> centre = cell->center();
+                  const double   r      = centre.distance(
+                    Point<2>(std::min(centre[0], half_length), 0.));
+                  EXPECT_TRUE(cell_size(cell) <= theta * r ||
+                              is_smallest(cell, parameters));
+                  // no smaller than it must be, but for neighbours
+                  EXPECT_GT(cell_size(cell), 0.1 * theta * r);
+                }
+            }
+        }
     }
 
 
@@ -136,12 +240,12 @@ namespace PlateImpact
     TEST(MeshAdaptation, UniformHalvesEveryCell)
     {
       const auto mesh       = unit_square(3);
-      const auto adaptation = make_mesh_adaptation(adaptivity("uniform", 0.1));
+      const auto parameters = adaptivity("uniform", 0.1);
       const auto estimate =
         errors(*mesh, [](const Point<2> &p) { return p[0]; });
-      EXPECT_TRUE(adaptation->adapt(*mesh, estimate));
+      EXPECT_TRUE(adapt(parameters, *mesh, estimate));
       EXPECT_EQ(mesh->n_active_cells(), 36u);
-      EXPECT_FALSE(adaptation->adapt(*mesh, estimate));
+      EXPECT_FALSE(adapt(parameters, *mesh, estimate));
       EXPECT_EQ(make_mesh_adaptation(adaptivity("none")), nullptr);
     }
   } // namespace

@@ -136,6 +136,36 @@ namespace PlateImpact
 
 
 
+    TEST(StressRecovery, IsExactForItsBasisOnUnstructuredMeshes)
+    {
+      for (const double length : {1e-6, 1., 1e6})
+        for (const double fine : {0.02, 0.1, 0.3})
+          {
+            auto mesh = unit_square(6);
+            remesh(*mesh, fine, 0.3);
+            unset_symmetry(*mesh);
+            EXPECT_LT(recovery_error(*scaled(std::move(mesh), length),
+                                     full_basis(length)),
+                      1e-9)
+              << length << ' ' << fine;
+          }
+    }
+
+
+
+    TEST(StressRecovery, IsExactAtPlanesOfSymmetryOfUnstructuredMeshes)
+    {
+      for (const double fine : {0.02, 0.1, 0.3})
+        {
+          const auto mesh =
+            make_plate_quadrant(unit_plate("clamped", 0.1), {{6, 6}});
+          remesh(*mesh, fine, 0.3);
+          EXPECT_LT(recovery_error(*mesh, symmetric_basis(1.)), 1e-9) << fine;
+        }
+    }
+
+
+
     TEST(StressRecovery, IsExactOnTheSymmetryPlanesOfTheSmallestMeshes)
     {
       // no patch of these meshes has eight independent samples of its own
@@ -164,24 +194,45 @@ namespace PlateImpact
 
 
 
-    TEST(ErrorEstimator, IsZeroForAFieldThatTheElementsHold)
+    /// Estimates of a state that the named elements hold.
+    void
+    expect_no_error(const Triangulation<2>         &mesh,
+                    const std::vector<std::string> &elements)
     {
-      const auto mesh = unit_square(3);
-      refine_randomly(*mesh, 3);
       const Field field([](const Point<2> &p) {
         const double x = p[0], y = p[1];
         return Field::Values{{x * x - 3. * x * y, 2. * x + y, 1. - x + 2. * y}};
       });
-      for (const std::string &name : PlateElement::names())
+      for (const std::string &name : elements)
         {
           const PlateElement element(name);
-          const PlateModel   model(*mesh, element, unit_plate("free", 0.1), 1.);
+          const PlateModel   model(mesh, element, unit_plate("free", 0.1), 1.);
           ErrorEstimator     estimator(model, 0.05);
           estimator.add_samples({1.}, model.interpolate(field));
           const ErrorEstimate estimate = estimator.estimate();
           EXPECT_LT(estimate.eta, 1e-10) << name;
           EXPECT_LT(estimate.max_element_error(), 1e-8) << name;
         }
+    }
+
+
+
+    TEST(ErrorEstimator, IsZeroForAFieldThatTheElementsHold)
+    {
+      const auto mesh = unit_square(3);
+      refine_randomly(*mesh, 3);
+      expect_no_error(*mesh, PlateElement::names());
+    }
+
+
+
+    TEST(ErrorEstimator, IsZeroForThatFieldOnUnstructuredMeshes)
+    {
+      const auto mesh = unit_square(6);
+      remesh(*mesh, 0.05, 0.3);
+      unset_symmetry(*mesh);
+      // eight nodes hold no quadratic deflection on general quadrilaterals
+      expect_no_error(*mesh, {"Lagrange", "MITC9"});
     }
 
 
@@ -342,6 +393,24 @@ namespace PlateImpact
             const auto result = effectivity(name, *mesh);
             EXPECT_GT(result.overall, 0.9) << name << ' ' << n;
             EXPECT_LT(result.overall, 1.1) << name << ' ' << n;
+          }
+    }
+
+
+
+    TEST(ErrorEstimator, EffectivityOnUnstructuredMeshes)
+    {
+      PlateParameters plate = unit_plate("simply supported", 0.05);
+      for (const std::string &name : PlateElement::names())
+        for (const double fine : {0.02, 0.05})
+          {
+            const auto mesh = make_plate_quadrant(plate, {{6, 6}});
+            remesh(*mesh, fine, 0.1);
+            const auto result = effectivity(name, *mesh);
+            EXPECT_GT(result.overall, 0.9) << name << ' ' << fine;
+            EXPECT_LT(result.overall, 1.1) << name << ' ' << fine;
+            EXPECT_GT(result.smallest_of_cells, 0.5) << name << ' ' << fine;
+            EXPECT_LT(result.largest_of_cells, 2.) << name << ' ' << fine;
           }
     }
 

@@ -8,10 +8,13 @@
 
 #include "plate_impact/impactor.h"
 #include "plate_impact/linear_solver.h"
+#include "plate_impact/mesh_adaptation.h"
 
 #include <Epetra_Vector.h>
+#include <gtest/gtest.h>
 
 #include <fstream>
+#include <limits>
 #include <random>
 
 namespace PlateImpact
@@ -41,10 +44,39 @@ namespace PlateImpact
       Triangulation<2>::limit_level_difference_at_vertices);
     GridGenerator::subdivided_hyper_cube(*mesh, n_cells);
     mesh->set_all_manifold_ids(numbers::flat_manifold_id);
-    for (const auto &face : mesh->active_face_iterators())
+    unset_symmetry(*mesh);
+    return mesh;
+  }
+
+
+
+  void
+  unset_symmetry(Triangulation<2> &mesh)
+  {
+    for (const auto &face : mesh.active_face_iterators())
       if (face->at_boundary())
         face->set_boundary_id(edge_x);
-    return mesh;
+  }
+
+
+
+  void
+  remesh(Triangulation<2> &mesh, const double fine, const double growth)
+  {
+    AdaptivityParameters adaptivity;
+    adaptivity.strategy          = "remeshing";
+    adaptivity.target_error      = 0.05;
+    adaptivity.size_exponent     = 1.;
+    adaptivity.minimum_cell_size = 0.;
+    adaptivity.maximum_cell_size = std::numeric_limits<double>::max();
+    ErrorEstimate estimate;
+    estimate.eta = 1.;
+    for (const auto &cell : mesh.active_cell_iterators())
+      estimate.element_errors.push_back(
+        cell_size(cell) / (fine + growth * cell->center().norm()));
+    std::vector<std::string> warnings;
+    make_mesh_adaptation(adaptivity)->adapt(mesh, estimate, warnings);
+    EXPECT_TRUE(warnings.empty()) << warnings.front();
   }
 
 

@@ -31,6 +31,15 @@ namespace PlateImpact
   void
   refine_randomly(dealii::Triangulation<2> &mesh, unsigned int n_times);
 
+  /// Makes a mesh of a quadrant anew: unstructured quadrilaterals whose size
+  /// grows from `fine` at the origin by `growth` over a distance.
+  void
+  remesh(dealii::Triangulation<2> &mesh, double fine, double growth);
+
+  /// Makes all sides edges of the plate.
+  void
+  unset_symmetry(dealii::Triangulation<2> &mesh);
+
   /// Points of a load with a pressure p(x,y), from the Gauss points of a mesh.
   std::vector<LoadPoint>
   pressure_load(

@@ -56,6 +56,10 @@ namespace PlateImpact
     bool
     adapt(const CycleResult &result);
 
+    /// What a user should know about the meshes so far.
+    const std::vector<std::string> &
+    warnings() const;
+
     /// The present mesh, and what was made on it; the law is null without an
     /// impactor, the estimator where nothing asks for one.
     const dealii::Triangulation<2> &
@@ -96,8 +100,9 @@ namespace PlateImpact
     const std::vector<LoadPoint>                    load_patch;
 
     std::unique_ptr<dealii::Triangulation<2>> triangulation;
-    double       seconds_for_mesh = 0.; ///< to make the present one
-    unsigned int cycle            = 0;
+    double                   seconds_for_mesh = 0.; ///< to make the present one
+    unsigned int             cycle            = 0;
+    std::vector<std::string> adaptation_warnings;
 
     /// of the cycle; the estimator refers to the model, the model to the mesh
     std::unique_ptr<PlateModel>     plate_model;

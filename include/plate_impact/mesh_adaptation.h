@@ -1,18 +1,21 @@
 #ifndef plate_impact_mesh_adaptation_h
 #define plate_impact_mesh_adaptation_h
 
+#include <deal.II/grid/cell_id.h>
 #include <deal.II/grid/tria.h>
 
 #include "plate_impact/error_estimator.h"
 #include "plate_impact/parameters.h"
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace PlateImpact
 {
   /// Sizes that the error of each cell asks for (Table 1 of the paper),
-  /// h_new = h / xi'^phi, not below the minimum cell size. By active index. [m]
+  /// h_new = h / xi'^phi, between the minimum and the maximum cell size. By
+  /// active index. [m]
   std::vector<double>
   target_sizes(const dealii::Triangulation<2> &mesh,
                const ErrorEstimate            &estimate,
@@ -24,6 +27,11 @@ namespace PlateImpact
               const AdaptivityParameters                    &adaptivity);
 
 
+  /// The active cells, sorted: equal for equal meshes of one initial mesh.
+  std::vector<dealii::CellId>
+  sorted_cells(const dealii::Triangulation<2> &mesh);
+
+
   /// A way to make the mesh follow its error.
   class MeshAdaptation
   {
@@ -31,10 +39,13 @@ namespace PlateImpact
     virtual ~MeshAdaptation() = default;
 
     /// Changes the mesh.
+    /// @param warnings  told what a user should know about the new mesh
     /// @return whether the new mesh differs from the old one
+    /// @throws ComputationError when there is no new mesh
     virtual bool
     adapt(dealii::Triangulation<2> &mesh,
-          const ErrorEstimate      &estimate) const = 0;
+          const ErrorEstimate      &estimate,
+          std::vector<std::string> &warnings) const = 0;
   };
 
 
@@ -48,7 +59,8 @@ namespace PlateImpact
 
     bool
     adapt(dealii::Triangulation<2> &mesh,
-          const ErrorEstimate      &estimate) const override;
+          const ErrorEstimate      &estimate,
+          std::vector<std::string> &warnings) const override;
 
   private:
     const AdaptivityParameters adaptivity;
@@ -63,7 +75,8 @@ namespace PlateImpact
 
     bool
     adapt(dealii::Triangulation<2> &mesh,
-          const ErrorEstimate      &estimate) const override;
+          const ErrorEstimate      &estimate,
+          std::vector<std::string> &warnings) const override;
 
   private:
     const AdaptivityParameters adaptivity;
@@ -71,8 +84,11 @@ namespace PlateImpact
 
 
   /// The strategy that the scene names; null for `none`.
+  /// @param contact_half_length  l of a contact along 0 <= x <= l; 0 for a
+  ///                             sphere [m]
   std::unique_ptr<const MeshAdaptation>
-  make_mesh_adaptation(const AdaptivityParameters &adaptivity);
+  make_mesh_adaptation(const AdaptivityParameters &adaptivity,
+                       double                      contact_half_length = 0.);
 } // namespace PlateImpact
 
 #endif

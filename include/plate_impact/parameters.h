@@ -65,6 +65,11 @@ namespace PlateImpact
     unsigned int maximum_cycles;
     double       size_exponent;
     double       minimum_cell_size;
+    double       maximum_cell_size;
+    double       refined_share_of_error;
+    double       coarsened_share_of_error;
+    double       refined_share_of_cells;
+    double       coarsened_share_of_cells;
     unsigned int sampling_interval;
   };
 
@@ -92,6 +97,10 @@ namespace PlateImpact
       return impactor.shape != "none";
     }
   };
+
+  /// What Adaptivity/Strategy may be.
+  std::vector<std::string>
+  adaptation_strategies();
 
   class SceneSchema;
 

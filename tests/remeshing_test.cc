@@ -1,0 +1,322 @@
+#include "plate_impact/exceptions.h"
+#include "plate_impact/remeshing.h"
+#include "test_plate.h"
+
+#include <cmath>
+#include <map>
+
+namespace PlateImpact
+{
+  using namespace dealii;
+
+  namespace
+  {
+    const std::vector<PlanePoint> square = {{{0., 0.}},
+                                            {{0.3, 0.}},
+                                            {{1., 0.}},
+                                            {{1., 1.}},
+                                            {{0., 1.}}};
+
+
+
+    /// One patch with the same size everywhere.
+    SizeField
+    constant_size(const double size)
+    {
+      return {{{{{{{0., 0.}}, {{1., 0.}}, {{1., 1.}}, {{0., 1.}}}},
+                {{size, size, size, size}}}}};
+    }
+
+
+
+    double
+    area(const QuadMesh &mesh)
+    {
+      double result = 0.;
+      for (const auto &cell : mesh.cells)
+        for (unsigned int v = 0; v < 4; ++v)
+          {
+            const PlanePoint &a = mesh.vertices[cell[v]],
+                             &b = mesh.vertices[cell[(v + 1) % 4]];
+            result += 0.5 * (a[0] * b[1] - a[1] * b[0]);
+          }
+      return result;
+    }
+
+
+
+    QuadMesh
+    mesh_square(const QuadMesher &mesher,
+                const double      size,
+                const bool        expects_warning)
+    {
+      std::vector<std::string> warnings;
+      const QuadMesh mesh = mesher.mesh(square, constant_size(size), warnings);
+      EXPECT_EQ(warnings.size(), expects_warning ? 1u : 0u);
+      EXPECT_NEAR(area(mesh), 1., 1e-12);
+      for (const PlanePoint &corner : square)
+        EXPECT_EQ(std::count(mesh.vertices.begin(),
+                             mesh.vertices.end(),
+                             corner),
+                  1);
+      return mesh;
+    }
+
+
+
+    TEST(QuadMesher, MakesGoodCellsOfTheSizeAskedFor)
+    {
+      for (const double size : {0.02, 0.1, 0.3})
+        {
+          const QuadMesh mesh = mesh_square(QuadMesher(), size, false);
+          EXPECT_GT(mesh.worst_scaled_jacobian(), 0.5) << size;
+          EXPECT_GT(mesh.cells.size(), 0.7 / (size * size));
+          EXPECT_LT(mesh.cells.size(), 2.5 / (size * size));
+        }
+    }
+
+
+
+    TEST(QuadMesher, GivesTheSameMeshForTheSameSizes)
+    {
+      const QuadMesh once  = mesh_square(QuadMesher(), 0.05, false),
+                     again = mesh_square(QuadMesher(), 0.05, false);
+      EXPECT_EQ(once.vertices, again.vertices);
+      EXPECT_EQ(once.cells, again.cells);
+    }
+
+
+
+    TEST(QuadMesher, SaysNothingOnStandardOutput)
+    {
+      testing::internal::CaptureStdout();
+      testing::internal::CaptureStderr();
+      std::vector<std::string> warnings;
+      QuadMesher().mesh(square, constant_size(0.1), warnings);
+      EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+      EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+    }
+
+
+
+    const MesherSettings triangles = {"triangles", 6, -1, 0, 1.};
+
+
+
+    TEST(QuadMesher, TriesSaferSettingsWhereTrianglesAreLeft)
+    {
+      const QuadMesher mesher({triangles, QuadMesher::default_settings()[1]});
+      const QuadMesh   mesh = mesh_square(mesher, 0.1, true);
+      std::vector<std::string> warnings;
+      mesher.mesh(square, constant_size(0.1), warnings);
+      EXPECT_NE(warnings.front().find("triangles are left"), std::string::npos)
+        << warnings.front();
+      EXPECT_GT(mesh.worst_scaled_jacobian(), 0.3);
+      EXPECT_GT(mesh.cells.size(), 70u);
+      EXPECT_LT(mesh.cells.size(), 250u);
+    }
+
+
+
+    TEST(QuadMesher, RefusesWithASentenceWhereNothingWorks)
+    {
+      std::vector<std::string> warnings;
+      try
+        {
+          QuadMesher({triangles, triangles})
+            .mesh(square, constant_size(0.1), warnings);
+          FAIL() << "a mesh of triangles was accepted";
+        }
+      catch (const ComputationError &error)
+        {
+          EXPECT_NE(std::string(error.what()).find("triangles are left"),
+                    std::string::npos)
+            << error.what();
+        }
+    }
+
+
+
+    TEST(QuadMesher, MeasuresTheWorstCorner)
+    {
+      QuadMesh mesh;
+      mesh.vertices = {{{0., 0.}}, {{1., 0.}}, {{1., 1.}}, {{0., 1.}}};
+      mesh.cells    = {{{0, 1, 2, 3}}};
+      EXPECT_NEAR(mesh.worst_scaled_jacobian(), 1., 1e-15);
+      mesh.vertices[2] = {{0.75, 0.5}};
+      EXPECT_GT(mesh.worst_scaled_jacobian(), 0.);
+      mesh.vertices[2] = {{0.25, 0.25}}; // a re-entrant corner
+      EXPECT_LT(mesh.worst_scaled_jacobian(), 0.);
+      mesh.vertices[2] = mesh.vertices[1]; // a side without length
+      EXPECT_FALSE(mesh.worst_scaled_jacobian() > 0.);
+      mesh.vertices[2] = {{1., 1.}};
+      mesh.cells       = {{{0, 3, 2, 1}}}; // clockwise
+      EXPECT_LT(mesh.worst_scaled_jacobian(), 0.);
+    }
+
+
+
+    const double half_side = 0.1, half_length = 0.033;
+
+    /// The quadrant of a rectangular plate with half sides of 0.1 and 0.06 m.
+    std::unique_ptr<Triangulation<2>>
+    quadrant()
+    {
+      PlateParameters plate = unit_plate("clamped", 0.01);
+      plate.side_lengths    = {{2. * half_side, 0.12}};
+      return make_plate_quadrant(plate, {{5, 3}});
+    }
+
+
+
+    AdaptivityParameters
+    adaptivity()
+    {
+      AdaptivityParameters parameters;
+      parameters.strategy          = "remeshing";
+      parameters.target_error      = 0.05;
+      parameters.size_exponent     = 0.5;
+      parameters.minimum_cell_size = 1e-3;
+      parameters.maximum_cell_size = 0.02;
+      return parameters;
+    }
+
+
+
+    /// Errors as large as a size field with cells of `fine` at the impact asks
+    /// for.
+    ErrorEstimate
+    errors(const Triangulation<2> &mesh, const double fine)
+    {
+      ErrorEstimate estimate;
+      estimate.eta = 0.1;
+      for (const auto &cell : mesh.active_cell_iterators())
+        {
+          const double ratio =
+            cell_size(cell) / (fine + 0.3 * cell->center().norm());
+          estimate.element_errors.push_back(ratio * ratio);
+        }
+      return estimate;
+    }
+
+
+
+    bool
+    remesh_with(const Remeshing  &remeshing,
+                Triangulation<2> &mesh,
+                const double      fine)
+    {
+      std::vector<std::string> warnings;
+      const bool               is_changed =
+        remeshing.adapt(mesh, errors(mesh, fine), warnings);
+      EXPECT_TRUE(warnings.empty()) << warnings.front();
+      return is_changed;
+    }
+
+
+
+    unsigned int
+    n_vertices_at(const Triangulation<2> &mesh, const Point<2> &point)
+    {
+      return std::count(mesh.get_vertices().begin(),
+                        mesh.get_vertices().end(),
+                        point);
+    }
+
+
+
+    TEST(Remeshing, KeepsTheDomainItsSidesAndTheEndsOfTheContact)
+    {
+      const auto      mesh = quadrant();
+      const Remeshing remeshing(adaptivity(), half_length);
+      for (const double fine : {0.002, 0.004, 0.01, 0.002})
+        {
+          ASSERT_TRUE(remesh_with(remeshing, *mesh, fine));
+          double                               area = 0.;
+          std::map<types::boundary_id, double> lengths;
+          for (const auto &cell : mesh->active_cell_iterators())
+            {
+              area += cell->measure();
+              for (const unsigned int v : cell->vertex_indices())
+                {
+                  // counter-clockwise around the corner
+                  const unsigned int next[] = {1, 3, 0, 2};
+                  const unsigned int last[] = {2, 0, 3, 1};
+                  const Tensor<1, 2> a =
+                                       cell->vertex(next[v]) - cell->vertex(v),
+                                     b =
+                                       cell->vertex(last[v]) - cell->vertex(v);
+                  EXPECT_GT(a[0] * b[1] - a[1] * b[0],
+                            0.15 * a.norm() * b.norm());
+                }
+              for (const unsigned int f : cell->face_indices())
+                if (cell->at_boundary(f))
+                  lengths[cell->face(f)->boundary_id()] +=
+                    cell->face(f)->measure();
+            }
+          EXPECT_NEAR(area, 0.006, 1e-15);
+          EXPECT_NEAR(lengths[symmetry_x], 0.06, 1e-15);
+          EXPECT_NEAR(lengths[edge_x], 0.06, 1e-15);
+          EXPECT_NEAR(lengths[symmetry_y], half_side, 1e-15);
+          EXPECT_NEAR(lengths[edge_y], half_side, 1e-15);
+          EXPECT_EQ(n_vertices_at(*mesh, Point<2>()), 1u);
+          EXPECT_EQ(n_vertices_at(*mesh, Point<2>(half_length, 0.)), 1u);
+        }
+    }
+
+
+
+    TEST(Remeshing, FollowsTheTargetSizesWithinTheirLimits)
+    {
+      const auto      mesh = quadrant();
+      const Remeshing remeshing(adaptivity(), 0.);
+      for (unsigned int cycle = 0; cycle < 3; ++cycle)
+        remesh_with(remeshing, *mesh, 1e-4); // below the minimum
+      double smallest = 1., largest = 0.;
+      for (const auto &cell : mesh->active_cell_iterators())
+        {
+          smallest = std::min(smallest, cell_size(cell));
+          largest  = std::max(largest, cell_size(cell));
+          // nowhere far above the target
+          EXPECT_LT(cell_size(cell),
+                    2. * std::max(1e-3, 0.3 * cell->center().norm()));
+        }
+      EXPECT_GT(smallest, 0.5e-3);
+      EXPECT_LT(smallest, 1.5e-3);
+      EXPECT_LT(largest, 2. * 0.02);
+      EXPECT_GT(largest, 0.01);
+    }
+
+
+
+    TEST(Remeshing, HasVerticesOfThreeAndOfFiveCells)
+    {
+      // what the tests of elements and recovery on such meshes rely on
+      const auto mesh =
+        make_plate_quadrant(unit_plate("clamped", 0.1), {{6, 6}});
+      remesh(*mesh, 0.05, 0.3);
+      std::map<unsigned int, unsigned int> n_vertices;
+      for (const auto &cells : GridTools::vertex_to_cell_map(*mesh))
+        ++n_vertices[cells.size()];
+      EXPECT_GT(n_vertices[3], 0u);
+      EXPECT_GT(n_vertices[5], 0u);
+    }
+
+
+
+    TEST(Remeshing, KeepsAMeshThatMeetsItsTarget)
+    {
+      const auto      mesh = quadrant();
+      const Remeshing remeshing(adaptivity(), 0.);
+      unsigned int    n_meshes = 0;
+      for (bool is_changed = true; is_changed && n_meshes < 10; ++n_meshes)
+        {
+          ErrorEstimate estimate = errors(*mesh, 0.004);
+          estimate.eta           = 0.04;
+          std::vector<std::string> warnings;
+          is_changed = remeshing.adapt(*mesh, estimate, warnings);
+        }
+      EXPECT_LT(n_meshes, 5u);
+    }
+  } // namespace
+} // namespace PlateImpact
