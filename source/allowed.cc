@@ -115,6 +115,18 @@ namespace PlateImpact
 
 
   Allowed
+  Allowed::number_up_to(const double lower, const double upper)
+  {
+    return number("a number above " + shortest(lower) + " and up to " +
+                    shortest(upper),
+                  [lower, upper](const double x) {
+                    return x > lower && x <= upper;
+                  });
+  }
+
+
+
+  Allowed
   Allowed::whole_number(const unsigned int first, const unsigned int last)
   {
     return {"a whole number from " + std::to_string(first) + " to " +

@@ -33,6 +33,21 @@ namespace PlateImpact
 
 
 
+  double
+  ContactHistory::peak_of_curve() const
+  {
+    const std::size_t n = &peak() - history.data();
+    if (n == 0 || n + 1 == history.size())
+      return history[n].force;
+    const double slope = 0.5 * (history[n + 1].force - history[n - 1].force),
+                 curvature = history[n + 1].force - 2. * history[n].force +
+      history[n - 1].force;
+    return curvature < 0. ? history[n].force - 0.5 * slope * slope / curvature :
+                            history[n].force;
+  }
+
+
+
   std::optional<double>
   ContactHistory::first_contact_end() const
   {

@@ -9,6 +9,7 @@
 #include "plate_impact/reliability.h"
 #include "plate_impact/ritz_basis.h"
 #include "plate_impact/semidiscrete_plate.h"
+#include "plate_impact/time_error.h"
 #include "plate_impact/time_stepper.h"
 
 #include <algorithm>
@@ -316,6 +317,16 @@ namespace PlateImpact
                         impactor);
     clock.charge(result.seconds.factorization);
     step_to_end(stepper, reduced, result);
+    if (reduced != nullptr)
+      {
+        result.time_error = estimated_time_error(*result.history,
+                                                 parameters.time,
+                                                 *reduced,
+                                                 *law,
+                                                 *contact_integration,
+                                                 impactor);
+        clock.charge(result.seconds.stepping);
+      }
 
     result.work.factorizations = mesh_plate.n_factorizations();
     result.work.ritz_vectors   = reduction.n_vectors();

@@ -95,6 +95,8 @@ namespace PlateImpact
           const ContactState   &peak    = history.peak();
           cycle["peak_force"]           = peak.force;
           cycle["time_of_peak_force"]   = peak.time;
+          if (result.time_error)
+            cycle["time_error"] = *result.time_error;
           if (const auto end = history.first_contact_end())
             cycle["first_contact_end"] = *end;
           cycle["number_of_contacts"] = history.n_contacts();

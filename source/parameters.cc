@@ -173,9 +173,17 @@ namespace PlateImpact
       schema.declare("End time", "80e-6", positive, time.end_time, "[s]");
       schema.declare("Time step",
                      "1e-7",
-                     positive,
+                     Allowed::number_from(0),
                      time.time_step,
-                     "Shortened where End time is not a multiple of it. [s]");
+                     "Shortened where End time is not a multiple of it. 0: the "
+                     "contact time that Zener's equation predicts over the "
+                     "power of two that meets Step tolerance. [s]");
+      schema.declare("Step tolerance",
+                     "1e-4",
+                     Allowed::number_between(0, 1),
+                     time.step_tolerance,
+                     "Error of the peak force by the time step, relative to "
+                     "it, with which the program chooses a step. [-]");
       schema.declare("Integrator",
                      "Ritz vectors",
                      Allowed::one_of({"Newmark", "Ritz vectors"}),
@@ -194,7 +202,7 @@ namespace PlateImpact
                      "square over the contact. [-]");
       schema.declare("Newmark beta",
                      "0.25",
-                     positive,
+                     Allowed::number_up_to(0, 1),
                      time.newmark_beta,
                      "At least half of gamma: unconditionally stable. [-]");
       schema.declare("Newmark gamma",
@@ -229,7 +237,7 @@ namespace PlateImpact
                      "Meshes computed on, the initial one included.");
       schema.declare("Size exponent",
                      "0.5",
-                     positive,
+                     Allowed::number_up_to(0, 4),
                      adaptivity.size_exponent,
                      "phi in h_new = h_old / xi'^phi: 1/p, or 1/lambda near a "
                      "singularity of strength lambda. [-]");

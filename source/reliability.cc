@@ -45,23 +45,76 @@ namespace PlateImpact
 
 
 
+    /// Half-width or radius of Hertz's contact at the peak. [m]
+    double
+    hertz_radius(const Parameters &parameters, const ContactState &peak)
+    {
+      const ImpactorParameters &impactor = parameters.impactor;
+      return impactor.shape == "cylinder" ?
+        line_contact_half_width(impactor.radius,
+                                peak.force / impactor.length,
+                                contact_modulus(parameters)) :
+        std::sqrt(impactor.radius * std::max(0., peak.indentation));
+    }
+
+
+
+    /// Relative drop of the peak force when the radius of the load on the plate
+    /// is halved: the plate gives way by F ln 2 / (2 pi kappa G t) more under
+    /// it, as if the contact were softer by as much.
+    double
+    drop_per_halving(const Parameters   &parameters,
+                     const PlateSection &section,
+                     const ContactState &peak)
+    {
+      const double pi   = std::acos(-1.);
+      const double give = peak.force * std::log(2.) /
+        (2. * pi * section.shear_stiffness * peak.indentation);
+      // F = k alpha^{3/2}, k grows with the root of the radius
+      const auto force = [&](const double factor_of_k) {
+        Parameters changed = parameters;
+        changed.impactor.radius *= factor_of_k * factor_of_k;
+        return zener_peak(*make_contact_law(changed),
+                          make_impactor(changed.impactor),
+                          section)
+          .force;
+      };
+      const double step     = 0.05;
+      const double exponent = std::log(force(1. + step) / force(1. - step)) /
+        std::log((1. + step) / (1. - step));
+      return 1.5 * give * exponent;
+    }
+
+
+
     std::vector<std::string>
     warn_of_time(const Parameters  &parameters,
-                 const double       contact_time,
+                 const double       expected_contact_time,
                  const CycleResult &result)
     {
       std::vector<std::string> warnings;
       const TimeParameters    &time = parameters.time;
-      if (time.time_step > 0.02 * contact_time)
+      const double contact_time = result.history->first_contact_end().value_or(
+        std::max(expected_contact_time, result.history->peak().time));
+      if (result.time_error && *result.time_error > 1e-3)
         warnings.push_back(
           sentence("Time/Time step = ",
                    time.time_step,
-                   " s resolves a contact of about ",
+                   " s leaves an error of about ",
+                   100. * *result.time_error,
+                   " % in the peak force; for 0.1 % choose at most ",
+                   time.time_step * std::sqrt(1e-3 / *result.time_error),
+                   " s, or 0"));
+      else if (time.time_step > (result.time_error ? 0.1 : 0.02) * contact_time)
+        warnings.push_back(
+          sentence("Time/Time step = ",
+                   time.time_step,
+                   " s resolves a contact of ",
                    contact_time,
                    " s, and the waves that it sends out, coarsely; for a peak "
                    "force to 0.1 % choose at most ",
                    0.02 * contact_time,
-                   " s"));
+                   " s, or 0"));
       const ContactState &last = result.history->states().back();
       if (result.history->peak().time == last.time)
         warnings.push_back(
@@ -130,7 +183,15 @@ namespace PlateImpact
                                     length,
                                     " m that the contact sends out; choose "
                                     "cells of at most half of it"));
-      if (adaptivity.strategy != "none" && !meets_target)
+      if (result.error && !meets_target && adaptivity.strategy == "none")
+        warnings.push_back(
+          sentence("eta is ",
+                   100. * result.error->eta,
+                   " % on this mesh, more than Adaptivity/Target error = ",
+                   100. * adaptivity.target_error,
+                   " %; choose Adaptivity/Strategy = hanging nodes or more "
+                   "Initial cells"));
+      else if (result.error && !meets_target)
         warnings.push_back(sentence(
           "eta is still ",
           100. * result.error->eta,
@@ -144,16 +205,63 @@ namespace PlateImpact
 
 
     std::vector<std::string>
-    warn_of_mesh(const Parameters &parameters, const CycleResult &result)
+    warn_of_load(const Parameters   &parameters,
+                 const PlateSection &section,
+                 const CycleResult  &result)
+    {
+      const ContactState &peak = result.history->peak();
+      if (peak.force <= 0.)
+        return {};
+      const ContactParameters &contact = parameters.contact;
+      const double             radius  = hertz_radius(parameters, peak);
+      if (parameters.impactor.shape == "cylinder")
+        {
+          if (contact.load_distribution == "strip" &&
+              contact.patch_radius >
+                std::max(2. * radius, 0.5 * parameters.plate.thickness))
+            return {sentence("the force is spread over a strip of half-width ",
+                             contact.patch_radius,
+                             " m, but the contact is ",
+                             radius,
+                             " m wide; choose Contact/Patch radius = 0")};
+          return {};
+        }
+      const double drop = drop_per_halving(parameters, section, peak);
+      if (contact.load_distribution == "point")
+        return {sentence("the peak force under a point load depends on the "
+                         "smallest cell (",
+                         result.min_cell_size,
+                         " m): it drops by about ",
+                         100. * drop,
+                         " % per halving; for a limit choose Contact/Load "
+                         "distribution = Hertz disc")};
+      const double change = drop * std::log2(contact.patch_radius / radius);
+      if (std::abs(change) > 0.005)
+        return {sentence("Contact/Patch radius = ",
+                         contact.patch_radius,
+                         " m spreads the force over another area than "
+                         "the contact, whose radius is ",
+                         radius,
+                         " m: the peak force is ",
+                         // beyond the thickness bending adds to shear
+                         contact.patch_radius > parameters.plate.thickness ?
+                           "more than " :
+                           "about ",
+                         100. * std::abs(change),
+                         change > 0. ? " % too large" : " % too small",
+                         "; choose Contact/Patch radius = 0")};
+      return {};
+    }
+
+
+
+    std::vector<std::string>
+    warn_of_mesh(const Parameters               &parameters,
+                 const dealii::Triangulation<2> &mesh,
+                 const BendingWave              &wave,
+                 const CycleResult              &result)
     {
       std::vector<std::string> warnings;
-      if (parameters.contact.load_distribution == "point")
-        warnings.push_back(sentence(
-          "the peak force under a point load depends on the smallest "
-          "cell (",
-          result.min_cell_size,
-          " m): it drops by about 0.7 % per halving; for a limit choose "
-          "Contact/Load distribution = Hertz disc"));
       if (result.error && result.error->n_singular_cells > 0)
         warnings.push_back(
           sentence("eta leaves out ",
@@ -163,18 +271,18 @@ namespace PlateImpact
                    100. * result.error->eta_of_all_cells,
                    " %"));
 
-      // measured: 0.7 % too stiff at a/t = 1000 on 8 x 8 cells, 26 % at 10000
+      // measured: 0.7 % too stiff with cells 60 times as long as thick, 26 %
+      // with cells 600 times
       const double slenderness =
-        *std::max_element(parameters.plate.side_lengths.begin(),
-                          parameters.plate.side_lengths.end()) /
+        largest_cell_within(mesh, wave.group_speed * parameters.time.end_time) /
         parameters.plate.thickness;
       if (parameters.discretization.element == "serendipity" &&
-          slenderness >= 1000.)
+          slenderness > 60.)
         warnings.push_back(sentence(
-          "the serendipity element locks on plates as thin as this (side "
-          "over thickness ",
+          "the serendipity element locks in cells as long as ",
           slenderness,
-          "); choose Discretization/Element = MITC9"));
+          " thicknesses; choose Discretization/Element = MITC9 or cells below "
+          "60 thicknesses"));
       return warnings;
     }
 
@@ -219,12 +327,22 @@ namespace PlateImpact
           pressure / softer,
           " of Young's modulus: no metal stays elastic beyond 0.03; the "
           "force is an upper bound"));
-      if (parameters.impactor.shape == "sphere" &&
-          peak.indentation > 0.1 * parameters.impactor.radius)
-        warnings.push_back(sentence(
-          "the indentation reaches ",
-          peak.indentation / parameters.impactor.radius,
-          " of the sphere's radius: Hertz's law is for less than 0.1"));
+      if (peak.indentation > 0.1 * parameters.impactor.radius)
+        warnings.push_back(
+          sentence("the indentation reaches ",
+                   peak.indentation / parameters.impactor.radius,
+                   " of the impactor's radius: the laws of contact are for "
+                   "less than 0.1"));
+      const double half_width = hertz_radius(parameters, peak);
+      if (parameters.impactor.shape == "cylinder" &&
+          half_width > 0.25 * parameters.impactor.length)
+        warnings.push_back(
+          sentence("the contact is ",
+                   2. * half_width,
+                   " m wide and ",
+                   parameters.impactor.length,
+                   " m long: the law of a line contact is for one much longer "
+                   "than wide"));
       return warnings;
     }
   } // namespace
@@ -240,15 +358,13 @@ namespace PlateImpact
   {
     const double contact_time =
       2. * zener_peak(law, make_impactor(parameters.impactor), section).time;
+    const BendingWave        wave = contact_wave(section, contact_time);
     std::vector<std::string> warnings =
       warn_of_time(parameters, contact_time, result);
-    for (const auto &more :
-         {warn_of_resolution(parameters,
-                             mesh,
-                             contact_wave(section, contact_time),
-                             result),
-          warn_of_mesh(parameters, result),
-          warn_of_model(parameters, result)})
+    for (const auto &more : {warn_of_resolution(parameters, mesh, wave, result),
+                             warn_of_load(parameters, section, result),
+                             warn_of_mesh(parameters, mesh, wave, result),
+                             warn_of_model(parameters, result)})
       warnings.insert(warnings.end(), more.begin(), more.end());
     return warnings;
   }

@@ -393,18 +393,18 @@ namespace PlateImpact
   {
     // Vectors resolve frequencies around the root of sigma best. The force is
     // smooth enough for those beyond about a hundred over the contact time not
-    // to matter, and 40 pi measured best between 5 and 100 pi: so flat that the
-    // next in a coarse sequence serves as well, and impactors share bases.
+    // to matter; between 20 and 60 pi it makes no difference, so that the next
+    // in a coarse sequence serves as well, and impactors share bases.
     const double contact_time = 2. * zener_peak(law, impactor, section).time;
     const int    half_octave =
-      std::lround(2. * std::log2(40. * std::acos(-1.) / contact_time));
+      std::lround(2. * std::log2(30. * std::acos(-1.) / contact_time));
 
     // Waves run along the string of vectors at this speed: until the end time
     // fields take in three quarters of the distance, as measured, and a force
     // about as many as waves can come back from.
     const double distance = frequency(half_octave) * time.end_time;
     const double n_first =
-      std::max(16., (needs_fields ? 0.5 : 0.25) * distance);
+      std::max(16., (needs_fields ? 0.4 : 0.25) * distance);
     // beyond half as many solves as steps the steps themselves are cheaper
     const double n_most = std::max(16., 0.5 * time.end_time / time.time_step);
     std::deque<Trial> trials; // the last ones
@@ -423,7 +423,8 @@ namespace PlateImpact
         if (relative_difference(earlier.forces, latest.forces) <=
               time.ritz_tolerance &&
             (!needs_fields ||
-             latest.share_beyond(earlier.size()) <= field_tolerance))
+             latest.share_beyond(trials[n_growths - 1].size()) <=
+               field_tolerance))
           return &reduced;
         trials.pop_front();
       }

@@ -5,6 +5,7 @@
 #include "plate_impact/impactor.h"
 #include "plate_impact/plate_section.h"
 #include "plate_impact/scene_schema.h"
+#include "plate_impact/time_error.h"
 #include "plate_impact/zener.h"
 
 #include <algorithm>
@@ -191,10 +192,6 @@ namespace PlateImpact
       if (time.time_step > time.end_time)
         refuse({"Time/Time step", "Time/End time"},
                "s is longer than End time, " + in_words(time.end_time) + " s");
-      else if (time.end_time / time.time_step > 1e8)
-        refuse({"Time/Time step", "Time/End time"},
-               "s needs more than 1e8 steps to reach End time, " +
-                 in_words(time.end_time) + " s");
       if (time.newmark_beta < 0.5 * time.newmark_gamma)
         refuse({"Time/Newmark beta", "Time/Newmark gamma"},
                "is below half of Newmark gamma, so that the scheme is unstable "
@@ -273,6 +270,17 @@ namespace PlateImpact
                           std::string(error.what()));
         }
 
+      if (parameters.time.time_step == 0.)
+        schema.set("Time",
+                   "Time step",
+                   chosen_time_step(parameters.time,
+                                    *make_contact_law(parameters),
+                                    impactor,
+                                    PlateSection(parameters.plate)));
+      if (parameters.time.end_time / parameters.time.time_step > 1e8)
+        refuse({"Time/Time step", "Time/End time"},
+               "s needs more than 1e8 steps to reach End time, " +
+                 in_words(parameters.time.end_time) + " s");
       // a contact lasts about twice the time to its peak
       const double longest_step = 25. * 2. * peak.time;
       if (parameters.time.time_step > longest_step)

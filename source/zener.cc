@@ -16,7 +16,7 @@ namespace PlateImpact
   {
     const double impedance =
       8. * std::sqrt(section.bending_stiffness(0, 0) * section.mass);
-    const double v0 = impactor.velocity, m = impactor.mass;
+    const double v0 = impactor.velocity;
 
     // Neither the energy of the impactor nor the quasi-static balance
     // F = impedance * v0 can be exceeded: the smaller of the two indentations
@@ -29,11 +29,23 @@ namespace PlateImpact
           (law.potential(middle) > impactor.kinetic_energy() ? high : low) =
             middle;
         }
-    const double dt = high / v0 / 500.;
+    return zener_peak(law, impactor, section, high / v0 / 500.);
+  }
 
+
+
+  ExpectedPeak
+  zener_peak(const ContactLaw   &law,
+             const Impactor     &impactor,
+             const PlateSection &section,
+             const double        dt)
+  {
+    const double impedance =
+      8. * std::sqrt(section.bending_stiffness(0, 0) * section.mass);
+    const double                  m = impactor.mass;
     const EnergyConservingContact step;
     const double compliance = dt / impedance + dt * dt / (2. * m);
-    double       alpha = 0., velocity = v0;
+    double       alpha = 0., velocity = impactor.velocity;
     for (unsigned int n = 1; n < 100000000; ++n)
       {
         const double free  = alpha + dt * velocity;

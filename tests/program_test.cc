@@ -80,7 +80,9 @@ namespace PlateImpact
       EXPECT_FALSE(last_cycle().contains("discretization_error"));
       EXPECT_EQ(last_cycle()["work"]["estimator_samples"], 0);
       EXPECT_EQ(last_cycle()["work"]["factorizations"], 1);
-      EXPECT_EQ(last_cycle()["work"]["linear_solves"], 80);
+      EXPECT_EQ(last_cycle()["work"]["linear_solves"],
+                last_cycle()["work"]["ritz_vectors"]);
+      EXPECT_LE(last_cycle()["work"]["linear_solves"], 40);
 
       ASSERT_EQ(run(main_scene, "--set Impactor/Shape=none"), 0) << err;
       EXPECT_EQ(summary()["outcome"], "single mesh");

@@ -32,6 +32,8 @@ namespace PlateImpact
     static Allowed
     number_from(double first);
     static Allowed
+    number_up_to(double lower, double upper); ///< the lower excluded
+    static Allowed
     number_between(double lower, double upper); ///< both excluded
     static Allowed
     whole_number(unsigned int first, unsigned int last);

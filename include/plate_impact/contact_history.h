@@ -42,6 +42,11 @@ namespace PlateImpact
     const ContactState &
     peak() const;
 
+    /// Largest force of the history as a curve: of the parabola through the
+    /// peak and the states beside it. [N]
+    double
+    peak_of_curve() const;
+
     /// Time at which the first contact ends, from a linear interpolation of the
     /// indentation between steps; empty when it lasts to the end of the history
     /// or when there is none. [s]

@@ -57,7 +57,8 @@ namespace PlateImpact
     unsigned int                  steps   = 0;
     double                        impulse = 0.;    ///< [N s]
     std::optional<double>         separation_time; ///< no contact since [s]
-    std::vector<Snapshot>         snapshots;
+    std::optional<double> time_error; ///< of the peak force, relative to it
+    std::vector<Snapshot> snapshots;
 
     /// For the report: the state of the largest force, and states evenly over
     /// the samples of the estimator, those of error->kept_element_errors.

@@ -52,6 +52,7 @@ namespace PlateImpact
   {
     double      end_time;
     double      time_step;
+    double      step_tolerance;
     std::string integrator;
     double      ritz_tolerance;
     double      newmark_beta;

@@ -78,8 +78,8 @@ namespace PlateImpact
 
     MeshPlate      &plate;
     const double    sigma;
-    unsigned int    n         = 0;
-    bool            complete  = false;
+    unsigned int    n        = 0;
+    bool            complete = false;
     double          load_norm = 0.;
     Eigen::MatrixXd Q; ///< with room for more
     Eigen::VectorXd diagonal, subdiagonal;

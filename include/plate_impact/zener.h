@@ -29,6 +29,14 @@ namespace PlateImpact
              const PlateSection &section);
 
 
+  /// The same with steps of a given length, as a scene takes them. [s]
+  ExpectedPeak
+  zener_peak(const ContactLaw   &law,
+             const Impactor     &impactor,
+             const PlateSection &section,
+             double              time_step);
+
+
   /// The bending wave that a contact sends out.
   struct BendingWave
   {
