@@ -1,6 +1,7 @@
 #include "plate_impact/console.h"
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <iostream>
 #include <unistd.h>
@@ -28,30 +29,54 @@ namespace PlateImpact
       const std::string text = value ? formatted(format, *value) : "-";
       return std::string(width - std::min(width, text.size()), ' ') + text;
     }
+
+
+
+    /// A time that someone waits.
+    std::string
+    waiting_time(const double seconds)
+    {
+      if (seconds < 100.)
+        return formatted("%.0f s", seconds);
+      if (seconds < 6000.)
+        return formatted("%.0f min", seconds / 60.);
+      return formatted("%.1f h", seconds / 3600.);
+    }
   } // namespace
 
 
 
   Console::Console(const bool quiet)
     : quiet(quiet)
-    , shows_progress(!quiet && isatty(STDOUT_FILENO))
-    , last_progress(std::chrono::steady_clock::now())
-  {}
+    , out(STDOUT_FILENO)
+    , err(STDERR_FILENO)
+  {
+    std::signal(SIGPIPE, SIG_IGN);
+  }
+
+
+
+  Console::~Console()
+  {
+    clear_progress();
+  }
 
 
 
   void
   Console::begin(const Scene &scene)
   {
+    target = scene.parameters.adaptivity.target_error;
     if (quiet)
       return;
 #ifdef DEBUG
     std::cout << "DEBUG build, many times slower; configure with "
                  "CMAKE_BUILD_TYPE=Release for results\n";
 #endif
-    std::cout << scene.name << "\n"
-              << " cycle      cells   unknowns      eta %    max xi'"
-                 " peak force N      at us  contact end    seconds\n";
+    std::cout << out.emphasized(scene.name, Emphasis::bold) << "\n"
+              << "cycle   cells unknowns   eta % max xi' peak force N    at us"
+                 "   end us  seconds"
+              << std::endl;
   }
 
 
@@ -61,15 +86,23 @@ namespace PlateImpact
                     const unsigned int step,
                     const unsigned int n_steps)
   {
-    if (!shows_progress || step % 16 != 0)
+    if (quiet || !out.is_interactive())
       return;
-    const auto now = std::chrono::steady_clock::now();
+    const Clock::time_point now = Clock::now();
+    if (cycle != cycle_in_progress)
+      {
+        cycle_in_progress  = cycle;
+        begin_of_transient = last_progress = now;
+      }
     if (now - last_progress < std::chrono::milliseconds(500))
       return;
-    last_progress = now;
-    has_progress  = true;
-    std::cout << "\r\033[K cycle " << cycle << ": step " << step << " of "
-              << n_steps << std::flush;
+    last_progress                               = now;
+    has_progress                                = true;
+    const std::chrono::duration<double> elapsed = now - begin_of_transient;
+    std::cout << "\r\033[K" << column(5, "%.0f", cycle) << "  step " << step
+              << " of " << n_steps << ", "
+              << waiting_time(elapsed.count() * (n_steps - step) / step)
+              << " left" << std::flush;
   }
 
 
@@ -103,13 +136,13 @@ namespace PlateImpact
         if (const auto end = result.history->first_contact_end())
           contact_end = 1e6 * *end;
       }
-    std::cout << column(6, "%.0f", result.cycle)
-              << column(11, "%.0f", result.cells)
-              << column(11, "%.0f", result.degrees_of_freedom)
-              << column(11, "%.2f", eta) << column(11, "%.2f", xi)
-              << column(13, "%.6g", peak) << column(11, "%.4g", peak_time)
-              << column(13, "%.5g", contact_end)
-              << column(11, "%.2f", result.seconds.total()) << std::endl;
+    std::cout << column(5, "%.0f", result.cycle)
+              << column(8, "%.0f", result.cells)
+              << column(9, "%.0f", result.degrees_of_freedom)
+              << column(8, "%.2f", eta) << column(8, "%.2f", xi)
+              << column(13, "%.6g", peak) << column(9, "%.4g", peak_time)
+              << column(9, "%.5g", contact_end)
+              << column(9, "%.2f", result.seconds.total()) << std::endl;
   }
 
 
@@ -122,18 +155,30 @@ namespace PlateImpact
   {
     if (!quiet)
       {
-        std::cout << "\nOutcome     " << outcome;
+        std::cout << "\nOutcome     "
+                  << out.emphasized(outcome,
+                                    outcome == "target reached" ||
+                                        outcome == "single mesh" ?
+                                      Emphasis::good :
+                                      Emphasis::warning);
+        if (last.error)
+          std::cout << ", eta " << formatted("%.6g", 100. * last.error->eta)
+                    << " % (target " << formatted("%.6g", 100. * target)
+                    << " %)";
         if (last.cells_at_minimum_size > 0)
           std::cout << " (" << last.cells_at_minimum_size
                     << " cells at the minimum size keep xi' >= 1)";
         if (last.history)
           std::cout << "\nPeak force  "
-                    << formatted("%.6g", last.history->peak().force) << " N at "
-                    << formatted("%.4g", 1e6 * last.history->peak().time)
-                    << " us";
+                    << out.emphasized(formatted("%.6g N",
+                                                last.history->peak().force),
+                                      Emphasis::bold)
+                    << " at "
+                    << formatted("%.6g us", 1e6 * last.history->peak().time);
         std::cout << "\nResults     " << results << std::endl;
       }
     for (const std::string &warning : warnings)
-      std::cerr << "warning: " << warning << std::endl;
+      std::cerr << err.emphasized("warning: ", Emphasis::warning) << warning
+                << std::endl;
   }
 } // namespace PlateImpact

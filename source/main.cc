@@ -6,6 +6,7 @@
 #include "plate_impact/expectation.h"
 #include "plate_impact/run.h"
 #include "plate_impact/scene.h"
+#include "plate_impact/terminal.h"
 #include "plate_impact/version.h"
 
 #include <CLI/CLI.hpp>
@@ -14,6 +15,7 @@
 #include <new>
 #include <optional>
 #include <sstream>
+#include <unistd.h>
 
 namespace
 {
@@ -52,8 +54,15 @@ namespace
       "plate-impact");
     app.set_version_flag("--version", "plate-impact " PLATE_IMPACT_VERSION);
     app.require_subcommand(1);
-    app.footer("Exit status: 0 done, 1 the input is wrong, 2 the computation "
-               "failed.");
+    app.footer(
+      "Examples:\n"
+      "  plate-impact run prm/sphere-on-steel-plate.prm\n"
+      "  plate-impact run my.prm --set \"Impactor/Velocity=2\" --output fast\n"
+      "  plate-impact check my.prm\n"
+      "  plate-impact defaults > my.prm\n\n"
+      "`plate-impact COMMAND --help` lists the options of a command.\n"
+      "Exit status: 0 done, 1 the input is wrong, 2 the computation failed.\n"
+      "Colours are left out in pipes and where NO_COLOR is set.");
 
     std::string                path;
     std::optional<std::string> output;
@@ -107,11 +116,18 @@ namespace
       }
 
     if (run_command->parsed())
-      run(path, output, overrides, quiet);
-    else if (check_command->parsed())
+      {
+        run(path, output, overrides, quiet);
+        return success;
+      }
+    if (check_command->parsed())
       print_expectation(std::cout, read_scene(path, overrides));
     else if (defaults_command->parsed())
       print_defaults(std::cout);
+    // of a run the files count, of these commands what they print
+    std::cout.flush();
+    if (!std::cout)
+      throw ComputationError("the standard output cannot be written");
     return success;
   }
 
@@ -121,9 +137,11 @@ namespace
   void
   print_error(const std::string &message)
   {
+    const Terminal     terminal(STDERR_FILENO);
     std::istringstream lines(message);
     for (std::string line; std::getline(lines, line);)
-      std::cerr << "plate-impact: " << line << '\n';
+      std::cerr << terminal.emphasized("plate-impact: ", Emphasis::error)
+                << line << '\n';
   }
 } // namespace
 
@@ -144,11 +162,7 @@ main(const int argc, const char *const *argv)
   dealii::MultithreadInfo::set_thread_limit(1);
   try
     {
-      const int status = execute(argc, argv);
-      std::cout.flush();
-      if (!std::cout)
-        throw ComputationError("the standard output cannot be written");
-      return status;
+      return execute(argc, argv);
     }
   catch (const InputError &error)
     {

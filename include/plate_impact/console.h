@@ -3,6 +3,7 @@
 
 #include "plate_impact/cycle_result.h"
 #include "plate_impact/scene.h"
+#include "plate_impact/terminal.h"
 
 #include <chrono>
 #include <string>
@@ -10,18 +11,21 @@
 
 namespace PlateImpact
 {
-  /// What a user sees while the program runs.
+  /// What a user sees while the program runs. Results count more than that: a
+  /// reader who closes the pipe (`| head`) does not end the run.
   class Console
   {
   public:
     /// @param quiet  only warnings and errors
     explicit Console(bool quiet);
 
+    ~Console();
+
     void
     begin(const Scene &scene);
 
-    /// A line that is overwritten, on a terminal and within long transients
-    /// only.
+    /// A line that is overwritten, with the time that the rest of the transient
+    /// takes; on a terminal and within long transients only.
     void
     progress(unsigned int cycle, unsigned int step, unsigned int n_steps);
 
@@ -39,9 +43,14 @@ namespace PlateImpact
     void
     clear_progress();
 
-    const bool                            quiet, shows_progress;
-    bool                                  has_progress = false;
-    std::chrono::steady_clock::time_point last_progress;
+    using Clock = std::chrono::steady_clock;
+
+    const bool        quiet;
+    const Terminal    out, err;
+    double            target            = 0.; ///< eta that is asked for
+    bool              has_progress      = false;
+    unsigned int      cycle_in_progress = 0;
+    Clock::time_point begin_of_transient, last_progress;
   };
 } // namespace PlateImpact
 
