@@ -83,25 +83,25 @@ namespace PlateImpact
   };
 
 
-  /// A self-contained HTML page of text, tables, plots and pictures, for
-  /// report.html, comparison.html and the page of a sweep.
-  ///
-  ///   Page page("scene.prm", "Peak force of three plates");
-  ///   page.section("Outcome");
-  ///   page.facts({{"Peak force", "1301.1 N", "at 34.3 µs"}});
-  ///   page.section("Convergence");
-  ///   page.plots({{"Error of the force", "", {"seconds", true}, {"error",
-  ///   true},
-  ///                {{"uniform", seconds, errors, 0, Style::line_and_points}},
-  ///                {}}});
-  ///   output.write_file("page.html", [&](auto &out) { page.write(out); });
-  ///
-  /// Text and tables are plain HTML and need no script. Numbers behind the
-  /// plots are one JSON block, element `data`: `plots`, whose series name their
+  // clang-format off
+  /// A self-contained HTML page of text, tables, plots and pictures: report.html
+  /// and whatever else shows results in a browser.
+  /// @code
+  /// Page page("scene.prm", "Error of three strategies");
+  /// page.section("Convergence");
+  /// page.plots({{"Error of the force", "",
+  ///              {"time [s]", true}, {"error [%]", true},
+  ///              {{"uniform", seconds, errors, 0, Style::line_and_points}}, {}}});
+  /// page.table({{"Strategy", "Error [%]"}, {{"uniform", six_digits(error)}}});
+  /// page.write(out);
+  /// @endcode
+  /// Text and tables are plain HTML and need no script. The numbers behind the
+  /// plots are one JSON block, the element `data`: `plots`, whose series name their
   /// numbers by index into `arrays` (six digits; a vector used twice is stored
-  /// once), and whatever is embed()ded. Chart.js, which draws them, and style
-  /// and scripts (source/page/) are within the file; it opens without a
+  /// once), `maps`, `meshes`, and whatever is embed()ded. Chart.js, which draws
+  /// them, style and scripts (source/page/) are within the file: it needs no
   /// network. Strings are UTF-8 text, not HTML: they are escaped here.
+  // clang-format on
   class Page
   {
   public:

@@ -89,7 +89,7 @@ function datasets(plot) {
       borderWidth: series.style === 'faint' ? 1 : 2,
       borderDash: series.style === 'dashed' ? [6, 4] : [],
       pointRadius: points ? 4 : 0, pointHoverRadius: 4,
-      order: series.style === 'faint' ? 1 : 0
+      clip: points ? 8 : 2, order: series.style === 'faint' ? 1 : 0
     };
   });
 }
