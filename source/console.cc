@@ -20,6 +20,15 @@ namespace PlateImpact
 
 
 
+    /// A word at the left end of a column of some width.
+    std::string
+    padded(const std::size_t width, const std::string &word)
+    {
+      return word + std::string(width - std::min(width, word.size()), ' ');
+    }
+
+
+
     /// A number, or a dash, at the right end of a column of some width.
     std::string
     column(const std::size_t            width,
@@ -177,8 +186,120 @@ namespace PlateImpact
                     << formatted("%.6g us", 1e6 * last.history->peak().time);
         std::cout << "\nResults     " << results << std::endl;
       }
+    warn(warnings);
+  }
+
+
+
+  void
+  Console::warn(const std::vector<std::string> &warnings)
+  {
     for (const std::string &warning : warnings)
       std::cerr << err.emphasized("warning: ", Emphasis::warning) << warning
                 << std::endl;
+  }
+
+
+
+  void
+  Console::begin_comparison(const Scene &scene)
+  {
+    if (!quiet)
+      std::cout << scene.name << "\nComputing the reference" << std::endl;
+  }
+
+
+
+  void
+  Console::reference(const Reference &reference)
+  {
+    if (quiet)
+      return;
+    clear_progress();
+    std::cout << "Reference   " << formatted("%.6g", reference.peak_force)
+              << " N";
+    if (reference.history)
+      std::cout << ", uncertain by "
+                << formatted("%.2g", 100. * reference.uncertainty)
+                << " %: " << reference.cells
+                << " cells, eta = " << formatted("%.2g", 100. * *reference.eta)
+                << " %, " << formatted("%.2f", reference.seconds) << " s";
+    else
+      std::cout << ", given";
+    std::cout
+      << "\n\n strategy        element       cycle      cells   unknowns"
+         "     eta %  peak force N   error %   seconds    so far"
+      << std::endl;
+  }
+
+
+
+  void
+  Console::compared_mesh(const ComparisonCurve &curve)
+  {
+    if (quiet)
+      return;
+    clear_progress();
+    const ComparedMesh &mesh = curve.meshes.back();
+    std::cout << ' ' << padded(16, curve.strategy) << padded(12, curve.element)
+              << column(7, "%.0f", mesh.cycle) << column(11, "%.0f", mesh.cells)
+              << column(11, "%.0f", mesh.degrees_of_freedom)
+              << column(10, "%.2f", 100. * mesh.eta)
+              << column(14, "%.6g", mesh.peak_force)
+              << column(10,
+                        mesh.is_comparable ? "%.4f" : "(%.4f)",
+                        100. * mesh.peak_force_error)
+              << column(10, "%.2f", mesh.seconds)
+              << column(10, "%.2f", mesh.cumulative_seconds) << std::endl;
+  }
+
+
+
+  void
+  Console::curve_end(const ComparisonCurve &curve)
+  {
+    if (quiet)
+      return;
+    clear_progress();
+    std::cout << " " << std::string(16, ' ') << curve.end << std::endl;
+  }
+
+
+
+  void
+  Console::end_comparison(const std::vector<ThresholdRow> &rows,
+                          const std::vector<std::string>  &warnings,
+                          const std::string               &results)
+  {
+    if (!quiet)
+      {
+        for (const ThresholdRow &row : rows)
+          {
+            std::cout << "\n"
+                      << row.quantity << " of "
+                      << formatted("%g", 100. * row.threshold) << " %\n";
+            if (!row.is_comparable)
+              std::cout << " not compared: the reference is not known that "
+                           "well\n";
+            else if (row.achievements.empty())
+              std::cout << " not reached\n";
+            for (const Achievement &achievement : row.achievements)
+              {
+                const ComparedMesh &mesh = *achievement.mesh;
+                const double        fastest =
+                  row.achievements.front().mesh->cumulative_seconds;
+                std::cout << ' ' << padded(16, achievement.curve->strategy)
+                          << padded(12, achievement.curve->element)
+                          << column(8, "%.0f", mesh.cells) << " cells"
+                          << column(10, "%.2f", mesh.cumulative_seconds) << " s"
+                          << column(10,
+                                    "%.1f",
+                                    mesh.cumulative_seconds / fastest)
+                          << " times the fastest\n";
+              }
+          }
+        std::cout << "\nResults     " << results << std::endl;
+      }
+    warn(warnings);
   }
 } // namespace PlateImpact

@@ -246,6 +246,19 @@ namespace PlateImpact
 
 
 
+  void
+  ImpactAnalysis::refine_everywhere()
+  {
+    StageClock clock;
+    error_estimator.reset();
+    plate_model.reset();
+    triangulation->refine_global();
+    seconds_for_mesh = 0.;
+    clock.charge(seconds_for_mesh);
+  }
+
+
+
   const std::vector<std::string> &
   ImpactAnalysis::warnings() const
   {

@@ -1,6 +1,7 @@
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/multithread_info.h>
 
+#include "plate_impact/compare.h"
 #include "plate_impact/console.h"
 #include "plate_impact/exceptions.h"
 #include "plate_impact/expectation.h"
@@ -43,6 +44,19 @@ namespace
 
 
 
+  void
+  compare(const std::string                &path,
+          const std::optional<std::string> &output,
+          const std::vector<std::string>   &overrides,
+          const bool                        quiet)
+  {
+    const Scene scene = read_scene(path, overrides, output);
+    Console     console(quiet);
+    compare_scene(scene, console);
+  }
+
+
+
   /// Parses the command line and does what it asks for.
   int
   execute(const int argc, const char *const *argv)
@@ -70,19 +84,26 @@ namespace
     bool                       quiet = false;
     CLI::App                  *run_command =
       app.add_subcommand("run", "Compute the impact that a scene describes");
-    run_command->add_option("scene", path, "Parameter file (.prm)")->required();
-    run_command->add_option(
-      "-o,--output",
-      output,
-      "Directory of the results, in place of the scene's");
-    run_command
-      ->add_option("-s,--set",
-                   overrides,
-                   "Entry to change: \"Section/Entry=value\"; may be repeated")
-      ->allow_extra_args(false);
-    run_command->add_flag("-q,--quiet",
+    CLI::App *compare_command = app.add_subcommand(
+      "compare",
+      "Compare strategies and elements: error against run time");
+    for (CLI::App *command : {run_command, compare_command})
+      {
+        command->add_option("scene", path, "Parameter file (.prm)")->required();
+        command->add_option(
+          "-o,--output",
+          output,
+          "Directory of the results, in place of the scene's");
+        command
+          ->add_option(
+            "-s,--set",
+            overrides,
+            "Entry to change: \"Section/Entry=value\"; may be repeated")
+          ->allow_extra_args(false);
+        command->add_flag("-q,--quiet",
                           quiet,
                           "Print warnings and errors only");
+      }
     CLI::App *defaults_command = app.add_subcommand(
       "defaults",
       "Print every entry with its meaning, unit and default, as a valid scene");
@@ -96,7 +117,7 @@ namespace
                    overrides,
                    "Entry to change: \"Section/Entry=value\"; may be repeated")
       ->allow_extra_args(false);
-    for (const std::string name : {"compare", "sweep"})
+    for (const std::string name : {"sweep"})
       app.add_subcommand(name, "Not available yet")
         ->allow_extras()
         ->callback([name] {
@@ -115,16 +136,19 @@ namespace
           {error.what() + std::string("; see plate-impact --help")});
       }
 
+    // of these the files count
     if (run_command->parsed())
-      {
-        run(path, output, overrides, quiet);
-        return success;
-      }
+      run(path, output, overrides, quiet);
+    if (compare_command->parsed())
+      compare(path, output, overrides, quiet);
+    if (run_command->parsed() || compare_command->parsed())
+      return success;
+
+    // of these what they print
     if (check_command->parsed())
       print_expectation(std::cout, read_scene(path, overrides));
     else if (defaults_command->parsed())
       print_defaults(std::cout);
-    // of a run the files count, of these commands what they print
     std::cout.flush();
     if (!std::cout)
       throw ComputationError("the standard output cannot be written");

@@ -25,11 +25,11 @@ namespace PlateImpact
   {
     /// Names of results, so that those of an earlier run do not stay beside
     /// ours.
-    const std::regex
-      result_name("(summary\\.json|scene\\.prm|report\\.html|fields\\.pvd|"
-                  "fields_[0-9]+\\.vtu|contact_history(_cycle_[0-9]+)?\\.csv|"
-                  "element_errors_cycle_[0-9]+\\.csv|mesh_cycle_[0-9]+\\.svg)"
-                  "(\\.incomplete)?");
+    const std::regex result_name(
+      "(summary\\.json|comparison\\.(csv|json|html)|scene\\.prm|report\\.html|fields\\.pvd|"
+      "fields_[0-9]+\\.vtu|contact_history(_cycle_[0-9]+)?\\.csv|"
+      "element_errors_cycle_[0-9]+\\.csv|mesh_cycle_[0-9]+\\.svg)"
+      "(\\.incomplete)?");
 
 
 
@@ -365,8 +365,13 @@ namespace PlateImpact
   Output::main_files() const
   {
     std::string text;
-    for (const std::string name :
-         {"report.html", "summary.json", "contact_history.csv", "fields.pvd"})
+    for (const std::string name : {"report.html",
+                                   "comparison.html",
+                                   "comparison.csv",
+                                   "comparison.json",
+                                   "summary.json",
+                                   "contact_history.csv",
+                                   "fields.pvd"})
       if (fs::exists(directory / name))
         text += (text.empty() ? "" : ", ") + (directory / name).string();
     return text;

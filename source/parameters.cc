@@ -2,6 +2,8 @@
 
 #include "plate_impact/scene_schema.h"
 
+#include <algorithm>
+
 namespace PlateImpact
 {
   std::vector<std::string>
@@ -20,6 +22,14 @@ namespace PlateImpact
 
   namespace
   {
+    std::vector<std::string>
+    elements()
+    {
+      return {"serendipity", "heterosis", "Lagrange", "MITC9"};
+    }
+
+
+
     void
     declare_bodies(SceneSchema &schema, Parameters &parameters)
     {
@@ -150,7 +160,7 @@ namespace PlateImpact
       schema.declare(
         "Element",
         "MITC9",
-        Allowed::one_of({"serendipity", "heterosis", "Lagrange", "MITC9"}),
+        Allowed::one_of(elements()),
         discretization.element,
         "Deflection and rotations with 8 nodes (serendipity, the "
         "paper's), with 8 and 9 (heterosis) or with 9 (Lagrange); "
@@ -324,36 +334,63 @@ namespace PlateImpact
 
 
 
+    void
+    declare_comparison(SceneSchema &schema, Parameters &parameters)
+    {
+      std::vector<std::string> strategies = adaptation_strategies();
+      strategies.erase(std::find(strategies.begin(), strategies.end(), "none"));
+      ComparisonParameters &comparison = parameters.comparison;
+      schema.begin_section("Comparison");
+      schema.declare("Strategies",
+                     "uniform, hanging nodes, remeshing",
+                     Allowed::list(Allowed::one_of(strategies),
+                                   1,
+                                   strategies.size()),
+                     comparison.strategies,
+                     "This section is read by `plate-impact compare` only. "
+                     "What is compared, each with every element.");
+      schema.declare("Elements",
+                     "serendipity, heterosis, Lagrange",
+                     Allowed::list(Allowed::one_of(elements()),
+                                   1,
+                                   elements().size()),
+                     comparison.elements,
+                     "As in Discretization/Element.");
+      schema.declare("Maximum cycles",
+                     "6",
+                     Allowed::whole_number(1, 1000),
+                     comparison.maximum_cycles,
+                     "Meshes of a curve, the initial one included. Adaptivity/"
+                     "Target error is halved whenever it is met.");
+      schema.declare("Reference peak force",
+                     "0",
+                     Allowed::number_from(0),
+                     comparison.reference_peak_force,
+                     "What errors are relative to; 0: computed by a run much "
+                     "finer than any in the comparison. [N]");
+      schema.declare("Time budget",
+                     "60",
+                     Allowed::number_above(0),
+                     comparison.time_budget,
+                     "Of a curve: none is continued past it. The reference is "
+                     "not counted. [s]");
+    }
+
+
+
     /// Sections of subcommands that do not exist yet: part of the interface, so
     /// that scenes with them are checked, but without a reader.
     void
     declare_later_commands(SceneSchema              &schema,
                            std::vector<std::string> &unread)
     {
-      unread.resize(12);
+      unread.resize(7);
       auto declare = [&, n = 0](const std::string &entry,
                                 const std::string &default_value,
                                 const Allowed     &allowed,
                                 const std::string &text) mutable {
         schema.declare(entry, default_value, allowed, unread.at(n++), text);
       };
-      const Allowed any = Allowed::anything("words separated by commas");
-      schema.begin_section("Comparison");
-      declare("Strategies",
-              "uniform, hanging nodes, remeshing",
-              any,
-              "Read by `plate-impact compare` only.");
-      declare("Elements", "serendipity, heterosis, Lagrange", any, "");
-      declare("Maximum cycles", "6", Allowed::whole_number(1, 1000), "");
-      declare(
-        "Reference peak force",
-        "0",
-        Allowed::number_from(0),
-        "0: computed by a run much finer than any in the comparison. [N]");
-      declare("Time budget",
-              "60",
-              Allowed::number_above(0),
-              "No curve is continued past it. [s]");
       schema.begin_section("Sweep");
       for (const std::string number : {"1", "2", "3"})
         {
@@ -383,6 +420,7 @@ namespace PlateImpact
     declare_bodies(schema, parameters);
     declare_method(schema, parameters);
     declare_output(schema, parameters);
+    declare_comparison(schema, parameters);
     declare_later_commands(schema, unread);
   }
 } // namespace PlateImpact

@@ -75,6 +75,8 @@ namespace PlateImpact
       check_time();
       void
       check_mesh();
+      void
+      check_comparison();
 
       SceneSchema      &schema;
       const Parameters &parameters;
@@ -113,10 +115,9 @@ namespace PlateImpact
     void
     Checker::check_availability()
     {
-      for (const std::string section : {"Comparison", "Sweep"})
-        for (const std::string &path : schema.entries_of(section))
-          if (schema.is_changed(path))
-            refuse({path}, "is not available yet");
+      for (const std::string &path : schema.entries_of("Sweep"))
+        if (schema.is_changed(path))
+          refuse({path}, "is not available yet");
     }
 
 
@@ -128,6 +129,7 @@ namespace PlateImpact
       check_contact();
       check_time();
       check_mesh();
+      check_comparison();
     }
 
 
@@ -239,6 +241,23 @@ namespace PlateImpact
         refuse({"Adaptivity/Refined share of cells",
                 "Adaptivity/Coarsened share of cells"},
                "and Coarsened share of cells are together more than 1");
+    }
+
+
+
+    void
+    Checker::check_comparison()
+    {
+      const auto refuse_repetition = [this](const std::string        &path,
+                                            std::vector<std::string> &words) {
+        std::sort(words.begin(), words.end());
+        const auto twice = std::adjacent_find(words.begin(), words.end());
+        if (twice != words.end())
+          refuse({path}, "names " + *twice + " twice");
+      };
+      ComparisonParameters comparison = parameters.comparison;
+      refuse_repetition("Comparison/Strategies", comparison.strategies);
+      refuse_repetition("Comparison/Elements", comparison.elements);
     }
 
 

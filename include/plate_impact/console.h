@@ -1,6 +1,7 @@
 #ifndef plate_impact_console_h
 #define plate_impact_console_h
 
+#include "plate_impact/comparison.h"
 #include "plate_impact/cycle_result.h"
 #include "plate_impact/scene.h"
 #include "plate_impact/terminal.h"
@@ -34,6 +35,24 @@ namespace PlateImpact
     cycle(const CycleResult &result);
 
     void
+    begin_comparison(const Scene &scene);
+
+    void
+    reference(const Reference &reference);
+
+    /// The last mesh of a curve.
+    void
+    compared_mesh(const ComparisonCurve &curve);
+
+    void
+    curve_end(const ComparisonCurve &curve);
+
+    void
+    end_comparison(const std::vector<ThresholdRow> &rows,
+                   const std::vector<std::string>  &warnings,
+                   const std::string               &results);
+
+    void
     end(const std::string              &outcome,
         const CycleResult              &last,
         const std::vector<std::string> &warnings,
@@ -42,6 +61,8 @@ namespace PlateImpact
   private:
     void
     clear_progress();
+    static void
+    warn(const std::vector<std::string> &warnings);
 
     using Clock = std::chrono::steady_clock;
 

@@ -56,6 +56,10 @@ namespace PlateImpact
     bool
     adapt(const CycleResult &result);
 
+    /// Halves every cell, whatever the strategy and the minimum cell size.
+    void
+    refine_everywhere();
+
     /// What a user should know about the meshes so far.
     const std::vector<std::string> &
     warnings() const;

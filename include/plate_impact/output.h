@@ -59,14 +59,17 @@ namespace PlateImpact
     void
     write_failure(const std::string &failure);
 
+    /// Any other file.
+    /// @param write  writes its content
+    void
+    write_file(const std::string                         &name,
+               const std::function<void(std::ostream &)> &write);
+
     /// The files to look at first, for the user.
     std::string
     main_files() const;
 
   private:
-    void
-    write_file(const std::string                         &name,
-               const std::function<void(std::ostream &)> &write);
     nlohmann::ordered_json
     write_summary(const std::string              &outcome,
                   const std::vector<std::string> &warnings);

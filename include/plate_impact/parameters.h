@@ -82,6 +82,15 @@ namespace PlateImpact
     unsigned int field_samples;
   };
 
+  struct ComparisonParameters
+  {
+    std::vector<std::string> strategies;
+    std::vector<std::string> elements;
+    unsigned int             maximum_cycles;
+    double                   reference_peak_force;
+    double                   time_budget;
+  };
+
   struct Parameters
   {
     PlateParameters          plate;
@@ -91,6 +100,7 @@ namespace PlateImpact
     TimeParameters           time;
     AdaptivityParameters     adaptivity;
     OutputParameters         output;
+    ComparisonParameters     comparison;
 
     bool
     has_impactor() const

@@ -1,0 +1,18 @@
+#ifndef plate_impact_compare_h
+#define plate_impact_compare_h
+
+#include "plate_impact/console.h"
+#include "plate_impact/scene.h"
+
+namespace PlateImpact
+{
+  /// Computes the comparison of a scene, and writes and prints what is found:
+  /// comparison.csv, a row per mesh as soon as it is known; comparison.json
+  /// with the reference and who reaches which error first.
+  /// @throws InputError for a scene without an impactor
+  /// @throws ComputationError; files written so far are then valid
+  void
+  compare_scene(const Scene &scene, Console &console);
+} // namespace PlateImpact
+
+#endif

@@ -1,0 +1,299 @@
+#include "plate_impact/comparison.h"
+
+#include <deal.II/base/timer.h>
+
+#include "plate_impact/exceptions.h"
+#include "plate_impact/output.h"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <sstream>
+
+namespace PlateImpact
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Cells of a reference before they are halved; with the estimator's limits
+    /// on long transients a tenth of the target may be out of reach.
+    constexpr unsigned int enough_reference_cells = 4000;
+
+    /// Meshes with more cells are not drawn.
+    constexpr unsigned int most_drawn_cells = 3000;
+
+    /// Thrown out of a cycle that would exceed the time budget.
+    struct BudgetSpent
+    {};
+
+
+
+    std::string
+    picture(const Triangulation<2> &mesh, const CycleResult &result)
+    {
+      std::ostringstream text;
+      write_mesh_svg(text, mesh, result);
+      return text.str();
+    }
+
+
+
+    /// Adapts to the target, which is halved as often as it is met already or
+    /// gives no new mesh. A smaller target is the same as larger errors.
+    /// @param tightening  of the scene's target; doubled with every halving
+    /// @return whether there is a new mesh
+    bool
+    adapt_further(ImpactAnalysis    &analysis,
+                  const CycleResult &result,
+                  const double       target,
+                  double            &tightening)
+    {
+      for (unsigned int halvings = 0; halvings < 8; ++halvings)
+        {
+          CycleResult seen;
+          seen.error = result.error;
+          seen.error->eta *= tightening;
+          for (double &xi : seen.error->element_errors)
+            xi *= tightening;
+          if (seen.error->eta > target && analysis.adapt(seen))
+            return true;
+          tightening *= 2.;
+        }
+      return false;
+    }
+  } // namespace
+
+
+
+  Comparison::Comparison(const Scene                    &scene,
+                         const ImpactAnalysis::Progress &progress)
+    : scene(scene)
+    , progress(progress)
+  {}
+
+
+
+  Parameters
+  Comparison::parameters_of(const std::string &strategy,
+                            const std::string &element) const
+  {
+    Parameters parameters             = scene.parameters;
+    parameters.adaptivity.strategy    = strategy;
+    parameters.discretization.element = element;
+    parameters.output.field_samples   = 0;
+    parameters.output.write_report    = false;
+    return parameters;
+  }
+
+
+
+  const Reference &
+  Comparison::compute_reference()
+  {
+    if (const double given = scene.parameters.comparison.reference_peak_force;
+        given > 0.)
+      {
+        the_reference.peak_force = given;
+        return the_reference;
+      }
+    const Timer      timer;
+    const Parameters parameters = parameters_of("hanging nodes", "MITC9");
+    const double     target     = parameters.adaptivity.target_error;
+    ImpactAnalysis   analysis(parameters, progress);
+    double           tightening = 1.;
+    CycleResult      coarse     = analysis.compute_cycle();
+    while (coarse.error->eta > 0.1 * target &&
+           coarse.cells < enough_reference_cells &&
+           adapt_further(analysis, coarse, target, tightening))
+      coarse = analysis.compute_cycle();
+    analysis.refine_everywhere();
+    const CycleResult fine = analysis.compute_cycle();
+
+    the_reference.peak_force = fine.history->peak().force;
+    if (!(the_reference.peak_force > 0.))
+      throw ComputationError("the peak force of the reference is " +
+                             std::to_string(the_reference.peak_force) +
+                             " N: there is nothing to compare with; choose a "
+                             "longer Time/End time");
+    the_reference.uncertainty =
+      std::abs(coarse.history->peak().force / the_reference.peak_force - 1.);
+    the_reference.contact_end        = fine.history->first_contact_end();
+    the_reference.eta                = fine.error->eta;
+    the_reference.history            = fine.history;
+    the_reference.cells              = fine.cells;
+    the_reference.degrees_of_freedom = fine.degrees_of_freedom;
+    the_reference.seconds            = timer.wall_time();
+    return the_reference;
+  }
+
+
+
+  const ComparisonCurve &
+  Comparison::compute_curve(
+    const std::string                                  &strategy,
+    const std::string                                  &element,
+    const std::function<void(const ComparisonCurve &)> &listener)
+  {
+    the_curves.emplace_back();
+    ComparisonCurve &curve = the_curves.back();
+    curve.strategy         = strategy;
+    curve.element          = element;
+    try
+      {
+        add_meshes(curve, listener);
+      }
+    catch (const BudgetSpent &)
+      {
+        curve.end = "time budget";
+      }
+    catch (const ComputationError &error)
+      {
+        curve.end = std::string("failed: ") + error.what();
+      }
+    catch (const std::bad_alloc &)
+      {
+        curve.end = "failed: not enough memory";
+      }
+    return curve;
+  }
+
+
+
+  void
+  Comparison::add_meshes(
+    ComparisonCurve                                    &curve,
+    const std::function<void(const ComparisonCurve &)> &listener)
+  {
+    const Parameters parameters = parameters_of(curve.strategy, curve.element);
+    const ComparisonParameters &comparison = parameters.comparison;
+    const double                target     = parameters.adaptivity.target_error;
+    double                      seconds = 0., tightening = 1.;
+    Timer                       timer;
+    const auto                  is_spent = [&] {
+      return !curve.meshes.empty() &&
+        seconds + timer.wall_time() > comparison.time_budget;
+    };
+    ImpactAnalysis analysis(parameters, [&](auto cycle, auto step, auto n) {
+      if (is_spent())
+        throw BudgetSpent();
+      if (progress)
+        progress(cycle, step, n);
+    });
+    for (unsigned int cycle = 1; cycle <= comparison.maximum_cycles; ++cycle)
+      {
+        const CycleResult result = analysis.compute_cycle();
+        curve.meshes.push_back(compared(result, seconds));
+        curve.history = result.history;
+        seconds       = curve.meshes.back().cumulative_seconds;
+        const bool was_met =
+          curve.meshes.size() > 1 && (&curve.meshes.back())[-1].eta <= target;
+        if (!was_met && result.cells <= most_drawn_cells)
+          curve.picture = picture(analysis.mesh(), result);
+        curve.warnings = analysis.warnings();
+        if (listener)
+          listener(curve);
+
+        timer.restart();
+        if (is_spent())
+          throw BudgetSpent();
+        if (cycle < comparison.maximum_cycles &&
+            !adapt_further(analysis, result, target, tightening))
+          {
+            curve.end = "mesh unchanged";
+            return;
+          }
+      }
+    curve.end = "maximum cycles";
+  }
+
+
+
+  ComparedMesh
+  Comparison::compared(const CycleResult &result,
+                       const double       seconds_before) const
+  {
+    const double peak_force = result.history->peak().force;
+    const double error = std::abs(peak_force / the_reference.peak_force - 1.);
+    ComparedMesh mesh  = {result.cycle,
+                          result.cells,
+                          result.degrees_of_freedom,
+                          result.error->eta,
+                          peak_force,
+                          error,
+                          error > the_reference.uncertainty,
+                          {},
+                          result.seconds.total(),
+                          seconds_before + result.seconds.total()};
+    if (const auto end = result.history->first_contact_end();
+        end && the_reference.contact_end)
+      mesh.contact_end_error = std::abs(*end / *the_reference.contact_end - 1.);
+    return mesh;
+  }
+
+
+
+  const Reference &
+  Comparison::reference() const
+  {
+    return the_reference;
+  }
+
+
+
+  const std::vector<ComparisonCurve> &
+  Comparison::curves() const
+  {
+    return the_curves;
+  }
+
+
+
+  std::vector<ThresholdRow>
+  Comparison::thresholds() const
+  {
+    std::vector<ThresholdRow> rows;
+    for (const double threshold : {0.05, 0.02, 0.01, 0.005, 0.003, 0.001})
+      {
+        ThresholdRow row = {"peak force error",
+                            threshold,
+                            threshold > the_reference.uncertainty,
+                            {}};
+        if (row.is_comparable)
+          row.achievements =
+            achievements(threshold, &ComparedMesh::peak_force_error);
+        rows.push_back(row);
+      }
+    for (const double threshold : {0.1, 0.05, 0.02, 0.01})
+      rows.push_back(
+        {"eta", threshold, true, achievements(threshold, &ComparedMesh::eta)});
+    return rows;
+  }
+
+
+
+  std::vector<Achievement>
+  Comparison::achievements(const double threshold,
+                           double ComparedMesh::*error) const
+  {
+    std::vector<Achievement> result;
+    for (const ComparisonCurve &curve : the_curves)
+      {
+        const auto last_above =
+          std::find_if(curve.meshes.rbegin(),
+                       curve.meshes.rend(),
+                       [&](const ComparedMesh &mesh) {
+                         return !(mesh.*error <= threshold);
+                       });
+        if (last_above.base() != curve.meshes.end())
+          result.push_back({&curve, &*last_above.base()});
+      }
+    std::stable_sort(result.begin(),
+                     result.end(),
+                     [](const Achievement &a, const Achievement &b) {
+                       return a.mesh->cumulative_seconds <
+                         b.mesh->cumulative_seconds;
+                     });
+    return result;
+  }
+} // namespace PlateImpact
