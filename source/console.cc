@@ -192,7 +192,7 @@ namespace PlateImpact
 
 
   void
-  Console::warn(const std::vector<std::string> &warnings)
+  Console::warn(const std::vector<std::string> &warnings) const
   {
     for (const std::string &warning : warnings)
       std::cerr << err.emphasized("warning: ", Emphasis::warning) << warning

@@ -61,8 +61,8 @@ namespace PlateImpact
   private:
     void
     clear_progress();
-    static void
-    warn(const std::vector<std::string> &warnings);
+    void
+    warn(const std::vector<std::string> &warnings) const;
 
     using Clock = std::chrono::steady_clock;
 
