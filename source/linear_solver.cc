@@ -9,6 +9,7 @@
 #include <Epetra_Vector.h>
 #include <cholmod.h>
 
+#include <new>
 #include <sstream>
 #include <stdexcept>
 #include <unistd.h>
@@ -87,13 +88,17 @@ namespace PlateImpact
         A.dtype         = CHOLMOD_DOUBLE;
         A.packed        = 1;
 
-        cholmod_free_factor(&factor, &common);
-        factor = cholmod_analyze(&A, &common);
+        // ordering and symbolic factorization hold for all matrices
+        if (factor == nullptr)
+          factor = cholmod_analyze(&A, &common);
         if (factor != nullptr)
           {
             require_memory(factor->xsize * sizeof(double), A.nrow);
             cholmod_factorize(&A, factor, &common);
           }
+        if (common.status == CHOLMOD_OUT_OF_MEMORY ||
+            common.status == CHOLMOD_TOO_LARGE)
+          throw std::bad_alloc();
         if (common.status == CHOLMOD_NOT_POSDEF)
           throw ComputationError("the effective stiffness matrix is not "
                                  "positive definite");
@@ -127,6 +132,12 @@ namespace PlateImpact
         x = Eigen::Map<const Eigen::VectorXd>(static_cast<const double *>(
                                                 solution->x),
                                               right_hand_side.size());
+      }
+
+      double
+      factor_size() const override
+      {
+        return factor != nullptr ? factor->xsize * sizeof(double) : 0.;
       }
 
     private:

@@ -87,10 +87,15 @@ namespace PlateImpact
     // orthogonal to the root of round-off serves as well as to round-off
     const double          tolerance = 1e-9 * norm_of_candidate();
     const Eigen::VectorXd overlap   = Q.leftCols(n).transpose() * A_candidate;
-    if (overlap.cwiseAbs().maxCoeff() <= tolerance)
-      return;
-    candidate -= Q.leftCols(n) * overlap;
-    plate.multiply_shifted(sigma, candidate, A_candidate);
+    const bool            has_lost  = overlap.cwiseAbs().maxCoeff() > tolerance;
+    // the recurrence has two vectors to bring overlaps back from
+    const bool repeats = has_lost && !is_second;
+    if (has_lost || is_second)
+      {
+        candidate -= Q.leftCols(n) * overlap;
+        plate.multiply_shifted(sigma, candidate, A_candidate);
+      }
+    is_second = repeats;
   }
 
 
@@ -414,7 +419,16 @@ namespace PlateImpact
         RitzPlate         &reduced  = reduced_plate(half_octave, n_wanted);
         if (reduced.load().size() < n_wanted)
           return &reduced; // there are no more
-        trials.push_back(try_impact(reduced, time, law, integration, impactor));
+        try
+          {
+            trials.push_back(
+              try_impact(reduced, time, law, integration, impactor));
+          }
+        catch (const ComputationError &)
+          {
+            // if it is not the reduction that fails, the mesh will tell
+            return nullptr;
+          }
         if (trials.size() <= n_growths)
           continue;
         // The force is a scalar product of displacements with the load, and

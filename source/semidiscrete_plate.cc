@@ -95,6 +95,14 @@ namespace PlateImpact
 
 
 
+  double
+  MeshPlate::factor_size() const
+  {
+    return solver->factor_size();
+  }
+
+
+
   unsigned int
   MeshPlate::n_factorizations() const
   {

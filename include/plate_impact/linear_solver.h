@@ -10,8 +10,8 @@ class Epetra_CrsMatrix;
 
 namespace PlateImpact
 {
-  /// Direct solver for one symmetric positive definite matrix and many right
-  /// hand sides.
+  /// Direct solver for symmetric positive definite matrices of one sparsity,
+  /// one at a time, and many right hand sides.
   class LinearSolver
   {
   public:
@@ -25,6 +25,14 @@ namespace PlateImpact
     /// Solves for x; both have the size of the matrix.
     virtual void
     solve(const Eigen::VectorXd &right_hand_side, Eigen::VectorXd &x) = 0;
+
+    /// Memory of the factor, which a solve reads twice; 0 where it is not
+    /// known. [bytes]
+    virtual double
+    factor_size() const
+    {
+      return 0.;
+    }
   };
 
   /// The solver that the scene names: `CHOLMOD` (supernodal Cholesky, METIS

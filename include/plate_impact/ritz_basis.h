@@ -78,8 +78,9 @@ namespace PlateImpact
 
     MeshPlate      &plate;
     const double    sigma;
-    unsigned int    n        = 0;
-    bool            complete = false;
+    unsigned int    n         = 0;
+    bool            complete  = false;
+    bool            is_second = false; ///< next to one that had lost digits
     double          load_norm = 0.;
     Eigen::MatrixXd Q; ///< with room for more
     Eigen::VectorXd diagonal, subdiagonal;

@@ -71,6 +71,10 @@ namespace PlateImpact
     unsigned int
     n_factorizations() const;
 
+    /// As LinearSolver::factor_size(). [bytes]
+    double
+    factor_size() const;
+
     /// y = M x.
     void
     multiply_mass(const Eigen::VectorXd &x, Eigen::VectorXd &y) const;

@@ -1,0 +1,361 @@
+// What the stages of a run cost, on uniform meshes of the steel case:
+//   build/release/tests/benchmark/benchmarks
+#include <deal.II/base/multithread_info.h>
+
+#include "plate_impact/error_estimator.h"
+#include "plate_impact/impact_analysis.h"
+#include "plate_impact/plate_mesh.h"
+#include "plate_impact/ritz_basis.h"
+#include "plate_impact/scene.h"
+
+#include <benchmark/benchmark.h>
+#include <cmath>
+#include <optional>
+
+namespace PlateImpact
+{
+  namespace
+  {
+    Parameters
+    steel_case(const unsigned int cells, const std::string &integrator)
+    {
+      const std::string n = std::to_string(cells);
+      return read_scene(std::string(TEST_DATA) +
+                          "/reference/scene-interface.prm",
+                        {"Discretization/Element=MITC9",
+                         "Discretization/Initial cells=" + n + "," + n,
+                         "Adaptivity/Strategy=none",
+                         "Time/End time=1e-4",
+                         "Time/Integrator=" + integrator})
+        .parameters;
+    }
+
+
+
+    /// The steel case on a mesh, up to a stage.
+    struct Stages
+    {
+      explicit Stages(const unsigned int cells)
+        : parameters(steel_case(cells, "Newmark"))
+        , mesh(make_plate_quadrant(parameters.plate,
+                                   parameters.discretization.initial_cells))
+        , element(parameters.discretization.element)
+        , model(*mesh, element, parameters.plate)
+        , law(make_contact_law(parameters))
+        , integration(make_contact_integration(parameters.contact.integration))
+        , impactor(make_impactor(parameters.impactor))
+      {}
+
+      MeshPlate
+      plate()
+      {
+        model.assemble();
+        return {model,
+                model.load(make_load_patch(parameters.contact,
+                                           parameters.impactor.length)),
+                make_linear_solver("CHOLMOD")};
+      }
+
+      const Parameters                                parameters;
+      const std::unique_ptr<dealii::Triangulation<2>> mesh;
+      const PlateElement                              element;
+      PlateModel                                      model;
+      const std::unique_ptr<const ContactLaw>         law;
+      const std::unique_ptr<const ContactIntegration> integration;
+      const Impactor                                  impactor;
+    };
+
+    constexpr double shift = 1e12; // of the order of the program's [1/s^2]
+
+
+
+    /// The unknowns, by which the growth is judged.
+    void
+    count(benchmark::State &state, const Stages &stages)
+    {
+      state.counters["unknowns"] = stages.model.n_unknowns();
+    }
+
+
+
+    void
+    Assembly(benchmark::State &state)
+    {
+      Stages stages(state.range(0));
+      for (auto _ : state)
+        {
+          PlateModel model(*stages.mesh,
+                           stages.element,
+                           stages.parameters.plate);
+          model.assemble();
+        }
+      count(state, stages);
+    }
+
+
+
+    void
+    OrderingAndFactorization(benchmark::State &state)
+    {
+      Stages stages(state.range(0));
+      for (auto _ : state)
+        {
+          state.PauseTiming();
+          MeshPlate plate = stages.plate();
+          state.ResumeTiming();
+          plate.factorize(shift);
+        }
+      count(state, stages);
+    }
+
+
+
+    void
+    Factorization(benchmark::State &state)
+    {
+      Stages    stages(state.range(0));
+      MeshPlate plate = stages.plate();
+      double    c     = shift;
+      plate.factorize(c);
+      for (auto _ : state)
+        plate.factorize(c *= 1.01);
+      count(state, stages);
+    }
+
+
+
+    /// With the bytes that it reads, the factor twice.
+    void
+    Solve(benchmark::State &state)
+    {
+      Stages    stages(state.range(0));
+      MeshPlate plate = stages.plate();
+      plate.factorize(shift);
+      Eigen::VectorXd x;
+      for (auto _ : state)
+        plate.solve(plate.load(), x);
+      count(state, stages);
+      state.SetBytesProcessed(state.iterations() * 2 * plate.factor_size());
+    }
+
+
+
+    /// What memory can deliver: the sum of an array of the size of a factor.
+    void
+    MemoryBandwidth(benchmark::State &state)
+    {
+      const Eigen::VectorXd array =
+        Eigen::VectorXd::Ones(state.range(0) * (1 << 17));
+      for (auto _ : state)
+        benchmark::DoNotOptimize(array.sum());
+      state.SetBytesProcessed(state.iterations() * 8 * array.size());
+    }
+
+
+
+    /// One more vector after the first hundred.
+    void
+    RitzVector(benchmark::State &state)
+    {
+      Stages                   stages(state.range(0));
+      MeshPlate                plate = stages.plate();
+      std::optional<RitzBasis> basis;
+      unsigned int             n = 0;
+      for (auto _ : state)
+        {
+          if (n == 0 || n == 110)
+            {
+              state.PauseTiming();
+              basis.emplace(plate, shift);
+              basis->grow(n = 100);
+              state.ResumeTiming();
+            }
+          basis->grow(++n);
+        }
+      count(state, stages);
+    }
+
+
+
+    void
+    step(benchmark::State  &state,
+         const Stages      &stages,
+         SemidiscretePlate &plate)
+    {
+      std::optional<TimeStepper> stepper;
+      unsigned int               n = 0;
+      for (auto _ : state)
+        {
+          if (n++ % 1000 == 0)
+            {
+              state.PauseTiming();
+              stepper.emplace(stages.parameters.time,
+                              plate,
+                              *stages.law,
+                              *stages.integration,
+                              stages.impactor);
+              state.ResumeTiming();
+            }
+          stepper->advance();
+        }
+    }
+
+
+
+    void
+    StepOnTheMesh(benchmark::State &state)
+    {
+      Stages    stages(state.range(0));
+      MeshPlate plate = stages.plate();
+      step(state, stages, plate);
+      count(state, stages);
+    }
+
+
+
+    void
+    StepInRitzVectors(benchmark::State &state)
+    {
+      Stages    stages(24);
+      MeshPlate plate = stages.plate();
+      RitzBasis basis(plate, shift);
+      basis.grow(state.range(0));
+      RitzPlate reduced(basis, state.range(0));
+      step(state, stages, reduced);
+    }
+
+
+
+    /// The patches of superconvergent recovery.
+    void
+    RecoveryOperator(benchmark::State &state)
+    {
+      Stages stages(state.range(0));
+      for (auto _ : state)
+        ErrorEstimator(stages.model, 0.05);
+      count(state, stages);
+    }
+
+
+
+    /// A hundred samples in a hundred vectors; the time is that of one.
+    void
+    EstimatorSample(benchmark::State &state)
+    {
+      Stages    stages(state.range(0));
+      MeshPlate plate = stages.plate();
+      RitzBasis basis(plate, shift);
+      basis.grow(100);
+      RitzPlate           reduced(basis, 100);
+      TimeStepper         stepper(stages.parameters.time,
+                          reduced,
+                          *stages.law,
+                          *stages.integration,
+                          stages.impactor);
+      std::vector<double> times;
+      Eigen::MatrixXd     coordinates(100, 100);
+      for (unsigned int sample = 0; sample < 100; ++sample)
+        {
+          for (unsigned int step = 0; step < 10; ++step)
+            stepper.advance();
+          times.push_back(stepper.state().time);
+          coordinates.col(sample) = stepper.displacement();
+        }
+      for (auto _ : state)
+        {
+          state.PauseTiming();
+          ErrorEstimator estimator(stages.model, 0.05);
+          state.ResumeTiming();
+          estimator.add_samples(times, reduced.vectors(), coordinates);
+        }
+      count(state, stages);
+      state.SetItemsProcessed(state.iterations() * times.size());
+    }
+
+
+
+    /// Hanging-node refinement of a mesh whose error falls with the distance.
+    void
+    Adaptation(benchmark::State &state)
+    {
+      Stages                   stages(state.range(0));
+      const auto               adaptation = make_mesh_adaptation([] {
+        AdaptivityParameters adaptivity = steel_case(3, "Newmark").adaptivity;
+        adaptivity.strategy             = "hanging nodes";
+        adaptivity.minimum_cell_size = 1e-5;
+        return adaptivity;
+      }());
+      std::vector<std::string> warnings;
+      ErrorEstimate            estimate;
+      for (const auto &cell : stages.mesh->active_cell_iterators())
+        estimate.element_errors.push_back(0.02 / cell->center().norm());
+      for (auto _ : state)
+        {
+          dealii::Triangulation<2> mesh;
+          mesh.copy_triangulation(*stages.mesh);
+          adaptation->adapt(mesh, estimate, warnings);
+        }
+      count(state, stages);
+    }
+
+
+
+    /// The steel case without start-up and files, 1000 steps, with its error.
+    void
+    whole_scene(benchmark::State &state, const std::string &integrator)
+    {
+      const Parameters parameters = steel_case(state.range(0), integrator);
+      for (auto _ : state)
+        {
+          ImpactAnalysis    analysis(parameters);
+          const CycleResult result   = analysis.compute_cycle();
+          state.counters["unknowns"] = result.degrees_of_freedom;
+          state.counters["solves"]   = result.work.linear_solves;
+        }
+    }
+
+    void
+    SceneWithRitzVectors(benchmark::State &state)
+    {
+      whole_scene(state, "Ritz vectors");
+    }
+
+    void
+    SceneOnTheMesh(benchmark::State &state)
+    {
+      whole_scene(state, "Newmark");
+    }
+
+    void
+    per_side(benchmark::internal::Benchmark *benchmark)
+    {
+      benchmark->Arg(24)->Arg(48)->Arg(96)->Unit(benchmark::kMillisecond);
+    }
+
+    BENCHMARK(Assembly)->Apply(per_side);
+    BENCHMARK(OrderingAndFactorization)->Apply(per_side);
+    BENCHMARK(Factorization)->Apply(per_side);
+    BENCHMARK(Solve)->Apply(per_side);
+    BENCHMARK(MemoryBandwidth)->Arg(4)->Arg(20)->Arg(100);
+    BENCHMARK(RitzVector)->Apply(per_side);
+    BENCHMARK(StepOnTheMesh)->Apply(per_side);
+    BENCHMARK(StepInRitzVectors)->Arg(25)->Arg(50)->Arg(100)->Arg(200);
+    BENCHMARK(RecoveryOperator)->Apply(per_side);
+    BENCHMARK(EstimatorSample)->Apply(per_side);
+    BENCHMARK(Adaptation)->Apply(per_side);
+    BENCHMARK(SceneWithRitzVectors)->Apply(per_side)->Arg(192)->Arg(384);
+    BENCHMARK(SceneOnTheMesh)->Apply(per_side);
+  } // namespace
+} // namespace PlateImpact
+
+
+
+int
+main(int argc, char **argv)
+{
+  dealii::MultithreadInfo::set_thread_limit(1);
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv))
+    return 1;
+  benchmark::RunSpecifiedBenchmarks();
+}
