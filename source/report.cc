@@ -1,14 +1,12 @@
 #include "plate_impact/report.h"
 
-#include "plate_impact/contact_law.h"
+#include "plate_impact/cycle_plots.h"
 #include "plate_impact/error_estimator.h"
-#include "plate_impact/impactor.h"
 #include "plate_impact/output.h"
 #include "plate_impact/plate_model.h"
-#include "plate_impact/plate_section.h"
 #include "plate_impact/prefixed_unit.h"
+#include "plate_impact/run_in_words.h"
 #include "plate_impact/version.h"
-#include "plate_impact/zener.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,165 +24,6 @@ namespace PlateImpact
     /// Cells of all meshes together that a page shows; a browser is slow with
     /// more.
     constexpr std::size_t max_pictured_cells = 15000;
-
-
-
-    /// A quantity of the table of cycles.
-    struct Quantity
-    {
-      std::string name, key, unit; ///< unit of SI; "%" for fractions
-    };
-
-    const std::vector<Quantity> quantities = {
-      {"Cells", "cells", ""},
-      {"Unknowns", "degrees_of_freedom", ""},
-      {"Smallest cell", "min_cell_size", "m"},
-      {"η", "discretization_error", "%"},
-      {"largest ξ′", "max_element_error", ""},
-      {"Cells with ξ′ ≥ 1", "cells_above_limit", ""},
-      {"Peak force", "peak_force", "N"},
-      {"at", "time_of_peak_force", "s"},
-      {"First contact ends", "first_contact_end", "s"},
-      {"Contacts", "number_of_contacts", ""},
-      {"Impulse", "impulse", "N s"},
-      {"Impactor at the end", "final_impactor_velocity", "m/s"},
-      {"Largest displacement", "max_plate_displacement", "m"},
-      {"Largest stress", "max_effective_stress", "Pa"},
-      {"Energy drift", "relative_energy_drift", ""}};
-
-
-
-    /// What a quantity is over the cycles; NaN where a cycle does not have it.
-    std::vector<double>
-    over_cycles(const Json &cycles, const std::string &key)
-    {
-      std::vector<double> values;
-      for (const Json &cycle : cycles)
-        values.push_back(cycle.contains(key) ? cycle[key].get<double>() :
-                                               std::nan(""));
-      return values;
-    }
-
-
-
-    /// Quantities below each other: few cycles beside each other fit any
-    /// screen.
-    Table
-    table_of_cycles(const Json &cycles)
-    {
-      Table table;
-      table.columns.push_back("Cycle");
-      for (const Json &cycle : cycles)
-        table.columns.push_back(std::to_string(cycle["cycle"].get<int>()));
-      for (const Quantity &quantity : quantities)
-        {
-          if (!cycles.back().contains(quantity.key))
-            continue;
-          std::vector<double> values = over_cycles(cycles, quantity.key);
-          std::string         unit   = quantity.unit;
-          if (unit == "%")
-            for (double &value : values)
-              value *= 100.;
-          else if (!unit.empty())
-            {
-              const PrefixedUnit prefixed(unit, values);
-              unit   = prefixed.name();
-              values = prefixed(values);
-            }
-          table.rows.push_back(
-            {quantity.name + (unit.empty() ? "" : " [" + unit + "]")});
-          for (const double value : values)
-            table.rows.back().push_back(six_digits(value));
-        }
-      return table;
-    }
-
-
-
-    /// The scene in a sentence.
-    std::string
-    description(const Parameters &parameters)
-    {
-      const PlateParameters &plate = parameters.plate;
-      const PrefixedUnit     side("m",
-                              std::max(plate.side_lengths[0],
-                                       plate.side_lengths[1])),
-        thickness("m", plate.thickness);
-      std::string support = plate.support.front();
-      if (plate.support.size() > 1 && plate.support[1] != support)
-        support += " (x edges) and " + plate.support[1] + " (y edges)";
-      const std::string target = "plate of " +
-        six_digits(side(plate.side_lengths[0])) + " × " +
-        side.text(plate.side_lengths[1]) + ", " +
-        thickness.text(plate.thickness) + " thick, " + support;
-      if (!parameters.has_impactor())
-        return "A " + target + ". Nothing strikes it.";
-
-      const ImpactorParameters &impactor = parameters.impactor;
-      const auto text = [](const double value, const char *unit) {
-        return PrefixedUnit(unit, value).text(value);
-      };
-      // masses in grams below one kilogram
-      return "A " + impactor.shape + " of radius " +
-        text(impactor.radius, "m") + " and mass " +
-        text(1e3 * impactor.mass, "g") + " strikes the middle of a " + target +
-        ", at " + text(impactor.velocity, "m/s") + ".";
-    }
-
-
-
-    std::string
-    percentage(const double fraction)
-    {
-      return six_digits(100. * fraction) + " %";
-    }
-
-
-
-    /// Peak force and contact time of an infinite thin plate, beside ours.
-    Fact
-    zener_fact(const Parameters &parameters, const double peak_force)
-    {
-      const ExpectedPeak expected =
-        zener_peak(*make_contact_law(parameters),
-                   make_impactor(parameters.impactor),
-                   PlateSection(parameters.plate));
-      const double deviation = peak_force / expected.force - 1.;
-      char         text[32];
-      std::snprintf(text, sizeof(text), "%+.2f %%", 100. * deviation);
-      return {"Zener's infinite thin plate",
-              PrefixedUnit("N", expected.force).text(expected.force),
-              "at " + PrefixedUnit("s", expected.time).text(expected.time) +
-                (parameters.impactor.shape == "cylinder" ?
-                   ", struck at a point: a lower bound for a cylinder; ours: " :
-                   "; ours: ") +
-                text};
-    }
-
-
-
-    /// A quantity over the cycles.
-    Plot
-    over_cycles_plot(const Json        &cycles,
-                     const std::string &key,
-                     const Axis        &y,
-                     const double       factor = 1.)
-    {
-      std::vector<double> values = over_cycles(cycles, key);
-      for (double &value : values)
-        value *= factor;
-      const std::string title = y.title.substr(0, y.title.find(" ["));
-      return {title,
-              "",
-              {"cycle"},
-              y,
-              {{title,
-                over_cycles(cycles, "cycle"),
-                values,
-                0,
-                Style::line_and_points}},
-              {}};
-    }
 
 
 
@@ -216,32 +55,6 @@ namespace PlateImpact
                                                    resultants(2, c)));
       fields.push_back(stress);
       return fields;
-    }
-
-
-
-    Plot
-    seconds_by_stage(const Json &cycles)
-    {
-      Plot plot{"Time by stage",
-                "",
-                {"wall time [s]", false},
-                {"cycle", false},
-                {},
-                {}};
-      for (const Json &cycle : cycles)
-        plot.categories.push_back(std::to_string(cycle["cycle"].get<int>()));
-      for (const auto &[stage, seconds] : cycles.back()["seconds"].items())
-        {
-          if (stage == "total")
-            continue;
-          std::vector<double> values;
-          for (const Json &cycle : cycles)
-            values.push_back(cycle["seconds"][stage].get<double>());
-          plot.series.push_back(
-            {stage, {}, values, unsigned(plot.series.size())});
-        }
-      return plot;
     }
   } // namespace
 
@@ -285,112 +98,14 @@ namespace PlateImpact
   void
   Report::add_outcome(Page &page, const Json &summary) const
   {
-    const Json &last = summary["cycles"].back();
     page.section("Outcome");
     for (const std::string warning : summary["warnings"])
       page.notice("Warning: " + warning);
-    std::vector<Fact> facts;
-    const auto        number = [&last](const char *key) {
-      return last[key].get<double>();
-    };
-    const auto with_unit = [](const double value, const char *unit) {
-      return PrefixedUnit(unit, value).text(value);
-    };
-    if (last.contains("peak_force"))
-      {
-        facts.push_back({"Peak force",
-                         six_digits(number("peak_force")) + " N",
-                         "at " + with_unit(number("time_of_peak_force"), "s")});
-        facts.push_back(zener_fact(scene.parameters, number("peak_force")));
-        if (last.contains("first_contact_end"))
-          facts.push_back(
-            {"First contact ends",
-             with_unit(number("first_contact_end"), "s"),
-             "contacts: " + six_digits(number("number_of_contacts"))});
-        facts.push_back({"Impactor at the end",
-                         with_unit(number("final_impactor_velocity"), "m/s"),
-                         "positive towards the plate; impulse " +
-                           with_unit(number("impulse"), "N s")});
-        facts.push_back(
-          {"Largest displacement under the load",
-           with_unit(number("max_plate_displacement"), "m"),
-           "at the peak force " +
-             with_unit(number("plate_displacement_at_peak"), "m")});
-      }
-    if (last.contains("discretization_error"))
-      facts.push_back(
-        {"Discretization error η",
-         percentage(number("discretization_error")),
-         "target " + percentage(scene.parameters.adaptivity.target_error) +
-           "; largest ξ′ " + six_digits(number("max_element_error"))});
-    facts.push_back(
-      {"Outcome",
-       summary["outcome"].get<std::string>(),
-       "cycles: " + std::to_string(summary["cycles"].size()) +
-         ", cells: " + six_digits(number("cells")) +
-         ", unknowns: " + six_digits(number("degrees_of_freedom"))});
-    page.facts(facts);
-  }
-
-
-
-  void
-  Report::add_evidence(Page &page, const Json &summary) const
-  {
-    const Json       &cycles     = summary["cycles"];
-    const Json       &last       = cycles.back();
-    const Parameters &parameters = scene.parameters;
-    if (!last.contains("peak_force"))
+    page.facts(facts_of_run(scene.parameters, summary));
+    if (histories.empty())
       return;
-    const auto with_unit = [](const double value, const char *unit) {
-      return PrefixedUnit(unit, value).text(value);
-    };
-    Table table{{"What the peak force depends on", "Evidence"}, {}, true};
-    if (last.contains("discretization_error"))
-      {
-        std::string text = "η = " + percentage(last["discretization_error"]) +
-          " of the energy norm, target " +
-          percentage(parameters.adaptivity.target_error) +
-          "; the peak force is usually far more accurate.";
-        if (last.contains("singular_cells"))
-          text += " Without " + six_digits(last["singular_cells"]) +
-            " cells at the point load; with them " +
-            percentage(last["discretization_error_of_all_cells"]) + ".";
-        table.rows.push_back({"Mesh: estimated error", text});
-      }
-    if (cycles.size() > 1)
-      {
-        const double before = cycles[cycles.size() - 2]["peak_force"];
-        const double change = last["peak_force"].get<double>() / before - 1.;
-        table.rows.push_back(
-          {"Mesh: change in the last cycle",
-           percentage(change) + " (from " + six_digits(before) + " N)"});
-      }
-    table.rows.push_back({"Time step",
-                          with_unit(parameters.time.time_step, "s") + ", " +
-                            six_digits(last["steps"]) +
-                            " steps; energy drift " +
-                            six_digits(last["relative_energy_drift"]) +
-                            (last.contains("first_contact_end") ? "; " +
-                                 std::to_string(std::lround(
-                                   last["first_contact_end"].get<double>() /
-                                   parameters.time.time_step)) +
-                                 " of the steps in the first contact" :
-                                                                  "")});
-    const std::string &load = parameters.contact.load_distribution;
-    const double       cell = last["min_cell_size"];
-    table.rows.push_back(
-      {"Load",
-       load == "point" || load == "line" ?
-         load +
-           ": the peak force has no limit under refinement; smallest "
-           "cell " +
-           with_unit(cell, "m") :
-         load + (load == "strip" ? " of half-width " : " of radius ") +
-           with_unit(parameters.contact.patch_radius, "m") +
-           "; smallest cell " + with_unit(cell, "m")});
     page.heading("How far to trust the peak force");
-    page.table(table);
+    page.table(evidence_of_run(scene.parameters, summary));
   }
 
 
@@ -464,12 +179,12 @@ namespace PlateImpact
     page.table(table_of_cycles(cycles));
     if (cycles.size() > 1)
       page.plots(
-        {over_cycles_plot(cycles,
+        {plot_over_cycles(cycles,
                           "discretization_error",
                           {"η [%]", true},
                           100.),
-         over_cycles_plot(cycles, "peak_force", {"peak force [N]"}),
-         over_cycles_plot(cycles, "degrees_of_freedom", {"unknowns", true})},
+         plot_over_cycles(cycles, "peak_force", {"peak force [N]"}),
+         plot_over_cycles(cycles, "degrees_of_freedom", {"unknowns", true})},
         true);
     if (!error_histories.empty())
       {
@@ -548,10 +263,9 @@ namespace PlateImpact
   void
   Report::write(std::ostream &out, const Json &summary, const Json &film) const
   {
-    Page page(scene.name, description(scene.parameters));
+    Page page(scene.name, scene_in_words(scene.parameters));
     page.embed("summary", summary);
     add_outcome(page, summary);
-    add_evidence(page, summary);
     add_histories(page);
     add_film(page, film);
     add_meshes(page);
@@ -579,7 +293,7 @@ namespace PlateImpact
     std::string title = "Cycle " + std::to_string(result.cycle) + ": " +
       std::to_string(result.cells) + " cells";
     if (result.error)
-      title += ", η = " + percentage(result.error->eta);
+      title += ", η = " + six_digits(100. * result.error->eta) + " %";
     MeshPicture mesh{title, result.cells, {}, {}};
     if (result.cells <= max_pictured_cells)
       {

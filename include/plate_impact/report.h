@@ -53,8 +53,6 @@ namespace PlateImpact
     void
     add_outcome(Page &page, const nlohmann::ordered_json &summary) const;
     void
-    add_evidence(Page &page, const nlohmann::ordered_json &summary) const;
-    void
     add_histories(Page &page) const;
     void
     add_cycles(Page &page, const nlohmann::ordered_json &cycles) const;

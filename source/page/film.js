@@ -39,7 +39,10 @@ class Film {
       [[[0, 1, 4, 3], [3, 0, 1]], [[1, 2, 5, 4], [0, 1, 2]], [[3, 4, 7, 6], [0, 3, 2]], [[4, 5, 8, 7], [1, 2, 3]]] :
       [[[0, 1, 3, 2], [0, 1, 2, 3, 0]]];
     const side = nine ? 3 : 2;
-    this.extent = corners.reduce((a, b) => Math.max(a, b), 0);
+    const sides = [0, 0];
+    corners.forEach((c, i) => { sides[i % 2] = Math.max(sides[i % 2], c); });
+    this.extent = Math.max(...sides);
+    this.lift = Math.max(0.45 * Math.min(...sides), 0.1 * this.extent) / this.largest;
     this.nodes = new Float32Array(2 * film.cells * film.nodesPerCell);
     for (let cell = 0; cell < film.cells; ++cell)
       for (let n = 0; n < film.nodesPerCell; ++n) {
@@ -147,7 +150,6 @@ class Film {
     const quarter = film.cells > 4000;
     const scale = Math.min(width / 2.9, height / 1.8) / this.extent * (quarter ? 1.6 : 1);
     const centre = quarter ? this.extent / 2 : 0;
-    const lift = 0.45 * this.extent / this.largest;
     const offset = this.frame * film.cells * film.nodesPerCell;
     const drawn = this.patches.map((patch) => {
       let depth = 0;
@@ -155,7 +157,7 @@ class Film {
         const x = patch.mirrorX * this.nodes[2 * node] - centre, y = patch.mirrorY * this.nodes[2 * node + 1] - centre;
         const u = x * cosA - y * sinA, v = x * sinA + y * cosA;
         depth += v;
-        return [width / 2 + scale * u, 0.45 * height - scale * (v * sinE - lift * this.deflections[offset + node] * cosE)];
+        return [width / 2 + scale * u, 0.45 * height - scale * (v * sinE - this.lift * this.deflections[offset + node] * cosE)];
       });
       return { patch, points, depth };
     });
