@@ -1,6 +1,7 @@
 #include "plate_impact/compare.h"
 
 #include "plate_impact/comparison.h"
+#include "plate_impact/comparison_page.h"
 #include "plate_impact/exceptions.h"
 #include "plate_impact/output.h"
 #include "plate_impact/version.h"
@@ -54,6 +55,24 @@ namespace PlateImpact
 
 
 
+    /// What comparison.csv has no column for.
+    nlohmann::ordered_json
+    to_json(const std::vector<ComparedMesh> &meshes)
+    {
+      nlohmann::ordered_json json = nlohmann::ordered_json::array();
+      for (const ComparedMesh &mesh : meshes)
+        {
+          json.push_back({{"cycle", mesh.cycle},
+                          {"cells", mesh.cells},
+                          {"comparable", mesh.is_comparable}});
+          if (mesh.effectivity)
+            json.back()["effectivity"] = *mesh.effectivity;
+        }
+      return json;
+    }
+
+
+
     nlohmann::ordered_json
     to_json(const ThresholdRow &row)
     {
@@ -93,8 +112,8 @@ namespace PlateImpact
       for (const ComparisonCurve &curve : comparison.curves())
         json["curves"].push_back({{"strategy", curve.strategy},
                                   {"element", curve.element},
-                                  {"meshes", curve.meshes.size()},
-                                  {"end", curve.end}});
+                                  {"end", curve.end},
+                                  {"meshes", to_json(curve.meshes)}});
       json["thresholds"] = nlohmann::ordered_json::array();
       for (const ThresholdRow &row : comparison.thresholds())
         json["thresholds"].push_back(to_json(row));
@@ -164,11 +183,12 @@ namespace PlateImpact
                                        });
             has_meshes = has_meshes || !curve.meshes.empty();
             console.curve_end(curve);
+            const auto warnings = warnings_of(scene, comparison);
             output.write_file("comparison.json", [&](std::ostream &out) {
-              write_json(out,
-                         scene,
-                         comparison,
-                         warnings_of(scene, comparison));
+              write_json(out, scene, comparison, warnings);
+            });
+            output.write_file("comparison.html", [&](std::ostream &out) {
+              ComparisonPage(scene, comparison, warnings).write(out);
             });
           }
       if (!has_meshes)

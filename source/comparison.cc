@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
-#include <sstream>
 
 namespace PlateImpact
 {
@@ -20,22 +19,15 @@ namespace PlateImpact
     /// on long transients a tenth of the target may be out of reach.
     constexpr unsigned int enough_reference_cells = 4000;
 
+    /// States at which fields are compared with those of the reference.
+    constexpr unsigned int n_compared_states = 20;
+
     /// Meshes with more cells are not drawn.
     constexpr unsigned int most_drawn_cells = 3000;
 
     /// Thrown out of a cycle that would exceed the time budget.
     struct BudgetSpent
     {};
-
-
-
-    std::string
-    picture(const Triangulation<2> &mesh, const CycleResult &result)
-    {
-      std::ostringstream text;
-      write_mesh_svg(text, mesh, result);
-      return text.str();
-    }
 
 
 
@@ -81,7 +73,7 @@ namespace PlateImpact
     Parameters parameters             = scene.parameters;
     parameters.adaptivity.strategy    = strategy;
     parameters.discretization.element = element;
-    parameters.output.field_samples   = 0;
+    parameters.output.field_samples   = n_compared_states;
     parameters.output.write_report    = false;
     return parameters;
   }
@@ -116,14 +108,19 @@ namespace PlateImpact
                              std::to_string(the_reference.peak_force) +
                              " N: there is nothing to compare with; choose a "
                              "longer Time/End time");
-    the_reference.uncertainty =
-      std::abs(coarse.history->peak().force / the_reference.peak_force - 1.);
+    // Ritz vectors have a tolerance of their own
+    the_reference.uncertainty = std::max(
+      std::abs(coarse.history->peak().force / the_reference.peak_force - 1.),
+      fine.work.ritz_vectors > 0 ? parameters.time.ritz_tolerance : 0.);
     the_reference.contact_end        = fine.history->first_contact_end();
     the_reference.eta                = fine.error->eta;
     the_reference.history            = fine.history;
     the_reference.cells              = fine.cells;
     the_reference.degrees_of_freedom = fine.degrees_of_freedom;
     the_reference.seconds            = timer.wall_time();
+    if (parameters.contact.load_distribution != "point")
+      the_reference.true_error =
+        std::make_shared<const TrueError>(analysis.model(), fine.snapshots);
     return the_reference;
   }
 
@@ -183,13 +180,18 @@ namespace PlateImpact
     for (unsigned int cycle = 1; cycle <= comparison.maximum_cycles; ++cycle)
       {
         const CycleResult result = analysis.compute_cycle();
-        curve.meshes.push_back(compared(result, seconds));
+        curve.meshes.push_back(compared(result, analysis.model(), seconds));
         curve.history = result.history;
         seconds       = curve.meshes.back().cumulative_seconds;
         const bool was_met =
           curve.meshes.size() > 1 && (&curve.meshes.back())[-1].eta <= target;
         if (!was_met && result.cells <= most_drawn_cells)
-          curve.picture = picture(analysis.mesh(), result);
+          curve.picture = {
+            curve.strategy + ", " + curve.element + ": " +
+              std::to_string(result.cells) + " cells",
+            result.cells,
+            mesh_picture(analysis.mesh(), result),
+            {{"element error ξ′", true, result.error->element_errors}}};
         curve.warnings = analysis.warnings();
         if (listener)
           listener(curve);
@@ -197,6 +199,11 @@ namespace PlateImpact
         timer.restart();
         if (is_spent())
           throw BudgetSpent();
+        if (is_close_to_reference(curve.meshes.back()))
+          {
+            curve.end = "nearly as fine as the reference";
+            return;
+          }
         if (cycle < comparison.maximum_cycles &&
             !adapt_further(analysis, result, target, tightening))
           {
@@ -211,6 +218,7 @@ namespace PlateImpact
 
   ComparedMesh
   Comparison::compared(const CycleResult &result,
+                       const PlateModel  &model,
                        const double       seconds_before) const
   {
     const double peak_force = result.history->peak().force;
@@ -224,11 +232,23 @@ namespace PlateImpact
                           error > the_reference.uncertainty,
                           {},
                           result.seconds.total(),
-                          seconds_before + result.seconds.total()};
+                          seconds_before + result.seconds.total(),
+                          {}};
     if (const auto end = result.history->first_contact_end();
         end && the_reference.contact_end)
       mesh.contact_end_error = std::abs(*end / *the_reference.contact_end - 1.);
+    if (the_reference.true_error && !is_close_to_reference(mesh))
+      mesh.effectivity =
+        mesh.eta / the_reference.true_error->of(model, result.snapshots);
     return mesh;
+  }
+
+
+
+  bool
+  Comparison::is_close_to_reference(const ComparedMesh &mesh) const
+  {
+    return the_reference.eta && mesh.eta < 3. * *the_reference.eta;
   }
 
 

@@ -20,6 +20,11 @@ namespace PlateImpact
 
 
 
+    /// Curves listed for a threshold; comparison.html has all.
+    constexpr std::size_t n_listed = 4;
+
+
+
     /// A word at the left end of a column of some width.
     std::string
     padded(const std::size_t width, const std::string &word)
@@ -283,9 +288,12 @@ namespace PlateImpact
                            "well\n";
             else if (row.achievements.empty())
               std::cout << " not reached\n";
-            for (const Achievement &achievement : row.achievements)
+            for (std::size_t i = 0;
+                 i < std::min(row.achievements.size(), n_listed);
+                 ++i)
               {
-                const ComparedMesh &mesh = *achievement.mesh;
+                const Achievement  &achievement = row.achievements[i];
+                const ComparedMesh &mesh        = *achievement.mesh;
                 const double        fastest =
                   row.achievements.front().mesh->cumulative_seconds;
                 std::cout << ' ' << padded(16, achievement.curve->strategy)
@@ -297,6 +305,9 @@ namespace PlateImpact
                                     mesh.cumulative_seconds / fastest)
                           << " times the fastest\n";
               }
+            if (row.achievements.size() > n_listed)
+              std::cout << " and " << row.achievements.size() - n_listed
+                        << " more\n";
           }
         std::cout << "\nResults     " << results << std::endl;
       }

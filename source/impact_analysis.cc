@@ -82,8 +82,9 @@ namespace PlateImpact
         return times.size() == limit;
       }
 
+      /// @param kelly  null where it is not wanted
       void
-      judge(ErrorEstimator &estimator)
+      judge(ErrorEstimator &estimator, KellyIndicator *kelly)
       {
         if (times.empty())
           return;
@@ -92,6 +93,10 @@ namespace PlateImpact
           estimator.add_samples(times, reduced->vectors(), waiting);
         else
           estimator.add_samples(times, waiting);
+        if (kelly != nullptr && reduced != nullptr)
+          kelly->add_samples(times, reduced->vectors() * waiting);
+        else if (kelly != nullptr)
+          kelly->add_samples(times, waiting);
         times.clear();
       }
 
@@ -238,6 +243,7 @@ namespace PlateImpact
       return false;
     seconds_for_mesh = 0.;
     clock.charge(seconds_for_mesh);
+    kelly.reset();
     error_estimator.reset();
     plate_model.reset();
     triangulation = std::move(adapted);
@@ -250,6 +256,7 @@ namespace PlateImpact
   ImpactAnalysis::refine_everywhere()
   {
     StageClock clock;
+    kelly.reset();
     error_estimator.reset();
     plate_model.reset();
     triangulation->refine_global();
@@ -361,6 +368,9 @@ namespace PlateImpact
                                          parameters.adaptivity.target_error,
                                          singular_cells(),
                                          line_load());
+    kelly.reset();
+    if (has_estimator && parameters.adaptivity.indicator == "Kelly")
+      kelly = std::make_unique<KellyIndicator>(*plate_model);
     const unsigned int n_steps = stepper.n_steps();
     const unsigned int interval =
       std::clamp(n_steps / min_estimator_samples,
@@ -375,7 +385,7 @@ namespace PlateImpact
       error_estimator->keep_element_errors(reported.samples_per_frame());
     const auto judge = [&] {
       clock.charge(result.seconds.stepping);
-      waiting.judge(*error_estimator);
+      waiting.judge(*error_estimator, kelly.get());
       clock.charge(result.seconds.estimation);
     };
     clock.charge(result.seconds.estimation);
@@ -459,7 +469,9 @@ namespace PlateImpact
   ImpactAnalysis::judge_mesh(CycleResult &result)
   {
     StageClock clock;
-    result.error                  = error_estimator->estimate();
+    result.error = error_estimator->estimate();
+    if (kelly)
+      kelly->distribute(*result.error, parameters.adaptivity.target_error);
     result.work.estimator_samples = error_estimator->n_samples();
     for (const auto &cell : triangulation->active_cell_iterators())
       if (result.error->element_errors[cell->active_cell_index()] >= 1.)

@@ -235,6 +235,14 @@ namespace PlateImpact
                      "or of the cells. uniform: all cells are. graded: sizes "
                      "proportional to the distance from the contact, whatever "
                      "the error.");
+      schema.declare("Indicator",
+                     "SPR",
+                     Allowed::one_of({"SPR", "Kelly"}),
+                     adaptivity.indicator,
+                     "Where the error is: by the recovered field (SPR) or by "
+                     "the jumps of slopes and curvatures across the sides of "
+                     "cells (Kelly), which only rank cells; eta is that of "
+                     "the recovered field in any case.");
       schema.declare("Target error",
                      "0.05",
                      Allowed::number_between(0, 1),

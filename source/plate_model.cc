@@ -403,6 +403,27 @@ namespace PlateImpact
 
 
 
+  Vector<double>
+  PlateModel::nodal_values(const Eigen::VectorXd &unknowns) const
+  {
+    Vector<double> values(dof_handler.n_dofs());
+    for (types::global_dof_index dof = 0; dof < values.size(); ++dof)
+      if (unknown_of_dof[dof] >= 0)
+        values[dof] = unknowns[unknown_of_dof[dof]];
+    constraints.distribute(values);
+    return values;
+  }
+
+
+
+  const DoFHandler<2> &
+  PlateModel::dofs() const
+  {
+    return dof_handler;
+  }
+
+
+
   const CellShape &
   PlateModel::shape(const unsigned int cell) const
   {

@@ -8,7 +8,8 @@ namespace PlateImpact
 {
   /// Computes the comparison of a scene, and writes and prints what is found:
   /// comparison.csv, a row per mesh as soon as it is known; comparison.json
-  /// with the reference and who reaches which error first.
+  /// with the reference and who reaches which error first, and comparison.html,
+  /// after every curve.
   /// @throws InputError for a scene without an impactor
   /// @throws ComputationError; files written so far are then valid
   void

@@ -4,9 +4,12 @@
 #include "plate_impact/contact_history.h"
 #include "plate_impact/cycle_result.h"
 #include "plate_impact/impact_analysis.h"
+#include "plate_impact/page.h"
 #include "plate_impact/scene.h"
+#include "plate_impact/true_error.h"
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,8 +22,8 @@ namespace PlateImpact
     double peak_force = 0.; ///< [N]
 
     /// Of the peak force, a fraction: its change by halving every cell once
-    /// more, which bounds the error that is left. 0 where the scene gives the
-    /// peak force.
+    /// more, which bounds the error that is left, and no less than the
+    /// tolerance of Ritz vectors. 0 where the scene gives the peak force.
     double uncertainty = 0.;
 
     std::optional<double> contact_end; ///< of the first contact [s]
@@ -30,6 +33,10 @@ namespace PlateImpact
     std::optional<ContactHistory> history;
     unsigned int                  cells = 0, degrees_of_freedom = 0;
     double                        seconds = 0.;
+
+    /// Where a field is to compare with: not under a point load, whose energy
+    /// has no limit.
+    std::shared_ptr<const TrueError> true_error;
   };
 
 
@@ -42,6 +49,9 @@ namespace PlateImpact
     bool                  is_comparable; ///< above the reference's uncertainty
     std::optional<double> contact_end_error;
     double                seconds, cumulative_seconds;
+
+    /// Estimated over true error, where the reference is three times better.
+    std::optional<double> effectivity;
   };
 
 
@@ -53,7 +63,7 @@ namespace PlateImpact
     std::string                   end;     ///< why it ends there
     std::optional<ContactHistory> history; ///< of the last mesh
     std::vector<std::string>      warnings;
-    std::string                   picture; ///< SVG of the mesh that meets eta
+    std::optional<MeshPicture>    picture; ///< of the mesh that meets eta
   };
 
 
@@ -83,9 +93,9 @@ namespace PlateImpact
   /// All share the initial mesh, step, integrator, solver, load and estimator.
   /// Whenever eta meets the target, the target is halved, so that curves go on
   /// to smaller errors; a mesh costs its own cycle and all before it. A curve
-  /// ends at the comparison's maximum of cycles, when its strategy keeps the
-  /// mesh, or when the time budget is spent, which breaks off the cycle that
-  /// spends it.
+  /// ends at the comparison's maximum of cycles, with an eta of less than three
+  /// times that of the reference, when its strategy keeps the mesh, or when the
+  /// time budget is spent, which breaks off the cycle that spends it.
   class Comparison
   {
   public:
@@ -119,6 +129,9 @@ namespace PlateImpact
     thresholds() const;
 
   private:
+    /// Whether there is nothing to learn from a comparison.
+    bool
+    is_close_to_reference(const ComparedMesh &mesh) const;
     std::vector<Achievement>
     achievements(double threshold, double ComparedMesh::*error) const;
     Parameters
@@ -128,7 +141,9 @@ namespace PlateImpact
     add_meshes(ComparisonCurve                                    &curve,
                const std::function<void(const ComparisonCurve &)> &listener);
     ComparedMesh
-    compared(const CycleResult &result, double seconds_before) const;
+    compared(const CycleResult &result,
+             const PlateModel  &model,
+             double             seconds_before) const;
 
     const Scene                   &scene;
     const ImpactAnalysis::Progress progress;

@@ -7,6 +7,7 @@
 #include "plate_impact/contact_solver.h"
 #include "plate_impact/cycle_result.h"
 #include "plate_impact/error_estimator.h"
+#include "plate_impact/kelly_indicator.h"
 #include "plate_impact/load_patch.h"
 #include "plate_impact/mesh_adaptation.h"
 #include "plate_impact/parameters.h"
@@ -111,6 +112,7 @@ namespace PlateImpact
     /// of the cycle; the estimator refers to the model, the model to the mesh
     std::unique_ptr<PlateModel>     plate_model;
     std::unique_ptr<ErrorEstimator> error_estimator;
+    std::unique_ptr<KellyIndicator> kelly; ///< null for another indicator
   };
 } // namespace PlateImpact
 

@@ -62,6 +62,7 @@ namespace PlateImpact
   struct AdaptivityParameters
   {
     std::string  strategy;
+    std::string  indicator;
     double       target_error;
     unsigned int maximum_cycles;
     double       size_exponent;

@@ -4,6 +4,7 @@
 #include <deal.II/base/function.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/vector.h>
 
 #include "plate_impact/load_patch.h"
 #include "plate_impact/plate_element.h"
@@ -72,6 +73,13 @@ namespace PlateImpact
 
     const CellShape &
     shape(unsigned int cell) const;
+
+    /// The same for all nodes, by degree of freedom of dofs().
+    dealii::Vector<double>
+    nodal_values(const Eigen::VectorXd &unknowns) const;
+
+    const dealii::DoFHandler<2> &
+    dofs() const;
 
     const dealii::Triangulation<2> &
     mesh() const;

@@ -1,0 +1,64 @@
+#ifndef plate_impact_comparison_page_h
+#define plate_impact_comparison_page_h
+
+#include "plate_impact/comparison.h"
+#include "plate_impact/page.h"
+#include "plate_impact/scene.h"
+
+#include <functional>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace PlateImpact
+{
+  /// comparison.html: who reaches which error first, errors against cells,
+  /// unknowns and seconds, force histories over each other, meshes side by
+  /// side, and what makes the comparison fair.
+  class ComparisonPage
+  {
+  public:
+    /// @param scene       must outlive the page, as all
+    /// @param comparison  with a reference and curves
+    ComparisonPage(const Scene                    &scene,
+                   const Comparison               &comparison,
+                   const std::vector<std::string> &warnings);
+
+    void
+    write(std::ostream &out) const;
+
+  private:
+    /// An empty series with the name and colour of the strategy.
+    Series
+    series(const ComparisonCurve &curve) const;
+    /// A plot for every element with a series for every strategy.
+    std::vector<Plot>
+    plots_by_element(
+      const Plot                                                   &frame,
+      const std::function<void(const ComparisonCurve &, Series &)> &fill) const;
+    void
+    add_uncertainty(Plot &plot) const;
+    void
+    add_outcome(Page &page) const;
+    void
+    add_thresholds(Page &page) const;
+    void
+    add_costs(Page &page) const;
+    void
+    add_effectivity(Page &page) const;
+    void
+    add_histories(Page &page) const;
+    void
+    add_meshes(Page &page) const;
+    void
+    add_fairness(Page &page) const;
+    void
+    add_numbers(Page &page) const;
+
+    const Scene                    &scene;
+    const Comparison               &comparison;
+    const std::vector<std::string> &warnings;
+  };
+} // namespace PlateImpact
+
+#endif

@@ -1,0 +1,483 @@
+#include "plate_impact/comparison_page.h"
+
+#include "plate_impact/prefixed_unit.h"
+#include "plate_impact/version.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <limits>
+
+namespace PlateImpact
+{
+  namespace
+  {
+    /// A history has as many steps as a scene asks for; a plot shows that many.
+    constexpr std::size_t max_plotted_states = 600;
+
+
+
+    std::string
+    percentage(const double fraction)
+    {
+      char text[32];
+      std::snprintf(text, sizeof(text), "%.3g %%", 100. * fraction);
+      return text;
+    }
+
+
+
+    std::string
+    seconds(const double value)
+    {
+      char text[32];
+      std::snprintf(text, sizeof(text), "%.2f s", value);
+      return text;
+    }
+
+
+
+    std::string
+    name_of(const ComparisonCurve &curve)
+    {
+      return curve.strategy + ", " + curve.element;
+    }
+
+
+
+    /// Numbers of the meshes of a curve.
+    std::vector<double>
+    column(const ComparisonCurve                             &curve,
+           const std::function<double(const ComparedMesh &)> &value)
+    {
+      std::vector<double> values;
+      for (const ComparedMesh &mesh : curve.meshes)
+        values.push_back(value(mesh));
+      return values;
+    }
+
+
+
+    /// A curve's cell in a table of thresholds.
+    std::string
+    achieved(const ThresholdRow &row, const ComparisonCurve &curve)
+    {
+      if (!row.is_comparable)
+        return "not compared";
+      for (const Achievement &achievement : row.achievements)
+        if (achievement.curve == &curve)
+          {
+            const ComparedMesh &mesh = *achievement.mesh;
+            const double        fastest =
+              row.achievements.front().mesh->cumulative_seconds;
+            char times[32];
+            std::snprintf(times,
+                          sizeof(times),
+                          "%.3g",
+                          mesh.cumulative_seconds / fastest);
+            return seconds(mesh.cumulative_seconds) + ", " +
+              std::to_string(mesh.cells) + " cells" +
+              (achievement.mesh == row.achievements.front().mesh ?
+                 ", first" :
+                 std::string(", ") + times + " times");
+          }
+      return "–";
+    }
+
+
+
+    /// Two parallel numbers of a plot: cost and error.
+    struct Measure
+    {
+      std::string                                 name, title;
+      std::function<double(const ComparedMesh &)> value;
+    };
+
+    const std::vector<Measure> costs = {
+      {"cells", "cells", [](const ComparedMesh &mesh) { return mesh.cells; }},
+      {"unknowns",
+       "unknowns",
+       [](const ComparedMesh &mesh) { return mesh.degrees_of_freedom; }},
+      {"seconds",
+       "seconds, cycles before included [s]",
+       [](const ComparedMesh &mesh) { return mesh.cumulative_seconds; }}};
+
+    const std::vector<Measure> errors = {
+      {"error of the peak force",
+       "error of the peak force [%]",
+       [](const ComparedMesh &mesh) { return 100. * mesh.peak_force_error; }},
+      {"η", "η [%]", [](const ComparedMesh &mesh) { return 100. * mesh.eta; }}};
+  } // namespace
+
+
+
+  ComparisonPage::ComparisonPage(const Scene                    &scene,
+                                 const Comparison               &comparison,
+                                 const std::vector<std::string> &warnings)
+    : scene(scene)
+    , comparison(comparison)
+    , warnings(warnings)
+  {}
+
+
+
+  void
+  ComparisonPage::write(std::ostream &out) const
+  {
+    Page page("Comparison: " + scene.name,
+              "Ways to make the mesh follow the error, side by side: what a "
+              "user waits for an error, and how many cells it takes.");
+    add_outcome(page);
+    add_thresholds(page);
+    add_costs(page);
+    add_effectivity(page);
+    add_histories(page);
+    add_meshes(page);
+    add_fairness(page);
+    add_numbers(page);
+    page.section("Scene");
+    page.paragraph("plate-impact " PLATE_IMPACT_VERSION
+                   "; save as a .prm file and give it to plate-impact compare "
+                   "to repeat the comparison.");
+    page.preformatted(scene.text);
+    page.write(out);
+  }
+
+
+
+  void
+  ComparisonPage::add_outcome(Page &page) const
+  {
+    page.section("Outcome");
+    for (const std::string &warning : warnings)
+      page.notice("Warning: " + warning);
+    const Reference  &reference = comparison.reference();
+    std::vector<Fact> facts     = {
+          {"Reference peak force",
+           PrefixedUnit("N", reference.peak_force).text(reference.peak_force),
+       reference.history ? "uncertain by " + percentage(reference.uncertainty) +
+           ": " + std::to_string(reference.cells) +
+           " cells, η = " + percentage(*reference.eta) :
+                               "given by the scene"}};
+    const std::vector<ThresholdRow> rows = comparison.thresholds();
+    for (const ThresholdRow &row : rows)
+      if (row.quantity == "peak force error" && !row.achievements.empty() &&
+          (row.threshold == 0.01 || row.threshold == 0.001))
+        facts.push_back(
+          {"First at " + percentage(row.threshold),
+           name_of(*row.achievements.front().curve),
+           seconds(row.achievements.front().mesh->cumulative_seconds) + ", " +
+             std::to_string(row.achievements.front().mesh->cells) + " cells"});
+    page.facts(facts);
+  }
+
+
+
+  void
+  ComparisonPage::add_thresholds(Page &page) const
+  {
+    page.section("Who is first");
+    page.paragraph(
+      "Seconds until an error is reached and kept on all later meshes, the "
+      "cells of that mesh, and how many times the seconds of the fastest.");
+    for (const std::string quantity : {"peak force error", "eta"})
+      {
+        Table table;
+        table.has_words = true;
+        table.columns = {quantity == "eta" ? "η" : "Error of the peak force"};
+        std::vector<ThresholdRow> rows;
+        for (const ThresholdRow &row : comparison.thresholds())
+          if (row.quantity == quantity)
+            {
+              rows.push_back(row);
+              table.columns.push_back(percentage(row.threshold));
+            }
+        for (const ComparisonCurve &curve : comparison.curves())
+          {
+            table.rows.push_back({name_of(curve)});
+            for (const ThresholdRow &row : rows)
+              table.rows.back().push_back(achieved(row, curve));
+          }
+        page.table(table);
+      }
+  }
+
+
+
+  Series
+  ComparisonPage::series(const ComparisonCurve &curve) const
+  {
+    const auto &strategies = scene.parameters.comparison.strategies;
+    const auto  place =
+      std::find(strategies.begin(), strategies.end(), curve.strategy);
+    return {curve.strategy,
+            {},
+            {},
+            static_cast<unsigned int>(place - strategies.begin()),
+            Style::line_and_points};
+  }
+
+
+
+  std::vector<Plot>
+  ComparisonPage::plots_by_element(
+    const Plot                                                   &frame,
+    const std::function<void(const ComparisonCurve &, Series &)> &fill) const
+  {
+    std::vector<Plot> plots;
+    for (const std::string &element : scene.parameters.comparison.elements)
+      {
+        Plot plot  = frame;
+        plot.title = element + ": " + frame.title;
+        for (const ComparisonCurve &curve : comparison.curves())
+          if (curve.element == element)
+            {
+              plot.series.push_back(series(curve));
+              fill(curve, plot.series.back());
+            }
+        plots.push_back(plot);
+      }
+    return plots;
+  }
+
+
+
+  void
+  ComparisonPage::add_costs(Page &page) const
+  {
+    page.section("Error against cost");
+    page.paragraph(
+      "Every point is a mesh. Errors of the peak force below the dashed line, "
+      "the uncertainty of the reference, say nothing about the mesh.");
+    for (const Measure &error : errors)
+      for (const Measure &cost : costs)
+        {
+          page.heading(error.title + " against " + cost.title);
+          std::vector<Plot> plots =
+            plots_by_element({error.name + " against " + cost.name,
+                              "",
+                              {cost.title, true},
+                              {error.title, true},
+                              {},
+                              {}},
+                             [&](const ComparisonCurve &curve, Series &series) {
+                               series.x = column(curve, cost.value);
+                               series.y = column(curve, error.value);
+                             });
+          if (&error == &errors.front())
+            for (Plot &plot : plots)
+              add_uncertainty(plot);
+          page.plots(plots, /*small=*/true);
+        }
+  }
+
+
+
+  void
+  ComparisonPage::add_uncertainty(Plot &plot) const
+  {
+    const double uncertainty = 100. * comparison.reference().uncertainty;
+    double       first = std::numeric_limits<double>::infinity(), last = 0.;
+    for (const Series &series : plot.series)
+      for (const double x : series.x)
+        {
+          first = std::min(first, x);
+          last  = std::max(last, x);
+        }
+    if (uncertainty > 0. && first < last)
+      plot.series.push_back({"uncertainty of the reference",
+                             {first, last},
+                             {uncertainty, uncertainty},
+                             static_cast<unsigned int>(
+                               scene.parameters.comparison.strategies.size()),
+                             Style::dashed});
+  }
+
+
+
+  void
+  ComparisonPage::add_effectivity(Page &page) const
+  {
+    if (!comparison.reference().true_error)
+      return;
+    page.section("Effectivity of the estimator");
+    page.paragraph("η over the error in energy against the reference, on "
+                   "meshes whose η is at least three times the reference's.");
+    page.plots(
+      plots_by_element(
+        {"effectivity", "", {"cells", true}, {"effectivity", false}, {}, {}},
+        [](const ComparisonCurve &curve, Series &series) {
+          for (const ComparedMesh &mesh : curve.meshes)
+            if (mesh.effectivity)
+              {
+                series.x.push_back(mesh.cells);
+                series.y.push_back(*mesh.effectivity);
+              }
+        }),
+      /*small=*/true);
+  }
+
+
+
+  void
+  ComparisonPage::add_histories(Page &page) const
+  {
+    page.section("Force histories");
+    page.paragraph("On the last mesh of every curve.");
+    const PrefixedUnit time("s", scene.parameters.time.end_time);
+    const PrefixedUnit force("N", comparison.reference().peak_force);
+    const auto fill = [&](const ContactHistory &history, Series &series) {
+      const auto       &states = history.states();
+      const std::size_t stride = 1 + (states.size() - 1) / max_plotted_states;
+      for (std::size_t i = 0; i < states.size(); i += stride)
+        {
+          series.x.push_back(time(states[i].time));
+          series.y.push_back(force(states[i].force));
+        }
+    };
+    std::vector<Plot> plots =
+      plots_by_element({"force",
+                        "",
+                        {"time [" + time.name() + "]", false},
+                        {"force [" + force.name() + "]", false},
+                        {},
+                        {}},
+                       [&](const ComparisonCurve &curve, Series &series) {
+                         series.style = Style::line;
+                         if (curve.history)
+                           fill(*curve.history, series);
+                       });
+    if (comparison.reference().history)
+      for (Plot &plot : plots)
+        {
+          plot.series.push_back(
+            {"reference",
+             {},
+             {},
+             static_cast<unsigned int>(
+               scene.parameters.comparison.strategies.size()),
+             Style::dashed});
+          fill(*comparison.reference().history, plot.series.back());
+        }
+    page.plots(plots, /*small=*/true);
+  }
+
+
+
+  void
+  ComparisonPage::add_meshes(Page &page) const
+  {
+    std::vector<MeshPicture> pictures;
+    for (const ComparisonCurve &curve : comparison.curves())
+      if (curve.picture)
+        pictures.push_back(*curve.picture);
+    if (pictures.empty())
+      return;
+    page.section("Meshes");
+    page.paragraph("The first mesh of each curve whose η is at most " +
+                   percentage(scene.parameters.adaptivity.target_error) +
+                   ", or its last that can be drawn. A quarter of the plate; "
+                   "the impact is at the lower left corner.");
+    page.meshes(pictures);
+  }
+
+
+
+  void
+  ComparisonPage::add_fairness(Page &page) const
+  {
+    page.section("What is compared");
+    page.paragraph(
+      "All curves share the initial mesh, time step, integrator, linear "
+      "solver, load and error estimator. Whenever η meets the target error, "
+      "the target is halved, so that every curve goes on to smaller errors. "
+      "The cost of a mesh is what a user waits for it: assembly, transient, "
+      "estimation and adaptation of its own cycle and of all before it; the "
+      "start of the program is left out. Errors are those of the mesh: the "
+      "reference has the same time step.");
+    Table table;
+    table.columns = {"Element",
+                     "hanging nodes [cells]",
+                     "remeshing [cells]",
+                     "hanging nodes η [%]",
+                     "remeshing η [%]"};
+    for (const std::string &element : scene.parameters.comparison.elements)
+      {
+        std::vector<const ComparedMesh *> found;
+        for (const std::string strategy : {"hanging nodes", "remeshing"})
+          for (const ThresholdRow &row : comparison.thresholds())
+            if (row.quantity == "eta" && row.threshold == 0.05)
+              for (const Achievement &achievement : row.achievements)
+                if (achievement.curve->strategy == strategy &&
+                    achievement.curve->element == element)
+                  found.push_back(achievement.mesh);
+        if (found.size() == 2)
+          table.rows.push_back({element,
+                                std::to_string(found[0]->cells),
+                                std::to_string(found[1]->cells),
+                                six_digits(100. * found[0]->eta),
+                                six_digits(100. * found[1]->eta)});
+      }
+    page.paragraph(
+      "Hanging nodes halve sizes: a cell that asks for a little less than its "
+      "size gets half of it, up to four times the cells. Remeshing gives any "
+      "size, but its cells are no parallelograms, on which elements of eight "
+      "nodes (serendipity, and the deflection of heterosis) lose an order "
+      "(Arnold, Boffi & Falk 2002); compare the strategies with MITC9 or "
+      "Lagrange as well. The first meshes at η of at most 5 % show both "
+      "effects:");
+    if (!table.rows.empty())
+      page.table(table);
+  }
+
+
+
+  void
+  ComparisonPage::add_numbers(Page &page) const
+  {
+    page.section("All meshes");
+    page.paragraph("Errors in parentheses are not above the uncertainty of the "
+                   "reference. The effectivity is η over the error in energy "
+                   "against the reference, where that is three times better. "
+                   "comparison.csv has all digits.");
+    Table table;
+    table.columns = {"Strategy and element",
+                     "Cycle",
+                     "Cells",
+                     "Unknowns",
+                     "η [%]",
+                     "Peak force [N]",
+                     "Error [%]",
+                     "Error of contact end [%]",
+                     "Effectivity",
+                     "Seconds",
+                     "So far [s]"};
+    for (const ComparisonCurve &curve : comparison.curves())
+      for (const ComparedMesh &mesh : curve.meshes)
+        {
+          const std::string error = six_digits(100. * mesh.peak_force_error);
+          table.rows.push_back(
+            {name_of(curve),
+             std::to_string(mesh.cycle),
+             std::to_string(mesh.cells),
+             std::to_string(mesh.degrees_of_freedom),
+             six_digits(100. * mesh.eta),
+             six_digits(mesh.peak_force),
+             mesh.is_comparable ? error : "(" + error + ")",
+             mesh.contact_end_error ?
+               six_digits(100. * *mesh.contact_end_error) :
+               "–",
+             mesh.effectivity ? six_digits(*mesh.effectivity) : "–",
+             six_digits(mesh.seconds),
+             six_digits(mesh.cumulative_seconds)});
+        }
+    page.table(table);
+    Table ends;
+    ends.has_words = true;
+    ends.columns   = {"Strategy and element", "Ends with"};
+    for (const ComparisonCurve &curve : comparison.curves())
+      ends.rows.push_back({name_of(curve), curve.end});
+    page.table(ends);
+  }
+} // namespace PlateImpact

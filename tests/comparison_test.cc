@@ -1,0 +1,214 @@
+// plate-impact compare: what it writes, its limits, and the scenes of
+// comparisons.
+#include "plate_impact/comparison.h"
+#include "plate_impact/scene.h"
+#include "program_fixture.h"
+
+#include <cmath>
+
+namespace PlateImpact
+{
+  namespace
+  {
+    class Compare : public Program
+    {
+    protected:
+      int
+      compare(const std::string &scene, const std::string &more = "")
+      {
+        return execute("compare '" + scene + "' --output '" +
+                       results().string() + "' " + more);
+      }
+
+      nlohmann::json
+      comparison() const
+      {
+        return nlohmann::json::parse(text(results() / "comparison.json"));
+      }
+
+      /// Rows of comparison.csv without the header, each split at commas.
+      std::vector<std::vector<std::string>>
+      rows() const
+      {
+        std::istringstream lines(text(results() / "comparison.csv"));
+        std::vector<std::vector<std::string>> result;
+        std::string                           line, cell;
+        std::getline(lines, line);
+        EXPECT_EQ(line,
+                  "strategy,element,cycle,cells,degrees_of_freedom,"
+                  "discretization_error,peak_force,peak_force_error,"
+                  "contact_end_error,seconds,cumulative_seconds");
+        while (std::getline(lines, line))
+          {
+            result.emplace_back();
+            std::istringstream cells(line);
+            while (std::getline(cells, cell, ','))
+              result.back().push_back(cell);
+            EXPECT_EQ(result.back().size(), 11u) << line;
+          }
+        return result;
+      }
+    };
+
+    const std::string coarse =
+      "--set 'Time/Time step=1e-6' --set 'Adaptivity/Target error=0.2' ";
+
+
+
+    TEST_F(Compare, WritesARowPerMeshAndWhatItIsComparedWith)
+    {
+      ASSERT_EQ(compare(main_scene,
+                        coarse +
+                          "--set 'Comparison/Strategies=graded, hanging nodes, "
+                          "remeshing' --set 'Comparison/Elements=serendipity, "
+                          "MITC9' --set 'Comparison/Maximum cycles=3'"),
+                0)
+        << err;
+      const auto json = comparison();
+      EXPECT_EQ(json["reference"]["origin"], "computed");
+      const double reference   = json["reference"]["peak_force"],
+                   uncertainty = json["reference"]["uncertainty"];
+      expect_near(reference, 1301., 2e-3);
+      EXPECT_LT(uncertainty, 1e-3);
+
+      const auto table = rows();
+      ASSERT_EQ(table.size(), 3u * 2u * 3u);
+      double so_far = 0., last_error = 1.;
+      for (const auto &row : table)
+        {
+          const bool is_first = row[2] == "1";
+          so_far              = (is_first ? 0. : so_far) + std::stod(row[9]);
+          EXPECT_NEAR(std::stod(row[10]), so_far, 1e-6);
+          EXPECT_NEAR(std::stod(row[7]),
+                      std::abs(std::stod(row[6]) / reference - 1.),
+                      1e-9);
+          EXPECT_LT(std::stod(row[8]), 0.05);
+          // the initial mesh is the same for all
+          EXPECT_EQ(row[3] == "9", is_first);
+          last_error = std::stod(row[7]);
+          if (row[2] == "3")
+            {
+              EXPECT_LT(last_error, 5e-3) << row[0] << ' ' << row[1];
+            }
+        }
+      for (const auto &row : json["thresholds"])
+        {
+          double seconds = 0.;
+          for (const auto &reached : row["reached"])
+            {
+              EXPECT_GE(reached["cumulative_seconds"], seconds);
+              seconds = reached["cumulative_seconds"];
+            }
+          if (row["quantity"] == "peak force error")
+            {
+              EXPECT_EQ(row["comparable"].get<bool>(),
+                        row["threshold"].get<double>() > uncertainty);
+            }
+        }
+      const std::string page = text(results() / "comparison.html");
+      EXPECT_NE(page.find("remeshing, MITC9"), std::string::npos);
+      EXPECT_EQ(page.find("src=\"http"), std::string::npos);
+      EXPECT_NE(out.find("times the fastest"), std::string::npos) << out;
+    }
+
+
+
+    TEST_F(Compare, EndsCurvesWithTheBudget)
+    {
+      ASSERT_EQ(compare(main_scene,
+                        coarse +
+                          "--quiet --set 'Comparison/Strategies=uniform' "
+                          "--set Comparison/Elements=MITC9 --set "
+                          "'Comparison/Time budget=1e-3'"),
+                0)
+        << err;
+      EXPECT_EQ(out, "");
+      EXPECT_EQ(rows().size(), 1u);
+      EXPECT_EQ(comparison()["curves"][0]["end"], "time budget");
+    }
+
+
+
+    TEST_F(Compare, TakesAGivenReference)
+    {
+      ASSERT_EQ(compare(main_scene,
+                        coarse +
+                          "--set Comparison/Strategies=uniform --set "
+                          "Comparison/Elements=MITC9 --set "
+                          "'Comparison/Reference peak force=1000' --set "
+                          "'Comparison/Maximum cycles=2'"),
+                0)
+        << err;
+      EXPECT_EQ(comparison()["reference"]["origin"], "given");
+      for (const auto &row : rows())
+        {
+          EXPECT_NEAR(std::stod(row[7]), std::stod(row[6]) / 1000. - 1., 1e-9);
+          EXPECT_EQ(row[8], ""); // nothing is known of the contact's end
+        }
+    }
+
+
+
+    TEST_F(Compare, InterruptedLeavesValidFiles)
+    {
+      const std::string command = std::string("timeout -s INT 4 '") + PROGRAM +
+        "' compare '" + main_scene + "' --quiet --output '" +
+        results().string() +
+        "' --set 'Comparison/Strategies=hanging nodes, uniform' --set "
+        "'Comparison/Maximum cycles=9' 2> /dev/null";
+      EXPECT_NE(std::system(command.c_str()), 0);
+      for (const auto &row : rows())
+        EXPECT_GT(std::stod(row[6]), 1000.);
+      if (fs::exists(results() / "comparison.json"))
+        {
+          EXPECT_TRUE(comparison().contains("reference"));
+        }
+    }
+
+
+
+    TEST_F(Compare, RefusesWhatCannotBeCompared)
+    {
+      EXPECT_EQ(compare(main_scene, "--set Impactor/Shape=none"), 1);
+      EXPECT_NE(err.find("has no force to compare"), std::string::npos) << err;
+      EXPECT_EQ(compare(main_scene, "--set Comparison/Strategies=none"), 1);
+      EXPECT_NE(err.find("fixed fraction"), std::string::npos) << err;
+      EXPECT_EQ(compare(main_scene, "--set 'Comparison/Elements=MITC9, MITC9'"),
+                1);
+      EXPECT_NE(err.find("names MITC9 twice"), std::string::npos) << err;
+      EXPECT_FALSE(fs::exists(results()));
+    }
+
+
+
+    /// Peak force of the reference, and the cells and error of the best
+    /// strategy and element on the scene.
+    void
+    expect_comparison(const std::string &scene_name,
+                      const double       peak_force,
+                      const double       error,
+                      const unsigned int most_cells)
+    {
+      const Scene      scene = read_scene(SCENES "/" + scene_name + ".prm",
+                                     {"Comparison/Time budget=1000"});
+      Comparison       comparison(scene);
+      const Reference &reference = comparison.compute_reference();
+      EXPECT_NEAR(reference.peak_force / peak_force, 1., 3e-4);
+      EXPECT_LT(reference.uncertainty, error);
+      const ComparisonCurve &curve =
+        comparison.compute_curve("hanging nodes", "MITC9");
+      bool is_reached = false;
+      for (const ComparedMesh &mesh : curve.meshes)
+        is_reached = is_reached ||
+          (mesh.peak_force_error < error && mesh.cells <= most_cells);
+      EXPECT_TRUE(is_reached);
+    }
+
+
+
+    TEST(ComparisonScenes, Sphere)
+    {
+      expect_comparison("compare-sphere", 1301.07, 1e-3, 300);
+    }
+  } // namespace
+} // namespace PlateImpact
