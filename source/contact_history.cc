@@ -6,6 +6,14 @@
 namespace PlateImpact
 {
   void
+  ContactHistory::reserve(const std::size_t n_states)
+  {
+    history.reserve(n_states);
+  }
+
+
+
+  void
   ContactHistory::add(const ContactState &state)
   {
     history.push_back(state);

@@ -1,6 +1,7 @@
 #ifndef plate_impact_contact_history_h
 #define plate_impact_contact_history_h
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -32,6 +33,10 @@ namespace PlateImpact
   class ContactHistory
   {
   public:
+    /// Prepares for a number of states.
+    void
+    reserve(std::size_t n_states);
+
     void
     add(const ContactState &state);
 

@@ -1,0 +1,85 @@
+#include "plate_impact/plate_response.h"
+#include "test_plate.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace PlateImpact
+{
+  namespace
+  {
+    /// Largest difference of a quantity over time, relative to its largest
+    /// value.
+    double
+    difference(const ContactHistory &a,
+               const ContactHistory &b,
+               double ContactState::*quantity)
+    {
+      EXPECT_EQ(a.states().size(), b.states().size());
+      double largest = 0., value = 0.;
+      for (std::size_t n = 0; n < b.states().size(); ++n)
+        {
+          const double expected = b.states()[n].*quantity;
+          largest =
+            std::max(largest, std::abs(a.states()[n].*quantity - expected));
+          value = std::max(value, std::abs(expected));
+        }
+      EXPECT_GT(value, 0.);
+      return largest / value;
+    }
+
+
+
+    void
+    expect_same_histories(const std::string &integration_name)
+    {
+      const auto         mesh = unit_square(4);
+      const PlateElement element("MITC9");
+      PlateModel         model(*mesh, element, unit_plate("clamped", 0.1), 1.);
+      model.assemble();
+      MeshPlate      plate(model,
+                      model.load({{dealii::Point<2>(0.5, 0.5), 1.}}),
+                      make_linear_solver("CHOLMOD"));
+      TimeParameters time;
+      time.end_time          = 20.;
+      time.time_step         = 0.02;
+      time.newmark_beta      = 0.25;
+      time.newmark_gamma     = 0.5;
+      const auto integration = make_contact_integration(integration_name);
+
+      const PlateResponse response(NewmarkScheme(time), plate, *integration);
+      unsigned int        most_contacts = 0;
+      for (const double mass : {0.01, 0.1, 1., 100.})
+        for (const double stiffness : {0.1, 10.})
+          {
+            const HertzLaw law(stiffness);
+            const Impactor impactor{mass, 0., 0.5};
+            TimeStepper    stepper(time, plate, law, *integration, impactor);
+            const ContactHistory expected = run_to_end(stepper);
+            const Impact         impact   = response.impact(law, impactor);
+            for (const auto quantity : {&ContactState::time,
+                                        &ContactState::force,
+                                        &ContactState::plate_displacement,
+                                        &ContactState::impactor_velocity,
+                                        &ContactState::plate_energy,
+                                        &ContactState::contact_energy})
+              EXPECT_LT(difference(impact.history, expected, quantity), 1e-10);
+            EXPECT_NEAR(impact.impulse / stepper.impulse(), 1., 1e-10);
+            most_contacts = std::max(most_contacts, expected.n_contacts());
+          }
+      EXPECT_GT(most_contacts, 2u);
+    }
+
+
+
+    TEST(PlateResponse, GivesTheHistoriesOfTheTimeStepper)
+    {
+      expect_same_histories("energy conserving");
+    }
+
+    TEST(PlateResponse, GivesThoseOfCollocatedContact)
+    {
+      expect_same_histories("collocation");
+    }
+  } // namespace
+} // namespace PlateImpact
