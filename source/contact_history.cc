@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ostream>
 
 namespace PlateImpact
 {
@@ -103,5 +104,20 @@ namespace PlateImpact
     for (const ContactState &state : history)
       drift = std::max(drift, std::abs(state.total_energy() - initial));
     return drift / initial;
+  }
+
+
+
+  void
+  ContactHistory::write(std::ostream &out) const
+  {
+    out.precision(17);
+    out << "time,force,indentation,plate_displacement,impactor_displacement,"
+           "impactor_velocity,plate_energy,contact_energy,impactor_energy\n";
+    for (const ContactState &s : history)
+      out << s.time << ',' << s.force << ',' << s.indentation << ','
+          << s.plate_displacement << ',' << s.impactor_displacement << ','
+          << s.impactor_velocity << ',' << s.plate_energy << ','
+          << s.contact_energy << ',' << s.impactor_energy << '\n';
   }
 } // namespace PlateImpact

@@ -16,6 +16,7 @@
 #include <limits>
 #include <new>
 #include <sstream>
+#include <utility>
 
 namespace PlateImpact
 {
@@ -176,14 +177,12 @@ namespace PlateImpact
 
 
 
-  ImpactAnalysis::ImpactAnalysis(const Parameters &parameters,
-                                 const Progress   &progress)
+  ImpactAnalysis::ImpactAnalysis(const Parameters                 &parameters,
+                                 const Progress                   &progress,
+                                 std::unique_ptr<Triangulation<2>> mesh)
     : parameters(parameters)
     , progress(progress)
-    , has_estimator(parameters.has_impactor() &&
-                    (parameters.adaptivity.strategy != "none" ||
-                     parameters.output.write_report ||
-                     parameters.output.field_samples > 0))
+    , has_estimator(parameters.needs_estimator())
     , element(parameters.discretization.element)
     , law(parameters.has_impactor() ? make_contact_law(parameters) : nullptr)
     , contact_integration(
@@ -198,7 +197,8 @@ namespace PlateImpact
           std::vector<LoadPoint>())
   {
     StageClock clock;
-    triangulation =
+    triangulation = mesh ?
+      std::move(mesh) :
       make_plate_quadrant(parameters.plate,
                           parameters.discretization.initial_cells);
     clock.charge(seconds_for_mesh);

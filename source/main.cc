@@ -7,6 +7,7 @@
 #include "plate_impact/expectation.h"
 #include "plate_impact/run.h"
 #include "plate_impact/scene.h"
+#include "plate_impact/sweep.h"
 #include "plate_impact/terminal.h"
 #include "plate_impact/version.h"
 
@@ -57,6 +58,43 @@ namespace
 
 
 
+  void
+  sweep(const std::string                &path,
+        const std::optional<std::string> &output,
+        const std::vector<std::string>   &overrides,
+        const SweepOptions               &options)
+  {
+    Processes processes;
+    // one of them tells of mistakes that all find
+    if (!processes.is_first())
+      std::cerr.setstate(std::ios::failbit);
+    SweepScene scene(path, overrides, output);
+    run_sweep(scene, options, processes);
+  }
+
+
+
+  void
+  add_run_options(CLI::App                   &command,
+                  std::string                &path,
+                  std::optional<std::string> &output,
+                  std::vector<std::string>   &overrides,
+                  bool                       &quiet)
+  {
+    command.add_option("scene", path, "Parameter file (.prm)")->required();
+    command.add_option("-o,--output",
+                       output,
+                       "Directory of the results, in place of the scene's");
+    command
+      .add_option("-s,--set",
+                  overrides,
+                  "Entry to change: \"Section/Entry=value\"; may be repeated")
+      ->allow_extra_args(false);
+    command.add_flag("-q,--quiet", quiet, "Print warnings and errors only");
+  }
+
+
+
   /// Parses the command line and does what it asks for.
   int
   execute(const int argc, const char *const *argv)
@@ -84,26 +122,11 @@ namespace
     bool                       quiet = false;
     CLI::App                  *run_command =
       app.add_subcommand("run", "Compute the impact that a scene describes");
+    add_run_options(*run_command, path, output, overrides, quiet);
     CLI::App *compare_command = app.add_subcommand(
       "compare",
       "Compare strategies and elements: error against run time");
-    for (CLI::App *command : {run_command, compare_command})
-      {
-        command->add_option("scene", path, "Parameter file (.prm)")->required();
-        command->add_option(
-          "-o,--output",
-          output,
-          "Directory of the results, in place of the scene's");
-        command
-          ->add_option(
-            "-s,--set",
-            overrides,
-            "Entry to change: \"Section/Entry=value\"; may be repeated")
-          ->allow_extra_args(false);
-        command->add_flag("-q,--quiet",
-                          quiet,
-                          "Print warnings and errors only");
-      }
+    add_run_options(*compare_command, path, output, overrides, quiet);
     CLI::App *defaults_command = app.add_subcommand(
       "defaults",
       "Print every entry with its meaning, unit and default, as a valid scene");
@@ -117,12 +140,16 @@ namespace
                    overrides,
                    "Entry to change: \"Section/Entry=value\"; may be repeated")
       ->allow_extra_args(false);
-    for (const std::string name : {"sweep"})
-      app.add_subcommand(name, "Not available yet")
-        ->allow_extras()
-        ->callback([name] {
-          throw InputError({"the command '" + name + "' is not available yet"});
-        });
+    SweepOptions sweep_options;
+    CLI::App    *sweep_command = app.add_subcommand(
+      "sweep",
+      "Compute many impacts: the entries and values of the scene's Sweep "
+         "section; under mpirun on all its processes");
+    add_run_options(*sweep_command, path, output, overrides, quiet);
+    sweep_command->add_flag("--resume",
+                            sweep_options.resume,
+                            "Continue an interrupted sweep: keep the points "
+                            "that are in its directory");
 
     try
       {
@@ -141,7 +168,13 @@ namespace
       run(path, output, overrides, quiet);
     if (compare_command->parsed())
       compare(path, output, overrides, quiet);
-    if (run_command->parsed() || compare_command->parsed())
+    if (sweep_command->parsed())
+      {
+        sweep_options.quiet = quiet;
+        sweep(path, output, overrides, sweep_options);
+      }
+    if (run_command->parsed() || compare_command->parsed() ||
+        sweep_command->parsed())
       return success;
 
     // of these what they print

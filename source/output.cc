@@ -12,8 +12,6 @@
 #include "plate_impact/plate_model.h"
 #include "plate_impact/version.h"
 
-#include <fstream>
-#include <regex>
 #include <sstream>
 
 namespace PlateImpact
@@ -23,31 +21,6 @@ namespace PlateImpact
 
   namespace
   {
-    /// Names of results, so that those of an earlier run do not stay beside
-    /// ours.
-    const std::regex result_name(
-      "(summary\\.json|comparison\\.(csv|json|html)|scene\\.prm|report\\.html|fields\\.pvd|"
-      "fields_[0-9]+\\.vtu|contact_history(_cycle_[0-9]+)?\\.csv|"
-      "element_errors_cycle_[0-9]+\\.csv|mesh_cycle_[0-9]+\\.svg)"
-      "(\\.incomplete)?");
-
-
-
-    void
-    write_history(std::ostream &out, const ContactHistory &history)
-    {
-      out.precision(17);
-      out << "time,force,indentation,plate_displacement,impactor_displacement,"
-             "impactor_velocity,plate_energy,contact_energy,impactor_energy\n";
-      for (const ContactState &s : history.states())
-        out << s.time << ',' << s.force << ',' << s.indentation << ','
-            << s.plate_displacement << ',' << s.impactor_displacement << ','
-            << s.impactor_velocity << ',' << s.plate_energy << ','
-            << s.contact_energy << ',' << s.impactor_energy << '\n';
-    }
-
-
-
     void
     write_element_errors(std::ostream               &out,
                          const Triangulation<2>     &mesh,
@@ -136,28 +109,8 @@ namespace PlateImpact
     , directory(scene.parameters.output.directory)
     , report(scene)
   {
-    std::error_code error;
-    fs::create_directories(directory, error);
-    if (error)
-      throw ComputationError("the output directory " + directory.string() +
-                             " cannot be created: " + error.message());
-    for (fs::directory_iterator entry(directory, error), end;
-         !error && entry != end;
-         entry.increment(error))
-      if (std::regex_match(entry->path().filename().string(), result_name))
-        {
-          fs::remove(entry->path(), error);
-          if (error)
-            break;
-        }
-    if (error)
-      throw ComputationError("earlier results in " + directory.string() +
-                             " cannot be removed: " + error.message());
-    write_file("scene.prm", [&](std::ostream &out) {
-      out << "# Every value used by plate-impact " << PLATE_IMPACT_VERSION
-          << " for " << scene.name << "\n\n"
-          << scene.text;
-    });
+    directory.clear();
+    directory.write_scene(scene.name, scene.text);
   }
 
 
@@ -166,23 +119,7 @@ namespace PlateImpact
   Output::write_file(const std::string                         &name,
                      const std::function<void(std::ostream &)> &write)
   {
-    const fs::path path       = directory / name,
-                   incomplete = path.string() + ".incomplete";
-    std::error_code error;
-    {
-      std::ofstream out(incomplete);
-      write(out);
-      out.close();
-      if (!out)
-        {
-          fs::remove(incomplete, error);
-          throw ComputationError(path.string() + " cannot be written");
-        }
-    }
-    fs::rename(incomplete, path, error);
-    if (error)
-      throw ComputationError(path.string() +
-                             " cannot be written: " + error.message());
+    directory.write_file(name, write);
   }
 
 
@@ -209,20 +146,22 @@ namespace PlateImpact
               throw ComputationError((directory / earlier).string() +
                                      " cannot be written: " + error.message());
           }
-        write_file("contact_history.csv", [&](std::ostream &out) {
-          write_history(out, *result.history);
+        directory.write_file("contact_history.csv", [&](std::ostream &out) {
+          result.history->write(out);
         });
       }
     if (result.error)
-      write_file("element_errors" + suffix + ".csv", [&](std::ostream &out) {
-        write_element_errors(out,
-                             mesh,
-                             *result.error,
-                             scene.parameters.adaptivity);
-      });
+      directory.write_file("element_errors" + suffix + ".csv",
+                           [&](std::ostream &out) {
+                             write_element_errors(out,
+                                                  mesh,
+                                                  *result.error,
+                                                  scene.parameters.adaptivity);
+                           });
     if (scene.parameters.output.write_meshes)
-      write_file("mesh" + suffix + ".svg",
-                 [&](std::ostream &out) { write_mesh_svg(out, mesh, result); });
+      directory.write_file("mesh" + suffix + ".svg", [&](std::ostream &out) {
+        write_mesh_svg(out, mesh, result);
+      });
     if (scene.parameters.output.write_report)
       report.add_cycle(result, model, estimator);
     result.seconds.output += timer.wall_time();
@@ -302,10 +241,12 @@ namespace PlateImpact
         data_out.build_patches(2);
         const std::string name =
           "fields_" + std::to_string(record.size()) + ".vtu";
-        write_file(name, [&](std::ostream &out) { data_out.write_vtu(out); });
+        directory.write_file(name, [&](std::ostream &out) {
+          data_out.write_vtu(out);
+        });
         record.push_back({snapshot.time, name});
       }
-    write_file("fields.pvd", [&](std::ostream &out) {
+    directory.write_file("fields.pvd", [&](std::ostream &out) {
       DataOutBase::write_pvd_record(out, record);
     });
     result.seconds.output += timer.wall_time();
@@ -324,8 +265,9 @@ namespace PlateImpact
     summary["outcome"]  = outcome;
     summary["warnings"] = warnings;
     summary["cycles"]   = cycles;
-    write_file("summary.json",
-               [&](std::ostream &out) { out << summary.dump(2) << '\n'; });
+    directory.write_file("summary.json", [&](std::ostream &out) {
+      out << summary.dump(2) << '\n';
+    });
     return summary;
   }
 
@@ -339,7 +281,7 @@ namespace PlateImpact
   {
     const nlohmann::ordered_json summary = write_summary(outcome, warnings);
     if (scene.parameters.output.write_report)
-      write_file("report.html", [&](std::ostream &out) {
+      directory.write_file("report.html", [&](std::ostream &out) {
         report.write(out, summary, deflection_film(last, model));
       });
   }

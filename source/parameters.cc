@@ -386,49 +386,71 @@ namespace PlateImpact
 
 
 
-    /// Sections of subcommands that do not exist yet: part of the interface, so
-    /// that scenes with them are checked, but without a reader.
     void
-    declare_later_commands(SceneSchema              &schema,
-                           std::vector<std::string> &unread)
+    declare_sweep(SceneSchema &schema, SweepParameters &sweep)
     {
-      unread.resize(7);
-      auto declare = [&, n = 0](const std::string &entry,
-                                const std::string &default_value,
-                                const Allowed     &allowed,
-                                const std::string &text) mutable {
-        schema.declare(entry, default_value, allowed, unread.at(n++), text);
-      };
+      const std::array<std::string, 3> reader = {
+        "Read by `plate-impact sweep` only, as the entries below. An entry of "
+        "the scene that is given the values below one after another: "
+        "Section/Entry, for example Impactor/Velocity; empty: none.",
+        "",
+        ""};
+      const std::array<std::string, 3> values = {
+        "Values separated by commas, 1, 2, 5, and ranges first:last:number of "
+        "so many equidistant values, 0.5:5:20. Where values have commas "
+        "themselves, as side lengths, semicolons separate them.",
+        "",
+        ""};
       schema.begin_section("Sweep");
-      for (const std::string number : {"1", "2", "3"})
+      for (unsigned int n = 0; n < 3; ++n)
         {
-          declare("Entry " + number,
-                  "",
-                  Allowed::anything("Section/Entry"),
-                  "Read by `plate-impact sweep` only.");
-          declare("Values " + number,
-                  "",
-                  Allowed::anything("a list or a range"),
-                  "");
+          schema.declare("Entry " + std::to_string(n + 1),
+                         "",
+                         Allowed::anything("Section/Entry"),
+                         sweep.entries[n],
+                         reader[n]);
+          schema.declare("Values " + std::to_string(n + 1),
+                         "",
+                         Allowed::anything("a list or a range"),
+                         sweep.values[n],
+                         values[n]);
         }
-      declare("Combination",
-              "product",
-              Allowed::one_of({"product", "zip"}),
-              "");
+      schema.declare("Combination",
+                     "product",
+                     Allowed::one_of({"product", "zip"}),
+                     sweep.combination,
+                     "product: every value with every other; zip: the first "
+                     "values of all lists, the second ones, and so on.");
+      schema.declare("Adapt",
+                     "worst point",
+                     Allowed::one_of({"worst point", "each point"}),
+                     sweep.adapt,
+                     "worst point: points that share plate and load are "
+                     "computed on the last mesh of the one with the shortest "
+                     "contact; each point: on a mesh of its own.");
+      schema.declare("Estimate error",
+                     "false",
+                     Allowed::truth(),
+                     sweep.estimate_error,
+                     "Estimate the discretization error of every point, which "
+                     "then costs as much as the stepping of a run.");
+      schema.declare("Write histories",
+                     "false",
+                     Allowed::truth(),
+                     sweep.write_histories,
+                     "contact_history_point_K.csv for every row K.");
     }
   } // namespace
 
 
 
   void
-  declare_parameters(SceneSchema              &schema,
-                     Parameters               &parameters,
-                     std::vector<std::string> &unread)
+  declare_parameters(SceneSchema &schema, Parameters &parameters)
   {
     declare_bodies(schema, parameters);
     declare_method(schema, parameters);
     declare_output(schema, parameters);
     declare_comparison(schema, parameters);
-    declare_later_commands(schema, unread);
+    declare_sweep(schema, parameters.sweep);
   }
 } // namespace PlateImpact

@@ -56,14 +56,10 @@ namespace PlateImpact
   std::vector<std::string>
   SceneSchema::check_sections(const std::vector<Assignment> &openings) const
   {
-    std::vector<std::string> names, mistakes;
-    for (const auto &section : sections)
-      names.push_back(section.first);
+    std::vector<std::string> mistakes;
     for (const Assignment &opening : openings)
       if (!has_section(opening.section))
-        mistakes.push_back(opening.origin + ": there is no section '" +
-                           opening.section + "'" +
-                           suggestion(opening.section, names));
+        mistakes.push_back(opening.origin + ": " + unknown(opening));
     return mistakes;
   }
 
@@ -96,13 +92,14 @@ namespace PlateImpact
       {
         prm.set(assignment.entry, assignment.value);
         origins[assignment.path()] = assignment.origin;
+        refused.erase(assignment.path());
       }
     catch (const ParameterHandler::ExcValueDoesNotMatchPattern &)
       {
         refused.insert(assignment.path());
         mistake = assignment.path() + " = " +
           (assignment.value.empty() ? "(nothing)" : assignment.value) +
-          " is not allowed; expected " + entry->allowed;
+          " is not allowed; expected " + entry->allowed.description();
       }
     prm.leave_subsection();
     return mistake;
@@ -113,8 +110,13 @@ namespace PlateImpact
   std::string
   SceneSchema::unknown(const Assignment &assignment) const
   {
-    std::vector<std::string> names;
-    std::string              elsewhere;
+    std::vector<std::string> section_names, names;
+    for (const auto &section : sections)
+      section_names.push_back(section.first);
+    if (!has_section(assignment.section))
+      return "there is no section '" + assignment.section + "'" +
+        suggestion(assignment.section, section_names);
+    std::string elsewhere;
     for (const auto &[name, entries] : sections)
       for (const Entry &entry : entries)
         {
@@ -155,6 +157,32 @@ namespace PlateImpact
   {
     const std::size_t slash = path.find('/');
     return prm.get({path.substr(0, slash)}, path.substr(slash + 1));
+  }
+
+
+
+  bool
+  SceneSchema::has_entry(const std::string &path) const
+  {
+    const std::size_t slash = path.find('/');
+    return slash != std::string::npos &&
+      find(path.substr(0, slash), path.substr(slash + 1)) != nullptr;
+  }
+
+
+
+  const Allowed &
+  SceneSchema::allowed(const std::string &path) const
+  {
+    return at(path).allowed;
+  }
+
+
+
+  const std::string &
+  SceneSchema::default_value(const std::string &path) const
+  {
+    return at(path).default_value;
   }
 
 

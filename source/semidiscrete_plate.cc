@@ -43,6 +43,14 @@ namespace PlateImpact
 
 
   void
+  MeshPlate::set_load(const Eigen::VectorXd &load)
+  {
+    u = load;
+  }
+
+
+
+  void
   MeshPlate::multiply_stiffness(const Eigen::VectorXd &x,
                                 Eigen::VectorXd       &y) const
   {

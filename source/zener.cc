@@ -9,27 +9,90 @@
 
 namespace PlateImpact
 {
+  namespace
+  {
+    /// The force at a point that moves an infinite thin plate at unit velocity.
+    /// [N s/m]
+    double
+    impedance(const PlateSection &section)
+    {
+      return 8. * std::sqrt(section.bending_stiffness(0, 0) * section.mass);
+    }
+
+
+
+    /// Steps of Zener's equation from first touch.
+    class ZenerSteps
+    {
+    public:
+      ZenerSteps(const ContactLaw   &law,
+                 const Impactor     &impactor,
+                 const PlateSection &section)
+        : law(law)
+        , mass(impactor.mass)
+        , impedance(PlateImpact::impedance(section))
+        , velocity(impactor.velocity)
+      {}
+
+      /// @return indentation at the end of the step [m]
+      double
+      advance(const double dt)
+      {
+        const double compliance = dt / impedance + dt * dt / (2. * mass);
+        const double free       = alpha + dt * velocity;
+        const double force = solve_contact(step, law, alpha, free, compliance);
+        velocity -= dt / mass * force;
+        return alpha = free - compliance * force;
+      }
+
+      double
+      impactor_velocity() const
+      {
+        return velocity;
+      }
+
+    private:
+      const EnergyConservingContact step;
+      const ContactLaw             &law;
+      const double                  mass, impedance;
+      double                        alpha = 0., velocity;
+    };
+
+
+
+    /// Neither the energy of the impactor nor the quasi-static balance F =
+    /// impedance * v0 can be exceeded: the smaller of the two indentations is
+    /// the length scale, a part of the time to cross it the step.
+    double
+    step_size(const ContactLaw   &law,
+              const Impactor     &impactor,
+              const PlateSection &section)
+    {
+      const double v0  = impactor.velocity;
+      double       low = 0., high = law.indentation(impedance(section) * v0);
+      // the first by bisection of the potential
+      if (law.potential(high) > impactor.kinetic_energy())
+        while (high - low > 1e-3 * high)
+          {
+            const double middle = 0.5 * (low + high);
+            (law.potential(middle) > impactor.kinetic_energy() ? high : low) =
+              middle;
+          }
+      return high / v0 / 500.;
+    }
+  } // namespace
+
+
+
   ExpectedPeak
   zener_peak(const ContactLaw   &law,
              const Impactor     &impactor,
              const PlateSection &section)
   {
-    const double impedance =
-      8. * std::sqrt(section.bending_stiffness(0, 0) * section.mass);
-    const double v0 = impactor.velocity;
-
-    // Neither the energy of the impactor nor the quasi-static balance
-    // F = impedance * v0 can be exceeded: the smaller of the two indentations
-    // is the length scale. The first is found by bisection of the potential.
-    double low = 0., high = law.indentation(impedance * v0);
-    if (law.potential(high) > impactor.kinetic_energy())
-      while (high - low > 1e-3 * high)
-        {
-          const double middle = 0.5 * (low + high);
-          (law.potential(middle) > impactor.kinetic_energy() ? high : low) =
-            middle;
-        }
-    return zener_peak(law, impactor, section, high / v0 / 500.);
+    return zener_peak(law,
+                      impactor,
+                      section,
+                      step_size(law, impactor, section));
   }
 
 
@@ -40,23 +103,54 @@ namespace PlateImpact
              const PlateSection &section,
              const double        dt)
   {
-    const double impedance =
-      8. * std::sqrt(section.bending_stiffness(0, 0) * section.mass);
-    const double                  m = impactor.mass;
-    const EnergyConservingContact step;
-    const double compliance = dt / impedance + dt * dt / (2. * m);
-    double       alpha = 0., velocity = impactor.velocity;
+    ZenerSteps steps(law, impactor, section);
+    double     alpha = 0.;
     for (unsigned int n = 1; n < 100000000; ++n)
       {
-        const double free  = alpha + dt * velocity;
-        const double force = solve_contact(step, law, alpha, free, compliance);
-        const double next  = free - compliance * force;
-        velocity -= dt / m * force;
+        const double next = steps.advance(dt);
         if (next <= alpha)
           return {law.force(alpha), alpha, (n - 1) * dt};
         alpha = next;
       }
     throw ComputationError("Zener's equation has no peak of the contact force");
+  }
+
+
+
+  double
+  zener_restitution(const ContactLaw   &law,
+                    const Impactor     &impactor,
+                    const PlateSection &section)
+  {
+    const double shortest = step_size(law, impactor, section);
+    ZenerSteps   steps(law, impactor, section);
+    double       dt = shortest, alpha = 0.;
+    while (true)
+      {
+        const double next = steps.advance(dt);
+        if (next <= 0.)
+          return -steps.impactor_velocity() / impactor.velocity;
+        // past the peak of a heavily damped impact the indentation creeps back
+        const double change = std::abs(next - alpha) / dt;
+        dt                  = std::max(shortest, 0.002 * next / change);
+        alpha               = next;
+        const double v      = steps.impactor_velocity();
+        if (law.potential(alpha) + 0.5 * impactor.mass * v * v <
+            1e-6 * impactor.kinetic_energy())
+          return 0.;
+      }
+  }
+
+
+
+  double
+  zener_loss_factor(const ContactLaw   &law,
+                    const Impactor     &impactor,
+                    const PlateSection &section)
+  {
+    const double k = law.force(1.), m = impactor.mass;
+    const double T = std::pow(m / (k * std::sqrt(impactor.velocity)), 0.4);
+    return m / (impedance(section) * T);
   }
 
 

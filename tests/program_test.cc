@@ -226,7 +226,9 @@ namespace PlateImpact
       EXPECT_EQ(execute("run"), 1);
       EXPECT_EQ(execute("sweep '" + main_scene + "'"), 1);
       EXPECT_EQ(err,
-                "plate-impact: the command 'sweep' is not available yet\n");
+                "plate-impact: " + main_scene +
+                  ": nothing is swept; expected Sweep/Entry 1 and Values 1, "
+                  "for example Impactor/Velocity and 1, 2, 5\n");
       EXPECT_EQ(execute("check '" + main_scene + "' --set Plate/Density=-1"),
                 1);
       EXPECT_EQ(WEXITSTATUS(std::system(

@@ -269,7 +269,7 @@ namespace PlateImpact
           "scene:2: Contact/Load distribution = Hertz disc does not fit a "
           "cylinder; expected line or strip"},
         Mistake{in_section("Sweep", "set Values 1 = 1, 2"),
-                "scene:2: Sweep/Values 1 = 1, 2 is not available yet"},
+                "scene:2: Sweep/Values 1 = 1, 2 has no Sweep/Entry 1 to go with"},
         Mistake{
           "subsection Plate\nset Thicknes = 1\nset Density = "
           "0\nend\nsubsection Time\nset End time = soon\nend\n",

@@ -2,6 +2,7 @@
 #define plate_impact_contact_history_h
 
 #include <cstddef>
+#include <iosfwd>
 #include <optional>
 #include <vector>
 
@@ -69,6 +70,10 @@ namespace PlateImpact
     /// to that value.
     double
     relative_energy_drift() const;
+
+    /// A table of all states, with the names above as its header.
+    void
+    write(std::ostream &out) const;
 
   private:
     std::vector<ContactState> history;

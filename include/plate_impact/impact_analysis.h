@@ -37,10 +37,12 @@ namespace PlateImpact
     using Progress =
       std::function<void(unsigned int, unsigned int, unsigned int)>;
 
-    /// Makes the first mesh.
+    /// Makes the first mesh, unless one is given.
     /// @param parameters  must outlive the analysis
-    explicit ImpactAnalysis(const Parameters &parameters,
-                            const Progress   &progress = {});
+    explicit ImpactAnalysis(
+      const Parameters                         &parameters,
+      const Progress                           &progress = {},
+      std::unique_ptr<dealii::Triangulation<2>> mesh     = nullptr);
 
     /// The transient and its error on the present mesh.
     /// @throws ComputationError naming step and quantity

@@ -5,11 +5,11 @@
 
 #include "plate_impact/cycle_result.h"
 #include "plate_impact/report.h"
+#include "plate_impact/result_directory.h"
 #include "plate_impact/scene.h"
 
 #include <nlohmann/json.hpp>
 
-#include <filesystem>
 #include <functional>
 #include <iosfwd>
 #include <string>
@@ -19,13 +19,11 @@ namespace PlateImpact
 {
   class PlateModel;
 
-  /// The only writer of results. Every file appears under its name when it is
-  /// complete and not before.
+  /// The only writer of the results of a run.
   class Output
   {
   public:
-    /// Creates the directory, removes results of earlier runs from it (files
-    /// that carry the names below) and writes scene.prm, every value used.
+    /// Clears the directory and writes scene.prm.
     /// @param scene  must outlive this object
     /// @throws ComputationError, as all members, when a file cannot be written
     explicit Output(const Scene &scene);
@@ -74,10 +72,10 @@ namespace PlateImpact
     write_summary(const std::string              &outcome,
                   const std::vector<std::string> &warnings);
 
-    const Scene                &scene;
-    const std::filesystem::path directory;
-    nlohmann::ordered_json      cycles = nlohmann::ordered_json::array();
-    Report                      report;
+    const Scene           &scene;
+    const ResultDirectory  directory;
+    nlohmann::ordered_json cycles = nlohmann::ordered_json::array();
+    Report                 report;
   };
 
 

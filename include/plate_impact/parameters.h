@@ -92,6 +92,16 @@ namespace PlateImpact
     double                   time_budget;
   };
 
+  struct SweepParameters
+  {
+    std::array<std::string, 3> entries;
+    std::array<std::string, 3> values;
+    std::string                combination;
+    std::string                adapt;
+    bool                       estimate_error;
+    bool                       write_histories;
+  };
+
   struct Parameters
   {
     PlateParameters          plate;
@@ -102,11 +112,21 @@ namespace PlateImpact
     AdaptivityParameters     adaptivity;
     OutputParameters         output;
     ComparisonParameters     comparison;
+    SweepParameters          sweep;
 
     bool
     has_impactor() const
     {
       return impactor.shape != "none";
+    }
+
+    /// Whether adaptivity, report or fields ask for the error estimator.
+    bool
+    needs_estimator() const
+    {
+      return has_impactor() &&
+        (adaptivity.strategy != "none" || output.write_report ||
+         output.field_samples > 0);
     }
   };
 
@@ -116,12 +136,9 @@ namespace PlateImpact
 
   class SceneSchema;
 
-  /// Declares every entry of a scene. Parameters and `unread`, the values of
-  /// sections that no subcommand reads yet, must outlive the schema.
+  /// Declares every entry of a scene. The parameters must outlive the schema.
   void
-  declare_parameters(SceneSchema              &schema,
-                     Parameters               &parameters,
-                     std::vector<std::string> &unread);
+  declare_parameters(SceneSchema &schema, Parameters &parameters);
 } // namespace PlateImpact
 
 #endif

@@ -51,6 +51,20 @@ namespace PlateImpact
     std::vector<std::string>
     set(const std::vector<Assignment> &assignments);
 
+    bool
+    has_entry(const std::string &path) const;
+
+    /// The sentence for an entry that does not exist.
+    std::string
+    unknown(const Assignment &assignment) const;
+
+    /// What an entry may hold.
+    const Allowed &
+    allowed(const std::string &path) const;
+
+    const std::string &
+    default_value(const std::string &path) const;
+
     /// Where an entry was set ("scene.prm:12"), or "default".
     std::string
     origin(const std::string &path) const;
@@ -79,14 +93,12 @@ namespace PlateImpact
     {
       std::string name;
       std::string default_value;
-      std::string allowed;
+      Allowed     allowed;
     };
 
     /// @return the mistake, empty when there is none
     std::string
     set(const Assignment &assignment);
-    std::string
-    unknown(const Assignment &assignment) const;
     bool
     has_section(const std::string &name) const;
 
@@ -112,8 +124,7 @@ namespace PlateImpact
                        T                 &variable,
                        const std::string &documentation)
   {
-    sections.back().second.push_back(
-      {entry, default_value, allowed.description()});
+    sections.back().second.push_back({entry, default_value, allowed});
     prm.enter_subsection(sections.back().first);
     prm.declare_entry(entry, default_value, allowed, documentation);
     prm.add_action(entry, [&variable](const std::string &text) {

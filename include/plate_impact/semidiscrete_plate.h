@@ -59,6 +59,11 @@ namespace PlateImpact
 
     const Eigen::VectorXd &
     load() const override;
+
+    /// Replaces the load; the factorization stays.
+    void
+    set_load(const Eigen::VectorXd &load);
+
     void
     multiply_stiffness(const Eigen::VectorXd &x,
                        Eigen::VectorXd       &y) const override;
@@ -87,7 +92,7 @@ namespace PlateImpact
 
   private:
     const PlateModel                 &model;
-    const Eigen::VectorXd             u;
+    Eigen::VectorXd                   u;
     std::unique_ptr<Epetra_CrsMatrix> effective_stiffness;
     std::unique_ptr<LinearSolver>     solver;
     double       factorized_for = -1.; ///< c of the last factorization

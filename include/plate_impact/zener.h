@@ -36,6 +36,23 @@ namespace PlateImpact
              const PlateSection &section,
              double              time_step);
 
+  /// Rebound speed over impact speed by the same equation, from its solution up
+  /// to the end of the contact; 0 where less than a thousandth of the speed is
+  /// left.
+  double
+  zener_restitution(const ContactLaw   &law,
+                    const Impactor     &impactor,
+                    const PlateSection &section);
+
+  /// Zener's dimensionless loss factor for a sphere under Hertz's law,
+  ///   lambda = m / (8 T sqrt(D rho t)),  T = (m / (k sqrt(v)))^{2/5},
+  /// on which alone the restitution of the infinite plate depends. For a law F
+  /// = k alpha^{3/2} only.
+  double
+  zener_loss_factor(const ContactLaw   &law,
+                    const Impactor     &impactor,
+                    const PlateSection &section);
+
 
   /// The bending wave that a contact sends out.
   struct BendingWave
