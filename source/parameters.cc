@@ -390,17 +390,17 @@ namespace PlateImpact
     declare_sweep(SceneSchema &schema, SweepParameters &sweep)
     {
       const std::array<std::string, 3> reader = {
-        "Read by `plate-impact sweep` only, as the entries below. An entry of "
-        "the scene that is given the values below one after another: "
-        "Section/Entry, for example Impactor/Velocity; empty: none.",
-        "",
-        ""};
+        {"Read by `plate-impact sweep` only, as the entries below. An entry of "
+         "the scene that is given the values below one after another: "
+         "Section/Entry, for example Impactor/Velocity; empty: none.",
+         "",
+         ""}};
       const std::array<std::string, 3> values = {
-        "Values separated by commas, 1, 2, 5, and ranges first:last:number of "
-        "so many equidistant values, 0.5:5:20. Where values have commas "
-        "themselves, as side lengths, semicolons separate them.",
-        "",
-        ""};
+        {"Values separated by commas, 1, 2, 5, and ranges first:last:number of "
+         "so many equidistant values, 0.5:5:20. Where values have commas "
+         "themselves, as side lengths, semicolons separate them.",
+         "",
+         ""}};
       schema.begin_section("Sweep");
       for (unsigned int n = 0; n < 3; ++n)
         {

@@ -187,6 +187,25 @@ namespace PlateImpact
 
 
 
+  std::string
+  SceneSchema::unit_of(const std::string &documentation)
+  {
+    const std::size_t begin = documentation.rfind('[');
+    return !documentation.empty() && documentation.back() == ']' ?
+      documentation.substr(begin + 1, documentation.size() - begin - 2) :
+      "";
+  }
+
+
+
+  const std::string &
+  SceneSchema::unit(const std::string &path) const
+  {
+    return at(path).unit;
+  }
+
+
+
   bool
   SceneSchema::is_changed(const std::string &path) const
   {

@@ -7,12 +7,14 @@
 #include "plate_impact/sweep_computation.h"
 #include "plate_impact/sweep_console.h"
 #include "plate_impact/sweep_groups.h"
+#include "plate_impact/sweep_page.h"
 #include "plate_impact/sweep_table.h"
 
 #include <algorithm>
 #include <exception>
 #include <fstream>
 #include <functional>
+#include <map>
 #include <memory>
 #include <sstream>
 #include <vector>
@@ -92,6 +94,8 @@ namespace PlateImpact
       void
       add(const SweepRow &row, const std::optional<ContactHistory> &history)
       {
+        if (history && histories.size() < SweepPage::max_histories)
+          histories[row.point] = *history;
         if (history)
           directory.write_file("contact_history_point_" +
                                  std::to_string(row.point + 1) + ".csv",
@@ -106,6 +110,14 @@ namespace PlateImpact
         for (const std::size_t point : points_to_do())
           add({point, {}, "not computed: its process ended early"}, {});
         table.finish();
+        std::string results = (directory / "sweep.csv").string();
+        if (scene.parameters().output.write_report)
+          {
+            directory.write_file("sweep.html", [&](std::ostream &out) {
+              SweepPage(scene, table.rows(), histories).write(out, work);
+            });
+            results = (directory / "sweep.html").string() + ", " + results;
+          }
         std::vector<std::string> warnings;
         std::string              first_failure;
         std::size_t              n_failed = 0;
@@ -127,7 +139,7 @@ namespace PlateImpact
             " in all, since Contact/Patch radius = 0 lets each choose its "
             "Hertz radius; with a radius set they share one, and a point "
             "takes a millisecond");
-        console.end(work, warnings, (directory / "sweep.csv").string());
+        console.end(work, warnings, results);
         if (n_failed == table.rows().size())
           throw ComputationError(failures);
       }
@@ -149,6 +161,8 @@ namespace PlateImpact
       SweepConsole          console;
       const ResultDirectory directory;
       SweepTable            table;
+
+      std::map<std::size_t, ContactHistory> histories; ///< for the page
     };
 
 

@@ -61,6 +61,9 @@ namespace PlateImpact
 
   SweepConsole::SweepConsole(const bool quiet)
     : quiet(quiet)
+    // mpirun makes its processes' output a terminal where it has none itself,
+    // but not their input
+    , shows_progress(!quiet && isatty(STDOUT_FILENO) && isatty(STDIN_FILENO))
     , start(std::chrono::steady_clock::now())
     , last_progress(start)
   {}
@@ -104,7 +107,7 @@ namespace PlateImpact
     if (n_points > most_lines)
       {
         const auto now = std::chrono::steady_clock::now();
-        if (!isatty(STDOUT_FILENO) ||
+        if (!shows_progress ||
             now - last_progress < std::chrono::milliseconds(500))
           return;
         last_progress = now;

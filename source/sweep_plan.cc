@@ -175,7 +175,7 @@ namespace PlateImpact
                     path,
                     "is swept, so that --set has no meaning for it");
 
-    SweptEntry read{path, schema.origin(list), {}};
+    SweptEntry read{path, schema.unit(path), schema.origin(list), {}};
     if (values.empty())
       return refuse(entry, path, "has no values; expected them in " + list);
     if (const std::string mistake =
@@ -237,6 +237,14 @@ namespace PlateImpact
   SweepPlan::entries() const
   {
     return swept;
+  }
+
+
+
+  bool
+  SweepPlan::forms_product() const
+  {
+    return is_product;
   }
 
 

@@ -131,10 +131,10 @@ namespace PlateImpact
         if (next <= 0.)
           return -steps.impactor_velocity() / impactor.velocity;
         // past the peak of a heavily damped impact the indentation creeps back
-        const double change = std::abs(next - alpha) / dt;
-        dt                  = std::max(shortest, 0.002 * next / change);
-        alpha               = next;
-        const double v      = steps.impactor_velocity();
+        const double slow = 0.002 * next * dt / std::abs(next - alpha);
+        dt                = std::clamp(slow, shortest, 1.01 * dt);
+        alpha             = next;
+        const double v    = steps.impactor_velocity();
         if (law.potential(alpha) + 0.5 * impactor.mass * v * v <
             1e-6 * impactor.kinetic_energy())
           return 0.;

@@ -294,5 +294,78 @@ namespace PlateImpact
       const ExpectedPeak peak = zener_peak(law, impactor, steel_section(0.008));
       EXPECT_NEAR(peak.force / 1370.835, 1., 0.03);
     }
+
+
+
+    /// Restitution by Zener's equation without dimensions, sigma'' = -(1 +
+    /// lambda d/dtau) sigma^{3/2}, by the classical Runge-Kutta method.
+    double
+    restitution(const double lambda)
+    {
+      const double dt    = 1e-3;
+      const auto   force = [](const double x) {
+        return x > 0. ? std::pow(x, 1.5) : 0.;
+      };
+      double     x = 0., v = 1.;
+      const auto x_rate = [&](const double x, const double v) {
+        return v - lambda * force(x);
+      };
+      while (true)
+        {
+          const double x1 = x_rate(x, v), v1 = -force(x);
+          const double x2 = x_rate(x + dt / 2 * x1, v + dt / 2 * v1),
+                       v2 = -force(x + dt / 2 * x1);
+          const double x3 = x_rate(x + dt / 2 * x2, v + dt / 2 * v2),
+                       v3 = -force(x + dt / 2 * x2);
+          const double x4 = x_rate(x + dt * x3, v + dt * v3),
+                       v4 = -force(x + dt * x3);
+          x += dt / 6 * (x1 + 2 * x2 + 2 * x3 + x4);
+          v += dt / 6 * (v1 + 2 * v2 + 2 * v3 + v4);
+          if (x <= 0.)
+            return -v;
+        }
+    }
+
+
+
+    TEST(ZenerRestitution, DependsOnTheLossFactorAlone)
+    {
+      const PlateSection section = steel_section(0.008);
+      for (const double mass : {1e-4, 1e-3, 0.01, 0.03, 0.1, 0.5})
+        for (const double velocity : {0.1, 1., 5., 20.})
+          {
+            const Impactor impactor{mass, 0., velocity};
+            const double   lambda = zener_loss_factor(hertz, impactor, section);
+            EXPECT_NEAR(zener_restitution(hertz, impactor, section),
+                        lambda < 4. ? restitution(lambda) : 0.,
+                        1e-3)
+              << "lambda = " << lambda;
+          }
+      EXPECT_NEAR(zener_restitution(hertz, {0.03, 0., 1.}, steel_section(100.)),
+                  1.,
+                  1e-4);
+    }
+
+
+
+    TEST(ZenerRestitution, LossFactorIsThePublishedFormula)
+    {
+      // pi^{3/5}/3^{1/2} (r/t)^2 (v/v_p)^{1/5} (rho/rho_p)^{3/5} (E/(E +
+      // E_p))^{2/5}, E the moduli of plane strain, v_p = sqrt(E_p/rho_p)
+      // (Zener 1941)
+      const double r = 0.003, t = 0.008, v = 2., rho = 2700., rho_p = 7800.,
+                   e = 7e10 / (1. - 0.33 * 0.33), e_p = 2.1e11 / (1. - 0.09);
+      const double pi       = std::acos(-1.);
+      const double expected = std::pow(pi, 0.6) / std::sqrt(3.) *
+        std::pow(r / t, 2) * std::pow(v / std::sqrt(e_p / rho_p), 0.2) *
+        std::pow(rho / rho_p, 0.6) * std::pow(e / (e + e_p), 0.4);
+      const HertzLaw law(hertz_coefficient(r, 1. / e, 1. / e_p));
+      EXPECT_NEAR(zener_loss_factor(law,
+                                    {4. / 3. * pi * r * r * r * rho, 0., v},
+                                    steel_section(t)) /
+                    expected,
+                  1.,
+                  1e-12);
+    }
   } // namespace
 } // namespace PlateImpact

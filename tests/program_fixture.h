@@ -33,12 +33,13 @@ namespace PlateImpact
     }
 
     /// Runs the program with its results in `results()`.
+    /// @param prefix  of the command, such as mpirun
     /// @return its exit status
     int
-    execute(const std::string &arguments)
+    execute(const std::string &arguments, const std::string &prefix = "")
     {
-      const std::string command = std::string("'") + PROGRAM + "' " +
-        arguments + " > '" + (directory / "out").string() + "' 2> '" +
+      const std::string command = prefix + "'" + PROGRAM + "' " + arguments +
+        " > '" + (directory / "out").string() + "' 2> '" +
         (directory / "err").string() + "'";
       const int status = std::system(command.c_str());
       out              = text(directory / "out");

@@ -268,8 +268,9 @@ namespace PlateImpact
           "for a cylinder\n"
           "scene:2: Contact/Load distribution = Hertz disc does not fit a "
           "cylinder; expected line or strip"},
-        Mistake{in_section("Sweep", "set Values 1 = 1, 2"),
-                "scene:2: Sweep/Values 1 = 1, 2 has no Sweep/Entry 1 to go with"},
+        Mistake{
+          in_section("Sweep", "set Values 1 = 1, 2"),
+          "scene:2: Sweep/Values 1 = 1, 2 has no Sweep/Entry 1 to go with"},
         Mistake{
           "subsection Plate\nset Thicknes = 1\nset Density = "
           "0\nend\nsubsection Time\nset End time = soon\nend\n",

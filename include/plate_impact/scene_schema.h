@@ -65,6 +65,10 @@ namespace PlateImpact
     const std::string &
     default_value(const std::string &path) const;
 
+    /// The unit that ends the meaning of an entry, empty without one.
+    const std::string &
+    unit(const std::string &path) const;
+
     /// Where an entry was set ("scene.prm:12"), or "default".
     std::string
     origin(const std::string &path) const;
@@ -94,8 +98,11 @@ namespace PlateImpact
       std::string name;
       std::string default_value;
       Allowed     allowed;
+      std::string unit;
     };
 
+    static std::string
+    unit_of(const std::string &documentation);
     /// @return the mistake, empty when there is none
     std::string
     set(const Assignment &assignment);
@@ -124,7 +131,8 @@ namespace PlateImpact
                        T                 &variable,
                        const std::string &documentation)
   {
-    sections.back().second.push_back({entry, default_value, allowed});
+    sections.back().second.push_back(
+      {entry, default_value, allowed, unit_of(documentation)});
     prm.enter_subsection(sections.back().first);
     prm.declare_entry(entry, default_value, allowed, documentation);
     prm.add_action(entry, [&variable](const std::string &text) {

@@ -34,7 +34,7 @@ namespace PlateImpact
         const std::string              &results);
 
   private:
-    const bool                                  quiet;
+    const bool                                  quiet, shows_progress;
     std::optional<SweepPlan>                    plan;
     std::size_t                                 n_points = 0, n_computed = 0;
     const std::chrono::steady_clock::time_point start;

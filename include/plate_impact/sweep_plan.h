@@ -14,6 +14,7 @@ namespace PlateImpact
   struct SweptEntry
   {
     std::string              path;   ///< Section/Entry
+    std::string              unit;   ///< "m/s", "-" for pure numbers, or empty
     std::string              origin; ///< of the values, "scene.prm:12"
     std::vector<std::string> values;
   };
@@ -38,6 +39,10 @@ namespace PlateImpact
 
     const std::vector<SweptEntry> &
     entries() const;
+
+    /// Every value with every other, as opposed to lists that are paired up.
+    bool
+    forms_product() const;
 
     /// 0 without an entry.
     std::size_t

@@ -1,0 +1,91 @@
+#ifndef plate_impact_sweep_page_h
+#define plate_impact_sweep_page_h
+
+#include "plate_impact/contact_history.h"
+#include "plate_impact/page.h"
+#include "plate_impact/sweep_computation.h"
+#include "plate_impact/sweep_scene.h"
+#include "plate_impact/sweep_table.h"
+
+#include <cstddef>
+#include <iosfwd>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace PlateImpact
+{
+  /// sweep.html: the figures of the points over the swept values. Curves over
+  /// one entry, or over the first where lists are paired up; coloured maps over
+  /// two, or a curve for each value where one of them has few values or words;
+  /// over three, a map or a group of curves for each value of the third.
+  class SweepPage
+  {
+  public:
+    /// More histories than these do not show in one plot.
+    static constexpr std::size_t max_histories = 12;
+
+    /// @param rows       of all points; must outlive the page
+    /// @param histories  of some points
+    SweepPage(const SweepScene                            &scene,
+              const std::vector<std::optional<SweepRow>>  &rows,
+              const std::map<std::size_t, ContactHistory> &histories);
+
+    void
+    write(std::ostream &out, const SweepWork &work) const;
+
+  private:
+    /// An entry as an axis.
+    struct Scale
+    {
+      std::string              title;
+      bool                     is_numeric;
+      std::vector<std::string> texts;
+      std::vector<double>      values; ///< numbers 1, 2, ... for words
+    };
+
+    /// A figure as a quantity of a plot: its index, title with unit, and factor
+    /// to that unit.
+    struct Quantity
+    {
+      std::size_t index;
+      std::string title;
+      double      factor;
+    };
+
+    Scale
+    scale(const SweptEntry &entry) const;
+    std::vector<Quantity>
+    quantities() const;
+    /// The value of a quantity at a point, NaN where there is none.
+    double
+    value(const Quantity &quantity, std::size_t point) const;
+
+    void
+    write_facts(Page &page, const SweepWork &work) const;
+    void
+    write_figures(Page &page) const;
+    /// The points of a product of two entries from a first point on.
+    /// @param stride  from a point to the next value of the second entry
+    void
+    write_plane(Page &page, std::size_t first, std::size_t stride) const;
+    Plot
+    curves(const Quantity                              &quantity,
+           const Scale                                 &x,
+           const std::vector<std::string>              &names,
+           const std::vector<std::vector<std::size_t>> &points) const;
+    void
+    write_histories(Page &page) const;
+    void
+    write_table(Page &page) const;
+
+    const SweepScene                            &scene;
+    const SweepPlan                             &plan;
+    const std::vector<std::optional<SweepRow>>  &rows;
+    const std::map<std::size_t, ContactHistory> &histories;
+    const std::vector<Quantity>                  shown;
+  };
+} // namespace PlateImpact
+
+#endif

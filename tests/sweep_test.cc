@@ -1,0 +1,402 @@
+// `plate-impact sweep` as a user runs it, against `plate-impact run` and the
+// reference values.
+#include "plate_impact/exceptions.h"
+#include "plate_impact/sweep_groups.h"
+#include "plate_impact/sweep_scene.h"
+#include "program_fixture.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace PlateImpact
+{
+  namespace
+  {
+    class Sweep : public Program
+    {
+    protected:
+      using Row = std::map<std::string, std::string>;
+
+      int
+      sweep(const std::string &scene,
+            const std::string &more   = "",
+            const std::string &prefix = "")
+      {
+        return execute("sweep '" + scene + "' --output '" + results().string() +
+                         "' " + more,
+                       prefix);
+      }
+
+      std::string
+      table() const
+      {
+        return text(results() / "sweep.csv");
+      }
+
+      /// Rows of sweep.csv by the names of its columns; no value has a comma.
+      std::vector<Row>
+      rows() const
+      {
+        const auto split = [](const std::string &line) {
+          std::vector<std::string> fields;
+          std::istringstream       in(line);
+          for (std::string field; std::getline(in, field, ',');)
+            fields.push_back(field);
+          return fields;
+        };
+        std::istringstream in(table());
+        std::string        line;
+        std::getline(in, line);
+        const std::vector<std::string> names = split(line);
+        std::vector<Row>               rows;
+        while (std::getline(in, line))
+          {
+            Row                            row;
+            const std::vector<std::string> fields = split(line);
+            for (std::size_t i = 0; i < fields.size(); ++i)
+              row[names.at(i)] = fields[i];
+            rows.push_back(row);
+          }
+        return rows;
+      }
+
+      /// Expects of a row what `run` finds for its values.
+      void
+      expect_run(const Row         &row,
+                 const std::string &scene,
+                 const std::string &more)
+      {
+        std::string values = more;
+        for (const auto &[name, value] : row)
+          if (name.find('/') != std::string::npos)
+            values += " --set '" + name + "=" + value + "'";
+        ASSERT_EQ(execute("run '" + scene + "' --output '" +
+                          (directory / "run").string() + "' " + values),
+                  0)
+          << err;
+        const auto last = nlohmann::json::parse(
+                            text(directory / "run" / "summary.json"))["cycles"]
+                            .back();
+        // times are those of steps or interpolated between them
+        for (const std::string name : {"peak_force",
+                                       "time_of_peak_force",
+                                       "first_contact_end",
+                                       "number_of_contacts",
+                                       "impulse",
+                                       "final_impactor_velocity",
+                                       "max_plate_displacement"})
+          {
+            ASSERT_EQ(row.at(name).empty(), !last.contains(name)) << name;
+            if (last.contains(name))
+              EXPECT_NEAR(std::stod(row.at(name)) / last[name].get<double>(),
+                          1.,
+                          1e-9)
+                << name;
+          }
+        EXPECT_NEAR(std::stod(row.at("relative_energy_drift")),
+                    last["relative_energy_drift"].get<double>(),
+                    1e-9);
+      }
+    };
+
+
+
+    const std::string on_one_mesh = "subsection Contact\n"
+                                    "  set Patch radius = 0.0005\n"
+                                    "end\n"
+                                    "subsection Adaptivity\n"
+                                    "  set Strategy = none\n"
+                                    "end\n"
+                                    "subsection Discretization\n"
+                                    "  set Initial cells = 5, 5\n"
+                                    "end\n";
+
+    std::string
+    swept(const std::string &entries)
+    {
+      return "subsection Sweep\n" + entries + "\nend\n";
+    }
+
+
+
+    TEST(SweepPlan, ProductChangesTheLastEntryFastest)
+    {
+      const fs::path path = fs::temp_directory_path() /
+        ("plate-impact-plan-" + std::to_string(getpid()) + ".prm");
+      std::ofstream(path) << swept("set Entry 1 = Plate/Side lengths\n"
+                                   "set Values 1 = 0.2, 0.2; 0.3, 0.2\n"
+                                   "set Entry 2 = Impactor/Velocity\n"
+                                   "set Values 2 = 0.1:0.5:5, 7");
+      SweepScene scene(path.string(), {}, {});
+      fs::remove(path);
+      ASSERT_EQ(scene.plan().n_points(), 12u);
+      using Values = std::vector<std::string>;
+      EXPECT_EQ(scene.plan().values(0), (Values{"0.2, 0.2", "0.1"}));
+      EXPECT_EQ(scene.plan().values(2), (Values{"0.2, 0.2", "0.3"}));
+      EXPECT_EQ(scene.plan().values(11), (Values{"0.3, 0.2", "7"}));
+      EXPECT_EQ(scene.point(11).parameters.impactor.velocity, 7.);
+      EXPECT_EQ(scene.point(11).parameters.plate.side_lengths[0], 0.3);
+
+      const SweepGroups groups(scene.plan(), /*is_adaptive=*/false);
+      ASSERT_EQ(groups.groups().size(), 2u);
+      EXPECT_EQ(groups.groups()[1],
+                (std::vector<std::size_t>{6, 7, 8, 9, 10, 11}));
+    }
+
+
+
+    TEST(SweepPlan, PointsAreCompletedAsRunsAre)
+    {
+      const fs::path path = fs::temp_directory_path() /
+        ("plate-impact-plan-" + std::to_string(getpid()) + ".prm");
+      std::ofstream(path) << swept("set Entry 1 = Impactor/Radius\n"
+                                   "set Values 1 = 0.01, -1, 0.02, 0.01");
+      SweepScene scene(path.string(), {}, {});
+      for (const unsigned int point : {0, 2, 3})
+        {
+          const std::string radius = scene.plan().values(point).front();
+          const Scene       expected =
+            read_scene(path.string(), {"Impactor/Radius=" + radius});
+          const Parameters p = scene.point(point).parameters,
+                           q = expected.parameters;
+          EXPECT_EQ(p.impactor.mass, q.impactor.mass);
+          EXPECT_EQ(p.contact.patch_radius, q.contact.patch_radius);
+          EXPECT_EQ(p.adaptivity.minimum_cell_size,
+                    q.adaptivity.minimum_cell_size);
+        }
+      EXPECT_THROW(scene.point(1), InputError);
+      fs::remove(path);
+    }
+
+
+
+    TEST_F(Sweep, EveryPointEqualsItsRun)
+    {
+      const std::string scene =
+        write_scene(on_one_mesh +
+                    swept("set Entry 1 = Impactor/Velocity\n"
+                          "set Values 1 = 0.3, 4\n"
+                          "set Entry 2 = Impactor/Radius\n"
+                          "set Values 2 = 0.004, 0.02\n"
+                          "set Entry 3 = Plate/Thickness\n"
+                          "set Values 3 = 0.003, 0.008"));
+      for (const std::string integrator : {"Newmark", "Ritz vectors"})
+        for (const std::string integration :
+             {"energy conserving", "collocation"})
+          {
+            const std::string more = "--set 'Time/Integrator=" + integrator +
+              "' --set 'Contact/Integration=" + integration +
+              "' --set 'Time/End time=200e-6'";
+            ASSERT_EQ(sweep(scene, more), 0) << err;
+            EXPECT_NE(out.find("2 meshes, 2 plate models, 2 responses"),
+                      std::string::npos)
+              << out;
+            const std::vector<Row> found = rows();
+            ASSERT_EQ(found.size(), 8u);
+            for (const std::size_t i : {0, 3, 6})
+              expect_run(found[i], scene, more);
+          }
+    }
+
+
+
+    TEST_F(Sweep, LoadsAndStepsAreSweptAsWell)
+    {
+      // patch radius 0: a load for every velocity on one plate; damped
+      // schemes are stepped in full
+      const std::string scene =
+        write_scene(on_one_mesh +
+                    swept("set Entry 1 = Impactor/Velocity\n"
+                          "set Values 1 = 0.5, 2\n"
+                          "set Entry 2 = Time/Newmark beta\n"
+                          "set Values 2 = 0.25, 0.3025"));
+      const std::string more =
+        "--set 'Contact/Patch radius=0' --set Contact/Integration=collocation "
+        "--set Time/Integrator=Newmark";
+      ASSERT_EQ(sweep(scene, more), 0) << err;
+      EXPECT_NE(out.find("1 mesh, 1 plate model, 4 responses"),
+                std::string::npos)
+        << out;
+      for (const Row &row : rows())
+        expect_run(row, scene, more);
+    }
+
+
+
+    TEST_F(Sweep, AdaptivePointsEqualTheirRunsOrThatOfTheWorst)
+    {
+      const std::string scene = write_scene(
+        swept("set Entry 1 = Impactor/Velocity\nset Values 1 = 1, 2"));
+      ASSERT_EQ(sweep(scene, "--set 'Sweep/Adapt=each point'"), 0) << err;
+      for (const Row &row : rows())
+        {
+          expect_run(row, scene, "");
+          EXPECT_LE(std::stod(row.at("discretization_error")), 0.05);
+        }
+      // the faster impactor has the shorter contact
+      const std::string fixed = "--set 'Contact/Patch radius=0.0005'";
+      ASSERT_EQ(sweep(scene, fixed), 0) << err;
+      EXPECT_NE(out.find("1 plate model, 1 response"), std::string::npos);
+      expect_run(rows()[1], scene, fixed);
+    }
+
+
+
+    TEST_F(Sweep, FiguresOfAnImpactAreConsistent)
+    {
+      const std::string scene =
+        write_scene(on_one_mesh +
+                    swept("set Entry 1 = Impactor/Velocity\n"
+                          "set Values 1 = 0.5, 1"));
+      ASSERT_EQ(sweep(scene), 0) << err;
+      for (const Row &row : rows())
+        {
+          const double e = std::stod(row.at("coefficient_of_restitution"));
+          EXPECT_NEAR(e,
+                      -std::stod(row.at("final_impactor_velocity")) /
+                        std::stod(row.at("Impactor/Velocity")),
+                      1e-12);
+          // energy is conserved: what the impactor has lost is in the plate
+          EXPECT_NEAR(std::stod(row.at("plate_energy_fraction")),
+                      1. - e * e,
+                      1e-9);
+          // a plate that waves do not come back in follows Zener's formula
+          EXPECT_NEAR(std::stod(row.at("restitution_over_zener")), 1., 0.02);
+          EXPECT_NEAR(std::stod(row.at("peak_force_over_zener")), 1., 0.08);
+        }
+      // Zener's factor grows with the fifth root of the velocity
+      EXPECT_NEAR(std::stod(rows()[1].at("zener_loss_factor")) /
+                    std::stod(rows()[0].at("zener_loss_factor")),
+                  std::pow(2., 0.2),
+                  1e-12);
+    }
+
+
+
+    TEST_F(Sweep, InvalidPointsHaveTheirReasonsInTheirRows)
+    {
+      const std::string scene =
+        write_scene(on_one_mesh +
+                    swept("set Entry 1 = Plate/Thickness\n"
+                          "set Values 1 = 0.008, 0.15, -1"));
+      ASSERT_EQ(sweep(scene), 0) << err;
+      EXPECT_EQ(err.find("warning: 2 of 3 points failed; the first: "), 0u)
+        << err;
+      EXPECT_EQ(rows()[0].at("status"), "ok");
+      EXPECT_NE(table().find("Plate/Thickness = 0.15 m is too thick"),
+                std::string::npos);
+      EXPECT_NE(table().find("Plate/Thickness = -1 is not allowed"),
+                std::string::npos);
+
+      EXPECT_EQ(sweep(scene, "--set 'Sweep/Values 1=-1, -2'"), 2);
+      EXPECT_NE(err.find("2 of 2 points failed"), std::string::npos);
+      EXPECT_EQ(rows().size(), 2u);
+      // what no point can be blamed for is a mistake of the scene
+      EXPECT_EQ(sweep(scene, "--set 'Time/Time step=1'"), 1);
+      EXPECT_EQ(err,
+                "plate-impact: --set: Time/Time step = 1 s is longer than End "
+                "time, 8e-05 s\n");
+    }
+
+
+
+    TEST_F(Sweep, ResumesWhereItWasInterrupted)
+    {
+      const std::string scene =
+        write_scene(on_one_mesh +
+                    swept("set Entry 1 = Impactor/Velocity\n"
+                          "set Values 1 = 1:2:9"));
+      ASSERT_EQ(sweep(scene), 0) << err;
+      const std::string whole = table();
+
+      // four rows, the fourth of them cut
+      std::size_t end = 0;
+      for (unsigned int line = 0; line < 5; ++line)
+        end = whole.find('\n', end + 1);
+      std::ofstream(results() / "sweep.csv") << whole.substr(0, end - 10);
+      ASSERT_EQ(sweep(scene, "--resume"), 0) << err;
+      EXPECT_NE(out.find("3 of them done before"), std::string::npos) << out;
+      EXPECT_NE(out.find("Computed    6 points"), std::string::npos) << out;
+      EXPECT_EQ(table(), whole);
+
+      EXPECT_EQ(sweep(scene, "--resume --set Plate/Thickness=0.009"), 1);
+      EXPECT_NE(err.find("belongs to another sweep: it has 'set Thickness"),
+                std::string::npos)
+        << err;
+      EXPECT_EQ(table(), whole);
+    }
+
+
+
+    TEST_F(Sweep, ProcessesShareItWithTheSameResult)
+    {
+      if (std::system("command -v mpirun > /dev/null") != 0)
+        GTEST_SKIP() << "there is no mpirun";
+      const std::string scene =
+        write_scene(on_one_mesh +
+                    swept("set Entry 1 = Impactor/Velocity\n"
+                          "set Values 1 = 1:2:9, -1\n"
+                          "set Entry 2 = Plate/Thickness\n"
+                          "set Values 2 = 0.008, 0.006\n"
+                          "set Write histories = true"));
+      ASSERT_EQ(sweep(scene), 0) << err;
+      const std::string alone = table();
+      const std::string history =
+        text(results() / "contact_history_point_4.csv");
+      const std::string mpirun =
+        "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
+        "mpirun --oversubscribe -n 3 ";
+      ASSERT_EQ(sweep(scene, "", mpirun), 0) << err;
+      EXPECT_EQ(table(), alone);
+      EXPECT_EQ(text(results() / "contact_history_point_4.csv"), history);
+
+      // one of them tells what all find
+      EXPECT_EQ(sweep(scene, "--set Plate/Density=-1", mpirun), 1);
+      const std::string mistake = "Plate/Density = -1 is not allowed";
+      EXPECT_NE(err.find(mistake), std::string::npos);
+      EXPECT_EQ(err.find(mistake), err.rfind(mistake));
+    }
+
+
+
+    TEST_F(Sweep, VelocityStudyOfThePaper)
+    {
+      const std::string scene = SCENES "/paper-velocity-study.prm";
+      ASSERT_EQ(sweep(scene), 0) << err;
+      std::vector<double> eta;
+      for (const Row &row : rows())
+        eta.push_back(std::stod(row.at("discretization_error")));
+      ASSERT_EQ(eta.size(), 3u);
+      EXPECT_LT(eta[0], eta[1]);
+      EXPECT_LT(eta[1], eta[2]);
+      EXPECT_TRUE(fs::exists(results() / "contact_history_point_3.csv"));
+      EXPECT_TRUE(fs::exists(results() / "sweep.html"));
+
+      ASSERT_EQ(sweep(scene, "--set 'Adaptivity/Strategy=hanging nodes'"), 0)
+        << err;
+      // high-order reference: P3_Al_1mps, P3_Al_5mps
+      EXPECT_NEAR(std::stod(rows()[0].at("peak_force")) / 445.2319, 1., 3e-4);
+      EXPECT_NEAR(std::stod(rows()[2].at("peak_force")) / 2762.535, 1., 3e-4);
+    }
+
+
+
+    TEST_F(Sweep, MassStudyOfThePaper)
+    {
+      const std::string scene = SCENES "/paper-mass-study.prm";
+      ASSERT_EQ(sweep(scene), 0) << err;
+      std::vector<double> eta;
+      for (const Row &row : rows())
+        eta.push_back(std::stod(row.at("discretization_error")));
+      ASSERT_EQ(eta.size(), 3u);
+      EXPECT_GT(eta[0], eta[1]);
+      EXPECT_GT(eta[1], eta[2]);
+
+      ASSERT_EQ(sweep(scene, "--set 'Adaptivity/Strategy=hanging nodes'"), 0)
+        << err;
+      // high-order reference: P4_mass0.037_steelE
+      EXPECT_NEAR(std::stod(rows()[1].at("peak_force")) / 768.8869, 1., 3e-4);
+    }
+  } // namespace
+} // namespace PlateImpact
