@@ -170,10 +170,6 @@ namespace PlateImpact
     for (const SweptEntry &other : swept)
       if (other.path == path)
         return refuse(entry, path, "is swept twice");
-    if (schema.origin(path) == "--set")
-      return refuse(entry,
-                    path,
-                    "is swept, so that --set has no meaning for it");
 
     SweptEntry read{path, schema.unit(path), schema.origin(list), {}};
     if (values.empty())

@@ -15,7 +15,13 @@ namespace PlateImpact
   {
     std::set<std::string> swept;
     for (const SweptEntry &entry : sweep_plan.entries())
-      swept.insert(entry.path);
+      {
+        swept.insert(entry.path);
+        if (reader.schema.origin(entry.path) == "--set")
+          reader.add_mistakes({"--set: " + entry.path + " = " +
+                               reader.schema.value(entry.path) +
+                               " has no meaning: the entry is swept"});
+      }
     SceneChecker checker(reader.schema, reader.parameters, swept);
     checker.check_together();
     reader.add_mistakes(checker.mistakes);

@@ -1,13 +1,13 @@
 // `plate-impact sweep` as a user runs it, against `plate-impact run` and the
 // reference values.
 #include "plate_impact/exceptions.h"
+#include "plate_impact/scene.h"
 #include "plate_impact/sweep_groups.h"
 #include "plate_impact/sweep_scene.h"
 #include "program_fixture.h"
 
-#include <algorithm>
+#include <cmath>
 #include <map>
-#include <set>
 
 namespace PlateImpact
 {
@@ -34,7 +34,8 @@ namespace PlateImpact
         return text(results() / "sweep.csv");
       }
 
-      /// Rows of sweep.csv by the names of its columns; no value has a comma.
+      /// Rows of sweep.csv by the names of its columns; of values with commas
+      /// only the status is expected.
       std::vector<Row>
       rows() const
       {
@@ -54,8 +55,8 @@ namespace PlateImpact
           {
             Row                            row;
             const std::vector<std::string> fields = split(line);
-            for (std::size_t i = 0; i < fields.size(); ++i)
-              row[names.at(i)] = fields[i];
+            for (std::size_t i = 0; i < names.size() && i < fields.size(); ++i)
+              row[names[i]] = fields[i];
             rows.push_back(row);
           }
         return rows;
@@ -88,11 +89,12 @@ namespace PlateImpact
                                        "max_plate_displacement"})
           {
             ASSERT_EQ(row.at(name).empty(), !last.contains(name)) << name;
-            if (last.contains(name))
-              EXPECT_NEAR(std::stod(row.at(name)) / last[name].get<double>(),
-                          1.,
-                          1e-9)
-                << name;
+            if (!last.contains(name))
+              continue;
+            EXPECT_NEAR(std::stod(row.at(name)) / last[name].get<double>(),
+                        1.,
+                        1e-9)
+              << name;
           }
         EXPECT_NEAR(std::stod(row.at("relative_energy_drift")),
                     last["relative_energy_drift"].get<double>(),
@@ -249,7 +251,7 @@ namespace PlateImpact
         write_scene(on_one_mesh +
                     swept("set Entry 1 = Impactor/Velocity\n"
                           "set Values 1 = 0.5, 1"));
-      ASSERT_EQ(sweep(scene), 0) << err;
+      ASSERT_EQ(sweep(scene, "--set 'Time/End time=120e-6'"), 0) << err;
       for (const Row &row : rows())
         {
           const double e = std::stod(row.at("coefficient_of_restitution"));
@@ -292,6 +294,10 @@ namespace PlateImpact
       EXPECT_EQ(sweep(scene, "--set 'Sweep/Values 1=-1, -2'"), 2);
       EXPECT_NE(err.find("2 of 2 points failed"), std::string::npos);
       EXPECT_EQ(rows().size(), 2u);
+      EXPECT_EQ(sweep(scene, "--set Plate/Thickness=0.01"), 1);
+      EXPECT_EQ(err,
+                "plate-impact: --set: Plate/Thickness = 0.01 has no meaning: "
+                "the entry is swept\n");
       // what no point can be blamed for is a mistake of the scene
       EXPECT_EQ(sweep(scene, "--set 'Time/Time step=1'"), 1);
       EXPECT_EQ(err,
