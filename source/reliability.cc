@@ -350,6 +350,20 @@ namespace PlateImpact
 
 
   std::vector<std::string>
+  model_warnings(const Parameters   &parameters,
+                 const PlateSection &section,
+                 const CycleResult  &result)
+  {
+    std::vector<std::string> warnings =
+      warn_of_load(parameters, section, result);
+    const std::vector<std::string> more = warn_of_model(parameters, result);
+    warnings.insert(warnings.end(), more.begin(), more.end());
+    return warnings;
+  }
+
+
+
+  std::vector<std::string>
   reliability_warnings(const Parameters               &parameters,
                        const dealii::Triangulation<2> &mesh,
                        const PlateSection             &section,
@@ -362,9 +376,8 @@ namespace PlateImpact
     std::vector<std::string> warnings =
       warn_of_time(parameters, contact_time, result);
     for (const auto &more : {warn_of_resolution(parameters, mesh, wave, result),
-                             warn_of_load(parameters, section, result),
                              warn_of_mesh(parameters, mesh, wave, result),
-                             warn_of_model(parameters, result)})
+                             model_warnings(parameters, section, result)})
       warnings.insert(warnings.end(), more.begin(), more.end());
     return warnings;
   }

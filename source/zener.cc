@@ -16,7 +16,8 @@ namespace PlateImpact
     double
     impedance(const PlateSection &section)
     {
-      return 8. * std::sqrt(section.bending_stiffness(0, 0) * section.mass);
+      return 8. * std::sqrt(section.bending_stiffness(0, 0)) *
+        std::sqrt(section.mass);
     }
 
 

@@ -8,10 +8,12 @@
 namespace PlateImpact
 {
   /// What to expect of a scene before paying for it: peak force and contact
-  /// time of Zener's infinite thin plate (zener_peak), the force on a rigid
-  /// plate as their upper bound, the time at which the first waves return from
-  /// the edges, the bending wavelength of the contact against the cells, advice
-  /// on the step, and a rough cost.
+  /// time on a coarse mesh, which takes some hundredths of a second; beside
+  /// them Zener's infinite thin plate (zener_peak) and the force on a plate
+  /// that does not move; the time at which the first waves return from the
+  /// edges, the bending wavelength of the contact against the cells, advice on
+  /// step and end time, a rough cost, and where the impact leaves the model.
+  /// @throws ComputationError when the impact cannot be computed
   void
   print_expectation(std::ostream &out, const Scene &scene);
 } // namespace PlateImpact

@@ -13,6 +13,13 @@
 
 namespace PlateImpact
 {
+  /// Where an impact leaves what the model can tell, on whatever mesh: the area
+  /// of the load, deflection, yield, indentation.
+  std::vector<std::string>
+  model_warnings(const Parameters   &parameters,
+                 const PlateSection &section,
+                 const CycleResult  &result);
+
   /// Where the result of a scene leaves what its model, mesh or step can tell:
   /// a sentence each, with numbers and advice. Empty for a result without an
   /// impactor.
