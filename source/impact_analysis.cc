@@ -235,6 +235,8 @@ namespace PlateImpact
   bool
   ImpactAnalysis::adapt(const CycleResult &result)
   {
+    if (asks_for_too_many_cells(result))
+      return false;
     StageClock clock;
     // whoever keeps the last mesh needs its model: adapt a copy
     auto adapted = std::make_unique<Triangulation<2>>();
@@ -485,6 +487,27 @@ namespace PlateImpact
 
 
 
+  bool
+  ImpactAnalysis::asks_for_too_many_cells(const CycleResult &result) const
+  {
+    const AdaptivityParameters &adaptivity = parameters.adaptivity;
+    // strategies without target sizes halve cells at most
+    double n_cells = 4. * result.cells;
+    if (adaptivity.strategy == "hanging nodes" ||
+        adaptivity.strategy == "remeshing")
+      {
+        n_cells = 0.;
+        const std::vector<double> sizes =
+          target_sizes(*triangulation, *result.error, adaptivity);
+        for (const auto &cell : triangulation->active_cell_iterators())
+          n_cells +=
+            std::pow(cell_size(cell) / sizes[cell->active_cell_index()], 2);
+      }
+    return n_cells > adaptivity.maximum_cells;
+  }
+
+
+
   std::optional<std::string>
   ImpactAnalysis::outcome(const CycleResult &result) const
   {
@@ -495,6 +518,8 @@ namespace PlateImpact
       return "target reached";
     if (result.cycle == parameters.adaptivity.maximum_cycles)
       return "maximum cycles";
+    if (asks_for_too_many_cells(result))
+      return "maximum cells";
     return {};
   }
 } // namespace PlateImpact

@@ -253,6 +253,11 @@ namespace PlateImpact
                      Allowed::whole_number(1, 1000),
                      adaptivity.maximum_cycles,
                      "Meshes computed on, the initial one included.");
+      schema.declare("Maximum cells",
+                     "250000",
+                     Allowed::whole_number(1, 100000000),
+                     adaptivity.maximum_cells,
+                     "No mesh with more is made; the run ends before it.");
       schema.declare("Size exponent",
                      "0.5",
                      Allowed::number_up_to(0, 4),

@@ -136,6 +136,67 @@ namespace PlateImpact
 
 
 
+    TEST_F(Program, EndsBeforeAMeshThatIsTooLarge)
+    {
+      for (const std::string strategy :
+           {"hanging nodes", "remeshing", "uniform", "fixed number"})
+        {
+          ASSERT_EQ(run(main_scene,
+                        "--set 'Adaptivity/Strategy=" + strategy +
+                          "' --set 'Adaptivity/Target error=1e-300' --set "
+                          "'Adaptivity/Maximum cells=30'"),
+                    0)
+            << err;
+          EXPECT_EQ(summary()["outcome"], "maximum cells") << strategy;
+          EXPECT_NE(err.find("not met"), std::string::npos) << err;
+        }
+    }
+
+
+
+    TEST_F(Program, SamplesOfTheEstimatorAreEnough)
+    {
+      const auto eta = [this](const std::string &interval) {
+        EXPECT_EQ(run(main_scene,
+                      "--set 'Discretization/Initial cells=10,10' --set "
+                      "Adaptivity/Strategy=none --set "
+                      "'Adaptivity/Sampling interval=" +
+                        interval + "'"),
+                  0)
+          << err;
+        return last_cycle()["discretization_error"].get<double>();
+      };
+      const double every_step = eta("1");
+      EXPECT_NEAR(eta("5") / every_step, 1., 0.01);
+    }
+
+
+
+    TEST_F(Program, ChoosesTheTimeStep)
+    {
+      ASSERT_EQ(run(main_scene,
+                    "--set 'Time/Time step=0' --set "
+                    "Adaptivity/Strategy=none"),
+                0)
+        << err;
+      const auto chosen = last_cycle();
+      EXPECT_LT(chosen["steps"], 400);
+      ASSERT_EQ(run(main_scene,
+                    "--set 'Time/Time step=1e-8' --set "
+                    "Adaptivity/Strategy=none"),
+                0)
+        << err;
+      // the error is what it was asked to be, and is told honestly
+      const double error = std::abs(chosen["peak_force"].get<double>() /
+                                      last_cycle()["peak_force"].get<double>() -
+                                    1.);
+      EXPECT_LT(error, 2e-4);
+      EXPECT_LT(error, 3. * chosen["time_error"].get<double>());
+      EXPECT_LT(last_cycle()["time_error"].get<double>(), 1e-6);
+    }
+
+
+
     TEST_F(Program, WarnsWhereResultsLeaveTheModel)
     {
       ASSERT_EQ(

@@ -79,6 +79,8 @@ namespace PlateImpact
     contact_law() const;
 
   private:
+    bool
+    asks_for_too_many_cells(const CycleResult &result) const;
     void
     run_transient(CycleResult &result);
     /// @param reduced  the plate that is stepped; null: that of the mesh

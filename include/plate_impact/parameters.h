@@ -65,6 +65,7 @@ namespace PlateImpact
     std::string  indicator;
     double       target_error;
     unsigned int maximum_cycles;
+    unsigned int maximum_cells;
     double       size_exponent;
     double       minimum_cell_size;
     double       maximum_cell_size;
