@@ -41,7 +41,11 @@ MEANINGS = {
     "still grows": "no: the force still grows at the end",
     "of its thickness": "no: deflection beyond linear plates",
     "contact pressure": "no: the material would yield",
-    "radius: Hertz's law": "no: indentation beyond Hertz",
+    "impactor's radius": "no: indentation beyond Hertz",
+    "another area": "as a force on that area, which is not the contact's",
+    "leaves an error": "no: steps too coarse for the contact",
+    "long: the law": "no: contact too wide for a line",
+    "on this mesh": "no: the target error is not met",
 }
 
 

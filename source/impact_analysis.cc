@@ -7,7 +7,8 @@
 #include "plate_impact/linear_solver.h"
 #include "plate_impact/plate_mesh.h"
 #include "plate_impact/reliability.h"
-#include "plate_impact/ritz_basis.h"
+#include "plate_impact/ritz_reduction.h"
+#include "plate_impact/sampled_states.h"
 #include "plate_impact/semidiscrete_plate.h"
 #include "plate_impact/time_error.h"
 #include "plate_impact/time_stepper.h"
@@ -53,125 +54,6 @@ namespace PlateImpact
 
     private:
       Timer timer;
-    };
-
-
-
-    /// States that wait to be judged together: many make matrix products fast;
-    /// on large meshes, where one is work enough, few save memory.
-    class WaitingStates
-    {
-    public:
-      /// @param reduced  the plate that the states belong to; null: the mesh
-      WaitingStates(const RitzPlate   *reduced,
-                    const unsigned int n_states,
-                    const unsigned int n_cells)
-        : reduced(reduced)
-        , limit(
-            std::min(n_states,
-                     reduced ? 500u : std::clamp(200000u / n_cells, 1u, 16u)))
-      {}
-
-      /// @return whether it is time to judge
-      bool
-      add(const double time, const Eigen::VectorXd &state)
-      {
-        if (states.size() == 0)
-          states.resize(state.size(), limit);
-        states.col(times.size()) = state;
-        times.push_back(time);
-        return times.size() == limit;
-      }
-
-      /// @param kelly  null where it is not wanted
-      void
-      judge(ErrorEstimator &estimator, KellyIndicator *kelly)
-      {
-        if (times.empty())
-          return;
-        const auto waiting = states.leftCols(times.size());
-        if (reduced != nullptr)
-          estimator.add_samples(times, reduced->vectors(), waiting);
-        else
-          estimator.add_samples(times, waiting);
-        if (kelly != nullptr && reduced != nullptr)
-          kelly->add_samples(times, reduced->vectors() * waiting);
-        else if (kelly != nullptr)
-          kelly->add_samples(times, waiting);
-        times.clear();
-      }
-
-    private:
-      const RitzPlate    *reduced;
-      const unsigned int  limit;
-      std::vector<double> times;
-      Eigen::MatrixXd     states;
-    };
-
-
-
-    /// Takes the states that the report shows: that of the largest force, and
-    /// frames of a film, at most 48, fewer where they would take more than 64
-    /// MB.
-    class ReportedStates
-    {
-    public:
-      /// @param reduced  as above
-      ReportedStates(const RitzPlate   *reduced,
-                     const unsigned int n_samples,
-                     const unsigned int n_unknowns)
-        : reduced(reduced)
-        , frame_interval(1 +
-                         n_samples / std::clamp(8000000u / n_unknowns, 8u, 48u))
-      {}
-
-      /// Samples of the estimator from frame to frame.
-      unsigned int
-      samples_per_frame() const
-      {
-        return frame_interval;
-      }
-
-      void
-      take_step(const TimeStepper &stepper)
-      {
-        if (stepper.state().force > peak_force)
-          {
-            peak_force = stepper.state().force;
-            peak       = {stepper.state().time, stepper.displacement()};
-          }
-      }
-
-      void
-      take_sample(const TimeStepper &stepper, std::vector<Snapshot> &frames)
-      {
-        if (++n_samples % frame_interval == 0)
-          frames.push_back(
-            unreduced({stepper.state().time, stepper.displacement()}));
-      }
-
-      std::optional<Snapshot>
-      peak_state() const
-      {
-        if (peak_force == 0.)
-          return {};
-        return unreduced(peak);
-      }
-
-    private:
-      Snapshot
-      unreduced(const Snapshot &state) const
-      {
-        if (reduced == nullptr)
-          return state;
-        return {state.time, reduced->vectors() * state.unknowns};
-      }
-
-      const RitzPlate   *reduced;
-      const unsigned int frame_interval;
-      unsigned int       n_samples  = 0;
-      double             peak_force = 0.;
-      Snapshot           peak;
     };
   } // namespace
 

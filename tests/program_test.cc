@@ -136,6 +136,19 @@ namespace PlateImpact
 
 
 
+    TEST_F(Program, ManyAndLongMistakesFitOnAScreen)
+    {
+      std::ofstream scene(directory / "bad.prm");
+      for (unsigned int n = 0; n < 1000; ++n)
+        scene << "junk " << std::string(5000, 'x') << '\n';
+      scene.close();
+      EXPECT_EQ(execute("check '" + (directory / "bad.prm").string() + "'"), 1);
+      EXPECT_NE(err.find("and 980 more mistakes"), std::string::npos);
+      EXPECT_LT(err.size(), 20000u);
+    }
+
+
+
     TEST_F(Program, EndsBeforeAMeshThatIsTooLarge)
     {
       for (const std::string strategy :

@@ -1,7 +1,7 @@
 // The plate reduced to Ritz vectors against the plate of the mesh.
 #include "plate_impact/error_estimator.h"
 #include "plate_impact/plate_mesh.h"
-#include "plate_impact/ritz_basis.h"
+#include "plate_impact/ritz_reduction.h"
 #include "plate_impact/scene.h"
 #include "test_plate.h"
 

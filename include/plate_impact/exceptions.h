@@ -17,13 +17,29 @@ namespace PlateImpact
     {}
 
   private:
+    /// No file makes more than a screen of sentences.
     static std::string
     join(const std::vector<std::string> &mistakes)
     {
-      std::string text;
-      for (const std::string &mistake : mistakes)
-        text += (text.empty() ? "" : "\n") + mistake;
+      constexpr std::size_t most = 20;
+      std::string           text;
+      for (std::size_t n = 0; n < mistakes.size() && n < most; ++n)
+        text += (text.empty() ? "" : "\n") + shortened(mistakes[n]);
+      if (mistakes.size() > most)
+        text +=
+          "\nand " + std::to_string(mistakes.size() - most) + " more mistakes";
       return text;
+    }
+
+    /// Beginning and end of a sentence that quotes a long value.
+    static std::string
+    shortened(const std::string &sentence)
+    {
+      constexpr std::size_t most = 600;
+      if (sentence.size() <= most)
+        return sentence;
+      return sentence.substr(0, most / 2) + " [...] " +
+        sentence.substr(sentence.size() - most / 2);
     }
   };
 

@@ -13,7 +13,7 @@
 #include "plate_impact/parameters.h"
 #include "plate_impact/plate_element.h"
 #include "plate_impact/plate_model.h"
-#include "plate_impact/ritz_basis.h"
+#include "plate_impact/ritz_reduction.h"
 #include "plate_impact/time_stepper.h"
 
 #include <functional>

@@ -8,7 +8,7 @@
 #include "plate_impact/plate_element.h"
 #include "plate_impact/plate_model.h"
 #include "plate_impact/plate_response.h"
-#include "plate_impact/ritz_basis.h"
+#include "plate_impact/ritz_reduction.h"
 #include "plate_impact/semidiscrete_plate.h"
 
 #include <memory>

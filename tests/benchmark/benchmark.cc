@@ -5,7 +5,7 @@
 #include "plate_impact/error_estimator.h"
 #include "plate_impact/impact_analysis.h"
 #include "plate_impact/plate_mesh.h"
-#include "plate_impact/ritz_basis.h"
+#include "plate_impact/ritz_reduction.h"
 #include "plate_impact/scene.h"
 
 #include <benchmark/benchmark.h>

@@ -1,0 +1,61 @@
+#ifndef plate_impact_ritz_reduction_h
+#define plate_impact_ritz_reduction_h
+
+#include "plate_impact/contact_law.h"
+#include "plate_impact/contact_solver.h"
+#include "plate_impact/impactor.h"
+#include "plate_impact/parameters.h"
+#include "plate_impact/plate_section.h"
+#include "plate_impact/ritz_basis.h"
+
+#include <map>
+#include <utility>
+
+namespace PlateImpact
+{
+  /// Reduces the plate of a mesh for one impactor after another. An impactor
+  /// gets the first basis of a growing sequence with which its force history
+  /// has settled: the last quarter of growth changed it by less than
+  /// `time.ritz_tolerance` of the peak, as a root mean square over the contact,
+  /// and, where fields are asked for, displacements hardly use the vectors
+  /// added last. What an impactor gets depends on nothing but plate, load, time
+  /// and itself; vectors that another one has asked for before are not computed
+  /// again.
+  class RitzReduction
+  {
+  public:
+    /// @param plate         must outlive the reduction, which factorizes it
+    /// @param needs_fields  whether more than the force is to be right
+    RitzReduction(MeshPlate            &plate,
+                  const PlateSection   &section,
+                  const TimeParameters &time,
+                  bool                  needs_fields);
+
+    /// @return the reduced plate, which belongs to the reduction; null when it
+    ///         takes more solves than half of the steps, so that stepping on
+    ///         the mesh is the cheaper way
+    RitzPlate *
+    settle(const ContactLaw         &law,
+           const ContactIntegration &integration,
+           const Impactor           &impactor);
+
+    /// Vectors computed so far, a solve each.
+    unsigned int
+    n_vectors() const;
+
+  private:
+    RitzPlate &
+    reduced_plate(int half_octave, unsigned int n);
+
+    MeshPlate           &plate;
+    const PlateSection  &section;
+    const TimeParameters time;
+    const bool           needs_fields;
+
+    /// By 2 log2 of the root of the shift [1/s], and by the number of vectors.
+    std::map<int, RitzBasis>                          bases;
+    std::map<std::pair<int, unsigned int>, RitzPlate> reduced_plates;
+  };
+} // namespace PlateImpact
+
+#endif

@@ -1,0 +1,78 @@
+#ifndef plate_impact_sampled_states_h
+#define plate_impact_sampled_states_h
+
+#include "plate_impact/cycle_result.h"
+#include "plate_impact/error_estimator.h"
+#include "plate_impact/kelly_indicator.h"
+#include "plate_impact/ritz_basis.h"
+#include "plate_impact/time_stepper.h"
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <vector>
+
+namespace PlateImpact
+{
+  /// States that wait to be judged together: many make matrix products fast; on
+  /// large meshes, where one is work enough, few save memory.
+  class WaitingStates
+  {
+  public:
+    /// @param reduced  the plate that the states belong to; null: the mesh
+    WaitingStates(const RitzPlate *reduced,
+                  unsigned int     n_states,
+                  unsigned int     n_cells);
+
+    /// @return whether it is time to judge
+    bool
+    add(double time, const Eigen::VectorXd &state);
+
+    /// @param kelly  null where it is not wanted
+    void
+    judge(ErrorEstimator &estimator, KellyIndicator *kelly);
+
+  private:
+    const RitzPlate    *reduced;
+    const unsigned int  limit;
+    std::vector<double> times;
+    Eigen::MatrixXd     states;
+  };
+
+
+  /// Takes the states that the report shows: that of the largest force, and
+  /// frames of a film, at most 48, fewer where they would take more than 64 MB.
+  class ReportedStates
+  {
+  public:
+    /// @param reduced  as above
+    ReportedStates(const RitzPlate *reduced,
+                   unsigned int     n_samples,
+                   unsigned int     n_unknowns);
+
+    /// Samples of the estimator from frame to frame.
+    unsigned int
+    samples_per_frame() const;
+
+    void
+    take_step(const TimeStepper &stepper);
+
+    void
+    take_sample(const TimeStepper &stepper, std::vector<Snapshot> &frames);
+
+    std::optional<Snapshot>
+    peak_state() const;
+
+  private:
+    Snapshot
+    unreduced(const Snapshot &state) const;
+
+    const RitzPlate   *reduced;
+    const unsigned int frame_interval;
+    unsigned int       n_samples  = 0;
+    double             peak_force = 0.;
+    Snapshot           peak;
+  };
+} // namespace PlateImpact
+
+#endif

@@ -1,0 +1,199 @@
+#include "plate_impact/ritz_reduction.h"
+
+#include "plate_impact/exceptions.h"
+#include "plate_impact/time_stepper.h"
+#include "plate_impact/zener.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <vector>
+
+namespace PlateImpact
+{
+  namespace
+  {
+    /// Growths by an eighth over which a force must settle: a quarter in all.
+    constexpr std::size_t n_growths = 2;
+
+    /// Share of the vectors added last in the displacements, in the norm of
+    /// K + sigma M, below which fields are right: measured, eta is then that
+    /// of the mesh to better than 1 % of itself.
+    constexpr double field_tolerance = 1e-2;
+
+
+
+    /// An impact on the plate in a basis.
+    struct Trial
+    {
+      std::vector<double> forces; ///< after every step
+
+      /// Sums over time of the squares of every coordinate.
+      Eigen::VectorXd squares;
+
+      Eigen::Index
+      size() const
+      {
+        return squares.size();
+      }
+
+      /// Norm of the displacements in the vectors from `first`, relative to
+      /// that in all.
+      double
+      share_beyond(const Eigen::Index first) const
+      {
+        const double all = squares.sum();
+        return all > 0. ? std::sqrt(squares.tail(size() - first).sum() / all) :
+                          0.;
+      }
+    };
+
+    Trial
+    try_impact(RitzPlate                &plate,
+               const TimeParameters     &time,
+               const ContactLaw         &law,
+               const ContactIntegration &integration,
+               const Impactor           &impactor)
+    {
+      TimeStepper        stepper(time, plate, law, integration, impactor);
+      const unsigned int interval = std::max(1u, stepper.n_steps() / 100);
+      Trial              result;
+      result.forces.reserve(stepper.n_steps());
+      result.squares.setZero(plate.load().size());
+      for (unsigned int step = 1; step <= stepper.n_steps(); ++step)
+        {
+          stepper.advance();
+          result.forces.push_back(stepper.state().force);
+          if (step % interval == 0)
+            result.squares += stepper.displacement().cwiseAbs2();
+        }
+      return result;
+    }
+
+
+
+    /// Root mean square over the contact of the difference of two histories,
+    /// relative to the peak of the second.
+    double
+    relative_difference(const std::vector<double> &a,
+                        const std::vector<double> &b)
+    {
+      double       sum = 0., peak = 0.;
+      unsigned int n_contact = 0;
+      for (std::size_t n = 0; n < b.size(); ++n)
+        if (a[n] != 0. || b[n] != 0.)
+          {
+            sum += (a[n] - b[n]) * (a[n] - b[n]);
+            peak = std::max(peak, b[n]);
+            ++n_contact;
+          }
+      if (n_contact == 0)
+        return 0.;
+      return std::sqrt(sum / n_contact) / peak;
+    }
+  } // namespace
+
+
+
+  namespace
+  {
+    double
+    frequency(const int half_octave)
+    {
+      return std::exp2(0.5 * half_octave);
+    }
+  } // namespace
+
+
+
+  RitzReduction::RitzReduction(MeshPlate            &plate,
+                               const PlateSection   &section,
+                               const TimeParameters &time,
+                               const bool            needs_fields)
+    : plate(plate)
+    , section(section)
+    , time(time)
+    , needs_fields(needs_fields)
+  {}
+
+
+
+  RitzPlate *
+  RitzReduction::settle(const ContactLaw         &law,
+                        const ContactIntegration &integration,
+                        const Impactor           &impactor)
+  {
+    // Vectors resolve frequencies around the root of sigma best. The force is
+    // smooth enough for those beyond about a hundred over the contact time not
+    // to matter; between 20 and 60 pi it makes no difference, so that the next
+    // in a coarse sequence serves as well, and impactors share bases.
+    const double contact_time = 2. * zener_peak(law, impactor, section).time;
+    const int    half_octave =
+      std::lround(2. * std::log2(30. * std::acos(-1.) / contact_time));
+
+    // Waves run along the string of vectors at this speed: until the end time
+    // fields take in three quarters of the distance, as measured, and a force
+    // about as many as waves can come back from.
+    const double distance = frequency(half_octave) * time.end_time;
+    const double n_first =
+      std::max(16., (needs_fields ? 0.4 : 0.25) * distance);
+    // beyond half as many solves as steps the steps themselves are cheaper
+    const double n_most = std::max(16., 0.5 * time.end_time / time.time_step);
+    std::deque<Trial> trials; // the last ones
+    for (double n = n_first; n <= n_most; n = 1.12 * n)
+      {
+        const unsigned int n_wanted = static_cast<unsigned int>(n);
+        RitzPlate         &reduced  = reduced_plate(half_octave, n_wanted);
+        if (reduced.load().size() < n_wanted)
+          return &reduced; // there are no more
+        try
+          {
+            trials.push_back(
+              try_impact(reduced, time, law, integration, impactor));
+          }
+        catch (const ComputationError &)
+          {
+            // if it is not the reduction that fails, the mesh will tell
+            return nullptr;
+          }
+        if (trials.size() <= n_growths)
+          continue;
+        // The force is a scalar product of displacements with the load, and
+        // settles before they do.
+        const Trial &earlier = trials.front(), &latest = trials.back();
+        if (relative_difference(earlier.forces, latest.forces) <=
+              time.ritz_tolerance &&
+            (!needs_fields ||
+             latest.share_beyond(trials[n_growths - 1].size()) <=
+               field_tolerance))
+          return &reduced;
+        trials.pop_front();
+      }
+    return nullptr;
+  }
+
+
+
+  RitzPlate &
+  RitzReduction::reduced_plate(const int half_octave, const unsigned int n)
+  {
+    const double omega = frequency(half_octave);
+    RitzBasis   &basis =
+      bases.try_emplace(half_octave, plate, omega * omega).first->second;
+    basis.grow(n);
+    return reduced_plates
+      .try_emplace({half_octave, n}, basis, std::min(n, basis.n_vectors()))
+      .first->second;
+  }
+
+
+
+  unsigned int
+  RitzReduction::n_vectors() const
+  {
+    unsigned int n = 0;
+    for (const auto &[half_octave, basis] : bases)
+      n += basis.n_vectors();
+    return n;
+  }
+} // namespace PlateImpact
