@@ -90,24 +90,21 @@ namespace PlateImpact
     /// Two parallel numbers of a plot: cost and error.
     struct Measure
     {
-      std::string                                 name, title;
+      std::string                                 title;
       std::function<double(const ComparedMesh &)> value;
     };
 
     const std::vector<Measure> costs = {
-      {"cells", "cells", [](const ComparedMesh &mesh) { return mesh.cells; }},
+      {"cells", [](const ComparedMesh &mesh) { return mesh.cells; }},
       {"unknowns",
-       "unknowns",
        [](const ComparedMesh &mesh) { return mesh.degrees_of_freedom; }},
-      {"seconds",
-       "seconds, cycles before included [s]",
+      {"seconds, cycles before included [s]",
        [](const ComparedMesh &mesh) { return mesh.cumulative_seconds; }}};
 
     const std::vector<Measure> errors = {
-      {"error of the peak force",
-       "error of the peak force [%]",
+      {"error of the peak force [%]",
        [](const ComparedMesh &mesh) { return 100. * mesh.peak_force_error; }},
-      {"η", "η [%]", [](const ComparedMesh &mesh) { return 100. * mesh.eta; }}};
+      {"η [%]", [](const ComparedMesh &mesh) { return 100. * mesh.eta; }}};
   } // namespace
 
 
@@ -229,7 +226,7 @@ namespace PlateImpact
     for (const std::string &element : scene.parameters.comparison.elements)
       {
         Plot plot  = frame;
-        plot.title = element + ": " + frame.title;
+        plot.title = element;
         for (const ComparisonCurve &curve : comparison.curves())
           if (curve.element == element)
             {
@@ -254,17 +251,12 @@ namespace PlateImpact
       for (const Measure &cost : costs)
         {
           page.heading(error.title + " against " + cost.title);
-          std::vector<Plot> plots =
-            plots_by_element({error.name + " against " + cost.name,
-                              "",
-                              {cost.title, true},
-                              {error.title, true},
-                              {},
-                              {}},
-                             [&](const ComparisonCurve &curve, Series &series) {
-                               series.x = column(curve, cost.value);
-                               series.y = column(curve, error.value);
-                             });
+          std::vector<Plot> plots = plots_by_element(
+            {"", "", {cost.title, true}, {error.title, true}, {}, {}},
+            [&](const ComparisonCurve &curve, Series &series) {
+              series.x = column(curve, cost.value);
+              series.y = column(curve, error.value);
+            });
           if (&error == &errors.front())
             for (Plot &plot : plots)
               add_uncertainty(plot);
@@ -337,7 +329,7 @@ namespace PlateImpact
         }
     };
     std::vector<Plot> plots =
-      plots_by_element({"force",
+      plots_by_element({"",
                         "",
                         {"time [" + time.name() + "]", false},
                         {"force [" + force.name() + "]", false},

@@ -3,6 +3,7 @@
 #include "plate_impact/comparison.h"
 #include "plate_impact/scene.h"
 #include "program_fixture.h"
+#include "test_plate.h"
 
 #include <cmath>
 
@@ -202,6 +203,42 @@ namespace PlateImpact
         is_reached = is_reached ||
           (mesh.peak_force_error < error && mesh.cells <= most_cells);
       EXPECT_TRUE(is_reached);
+    }
+
+
+
+    /// A state that all nine-node elements hold on squares.
+    std::vector<Snapshot>
+    quadratic_states(const PlateModel &model, const double amplitude)
+    {
+      const Eigen::VectorXd state =
+        amplitude * model.interpolate(Field([](const dealii::Point<2> &p) {
+          return Field::Values{
+            {p[0] * p[0] - p[0] * p[1], 2. * p[0] + p[1], p[1]}};
+        }));
+      return {{1., state}, {3., 2. * state}};
+    }
+
+
+
+    TEST(TrueError, ComparesFieldsOnUnrelatedMeshes)
+    {
+      const PlateElement    element("MITC9");
+      const PlateParameters plate     = unit_plate("free", 0.1);
+      const auto            fine_mesh = unit_square(7), mesh = unit_square(3);
+      refine_randomly(*mesh, 2);
+      const PlateModel fine(*fine_mesh, element, plate, 1.),
+        model(*mesh, element, plate, 1.);
+      const TrueError error(fine, quadratic_states(fine, 1.));
+      EXPECT_LT(error.of(model, quadratic_states(model, 1.)), 1e-10);
+      EXPECT_NEAR(error.of(model, quadratic_states(model, 0.75)), 0.25, 1e-10);
+    }
+
+
+
+    TEST(ComparisonScenes, Cylinder)
+    {
+      expect_comparison("compare-cylinder", 9095.4, 1e-3, 200);
     }
 
 

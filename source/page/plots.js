@@ -134,13 +134,16 @@ function readByKeys(canvas) {
 
 function makePlot(canvas, plot) {
   const bars = plot.categories.length > 0;
+  // points in the order of x need no parsing
+  const sorted = plot.series.every((series) =>
+    (data.arrays[series.x] ?? []).every((value, i, x) => i === 0 || x[i - 1] <= value));
   const unit = (title) => (title.match(/\[(.*)\]/) ?? ['', ''])[1];
   Chart.getChart(canvas)?.destroy();
   return new Chart(canvas, {
     type: bars ? 'bar' : 'line',
     data: { labels: bars ? plot.categories : undefined, datasets: datasets(plot) },
     options: {
-      animation: false, maintainAspectRatio: false, parsing: bars ? undefined : false,
+      animation: false, maintainAspectRatio: false, parsing: bars || !sorted ? undefined : false,
       indexAxis: bars ? 'y' : 'x',
       interaction: bars ? { mode: 'index', axis: 'y', intersect: false } : { mode: 'nearestOfEach', intersect: false },
       scales: bars ?

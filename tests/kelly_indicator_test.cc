@@ -1,0 +1,77 @@
+#include "plate_impact/kelly_indicator.h"
+#include "program_fixture.h"
+#include "test_plate.h"
+
+#include <cmath>
+
+namespace PlateImpact
+{
+  using namespace dealii;
+
+  namespace
+  {
+    class KellyIndicatorRun : public Program
+    {};
+
+
+
+    TEST(KellyIndicator, SharesOutTheErrorByTheJumps)
+    {
+      const auto         mesh = unit_square(4);
+      const PlateElement element("MITC9");
+      const PlateModel   model(*mesh, element, unit_plate("free", 0.1), 1.);
+      // the slope of the deflection jumps across x = 1/2 only
+      const Eigen::MatrixXd kink =
+        model.interpolate(Field([](const Point<2> &p) {
+          return Field::Values{{std::abs(p[0] - 0.5), p[1], p[0]}};
+        }));
+      KellyIndicator indicator(model);
+      indicator.add_samples({1.}, kink);
+      indicator.add_samples({2.}, 3. * kink); // the amount does not matter
+      ErrorEstimate estimate;
+      estimate.eta = 0.1;
+      estimate.element_errors.assign(16, 0.);
+      indicator.distribute(estimate, 0.05);
+      for (const auto &cell : mesh->active_cell_iterators())
+        {
+          const double xi = estimate.element_errors[cell->active_cell_index()];
+          // eight of sixteen cells share eta / target = 2 evenly; at t = 0 the
+          // plate is at rest, which takes half of the first of two seconds
+          if (std::abs(cell->center()[0] - 0.5) < 0.25)
+            EXPECT_NEAR(xi, 2. * std::sqrt(2.) * 0.75, 1e-6);
+          else
+            EXPECT_NEAR(xi, 0., 1e-6);
+        }
+    }
+
+
+
+    TEST(KellyIndicator, SeesNothingInAFieldWithoutJumps)
+    {
+      auto mesh = unit_square(3);
+      refine_randomly(*mesh, 2);
+      const PlateElement element("MITC9");
+      const PlateModel   model(*mesh, element, unit_plate("free", 0.1), 1.);
+      KellyIndicator     indicator(model);
+      indicator.add_samples({1.}, Eigen::MatrixXd::Zero(model.n_unknowns(), 1));
+      ErrorEstimate estimate;
+      estimate.eta = 0.1;
+      estimate.element_errors.assign(mesh->n_active_cells(), 7.);
+      indicator.distribute(estimate, 0.05);
+      EXPECT_EQ(estimate.max_element_error(), 0.);
+    }
+
+
+
+    TEST_F(KellyIndicatorRun, LeadsToTheTargetAsWell)
+    {
+      ASSERT_EQ(run(main_scene,
+                    "--set Adaptivity/Indicator=Kelly --set "
+                    "'Adaptivity/Maximum cycles=10'"),
+                0)
+        << err;
+      EXPECT_LE(last_cycle()["discretization_error"], 0.05);
+      expect_near(last_cycle()["peak_force"], 1301.07, 1e-3);
+    }
+  } // namespace
+} // namespace PlateImpact
