@@ -157,17 +157,20 @@ namespace PlateImpact
           {"Mesh: change in the last cycle",
            percentage(change) + " (from " + six_digits(before) + " N)"});
       }
-    table.rows.push_back({"Time step",
-                          with_unit(parameters.time.time_step, "s") + ", " +
-                            six_digits(last["steps"]) +
-                            " steps; energy drift " +
-                            six_digits(last["relative_energy_drift"]) +
-                            (last.contains("first_contact_end") ? "; " +
-                                 std::to_string(std::lround(
-                                   last["first_contact_end"].get<double>() /
-                                   parameters.time.time_step)) +
-                                 " of the steps in the first contact" :
-                                                                  "")});
+    table.rows.push_back(
+      {"Time step",
+       with_unit(parameters.time.time_step, "s") + ", " +
+         six_digits(last["steps"]) + " steps" +
+         (last.contains("time_error") ? "; estimated error of the peak force " +
+              percentage(last["time_error"]) :
+                                        "") +
+         "; energy drift " + six_digits(last["relative_energy_drift"]) +
+         (last.contains("first_contact_end") ? "; " +
+              std::to_string(std::lround(
+                last["first_contact_end"].get<double>() /
+                parameters.time.time_step)) +
+              " of the steps in the first contact" :
+                                               "")});
     const std::string &load      = parameters.contact.load_distribution;
     std::string        load_text = load;
     if (load == "point")
