@@ -190,6 +190,16 @@ namespace PlateImpact
 
 
 
+    TEST_F(Scenes, ThinPlateToCompare)
+    {
+      // its comparison takes minutes; the header says what hanging nodes reach
+      ASSERT_EQ(run(SCENES "/compare-thin-plate.prm"), 0) << err;
+      EXPECT_EQ(summary()["outcome"], "target reached");
+      expect_near(last_cycle()["peak_force"], 18.0911, 2e-4);
+    }
+
+
+
     TEST_F(Scenes, RitzVectorsGiveTheHistoryOfTheMesh)
     {
       for (const std::string &scene : {main_scene, cylinder_scene})
