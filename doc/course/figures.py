@@ -95,6 +95,8 @@ def what_the_estimator_sees():
     right.loglog(size, 100 * abs(coarse.column("peak_force") / fine.last("peak_force") - 1),
                  "o-", label="error of the peak force")
     right.set(xlabel="cell size [mm]", ylabel="[%]")
+    right.set_xticks(size, [f"{value:.2g}" for value in size])
+    right.minorticks_off()
     right.legend()
     save(figure, "what-the-estimator-sees")
 
@@ -115,6 +117,9 @@ def point_load():
                       [r.last("peak_force") for r in results], marker, label=load)
     axes.invert_xaxis()
     axes.set(xlabel="smallest cell [mm]", ylabel="peak force [N]")
+    shown = [1e3 * r.last("min_cell_size") for r in results]
+    axes.set_xticks(shown, [f"{value:.2g}" for value in shown])
+    axes.minorticks_off()
     axes.legend()
     save(figure, "point-load")
 
