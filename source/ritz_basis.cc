@@ -184,12 +184,13 @@ namespace PlateImpact
 
 
     /// (K^-1)_11, from pivots that end at the first row; infinite unless all
-    /// eigenvalues lie beyond what round-off leaves of the unit matrix.
+    /// eigenvalues lie beyond what vectors that are orthogonal to 1e-9 leave of
+    /// rigid motions.
     double
     first_of_inverse(const Eigen::VectorXd &diagonal,
                      const Eigen::VectorXd &beside)
     {
-      const double round_off = 1e-13;
+      const double round_off = 1e-9;
       double       pivot     = 0.;
       for (Eigen::Index i = diagonal.size() - 1; i >= 0; --i)
         {
