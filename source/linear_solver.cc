@@ -14,10 +14,13 @@
 #include <stdexcept>
 #include <unistd.h>
 
-// Present when the BLAS is OpenBLAS. Its threads make solves with a single
-// right hand side slower.
+// Present when the BLAS is OpenBLAS and when CHOLMOD was built with OpenMP.
+// Their threads, four in CHOLMOD whatever the machine has, cost more than they
+// bring.
 extern "C" void
 openblas_set_num_threads(int) __attribute__((weak));
+extern "C" void
+omp_set_max_active_levels(int) __attribute__((weak));
 
 namespace PlateImpact
 {
@@ -49,6 +52,8 @@ namespace PlateImpact
       {
         if (openblas_set_num_threads != nullptr)
           openblas_set_num_threads(1);
+        if (omp_set_max_active_levels != nullptr)
+          omp_set_max_active_levels(0);
         cholmod_start(&common);
         common.supernodal         = CHOLMOD_SUPERNODAL;
         common.nmethods           = 1;

@@ -114,7 +114,9 @@ namespace PlateImpact
       for (int row = 0; row < n; ++row)
         row_lengths[row] = pattern.row_length(row);
 
+      // as local indices of a known column map, which need no search
       auto                matrix = std::make_unique<Epetra_CrsMatrix>(Copy,
+                                                       map,
                                                        map,
                                                        row_lengths.data(),
                                                        /*StaticProfile=*/true);
@@ -122,15 +124,14 @@ namespace PlateImpact
       std::vector<double> zeros;
       for (int row = 0; row < n; ++row)
         {
-          columns.clear();
-          for (auto entry = pattern.begin(row); entry != pattern.end(row);
-               ++entry)
-            columns.push_back(entry->column());
+          columns.resize(row_lengths[row]);
+          for (int entry = 0; entry < row_lengths[row]; ++entry)
+            columns[entry] = pattern.column_number(row, entry);
           zeros.assign(columns.size(), 0.);
-          matrix->InsertGlobalValues(row,
-                                     columns.size(),
-                                     zeros.data(),
-                                     columns.data());
+          matrix->InsertMyValues(row,
+                                 columns.size(),
+                                 zeros.data(),
+                                 columns.data());
         }
       matrix->FillComplete();
       matrix->OptimizeStorage();
@@ -231,7 +232,7 @@ namespace PlateImpact
 
 
 
-  std::pair<std::vector<int>, Eigen::MatrixXd>
+  std::pair<std::vector<int>, Eigen::SparseMatrix<double>>
   PlateModel::expansion(const unsigned int cell) const
   {
     std::vector<int> unknowns;
@@ -242,15 +243,19 @@ namespace PlateImpact
     unknowns.erase(std::unique(unknowns.begin(), unknowns.end()),
                    unknowns.end());
 
-    Eigen::MatrixXd T = Eigen::MatrixXd::Zero(n_cell_dofs, unknowns.size());
+    std::vector<Eigen::Triplet<double>> entries;
     for (int i = 0; i < n_cell_dofs; ++i)
       for (std::size_t k = first[i]; k < first[i + 1]; ++k)
         {
           const auto column = std::lower_bound(unknowns.begin(),
                                                unknowns.end(),
                                                contributions[k].unknown);
-          T(i, column - unknowns.begin()) += contributions[k].weight;
+          entries.emplace_back(i,
+                               column - unknowns.begin(),
+                               contributions[k].weight);
         }
+    Eigen::SparseMatrix<double> T(n_cell_dofs, unknowns.size());
+    T.setFromTriplets(entries.begin(), entries.end());
     return {unknowns, T};
   }
 
@@ -259,22 +264,6 @@ namespace PlateImpact
   void
   PlateModel::assemble()
   {
-    const unsigned int     n_cells = mesh().n_active_cells();
-    DynamicSparsityPattern pattern(n_free, n_free);
-    for (unsigned int cell = 0; cell < n_cells; ++cell)
-      {
-        const std::vector<int> unknowns = expansion(cell).first;
-        const std::vector<types::global_dof_index> columns(unknowns.begin(),
-                                                           unknowns.end());
-        for (const int row : unknowns)
-          pattern.add_entries(row,
-                              columns.begin(),
-                              columns.end(),
-                              /*indices_are_sorted=*/true);
-      }
-    K = make_matrix(pattern);
-    M = make_matrix(pattern);
-
     // congruent cells share their matrices
     std::vector<CellMatrix> K_of_shape, M_of_shape;
     for (const CellShape &shape : shapes)
@@ -284,28 +273,57 @@ namespace PlateImpact
         M_of_shape.push_back(multiplicity *
                              plate_element.mass(shape, plate_section));
       }
+    K = assembled(K_of_shape, DoFTools::always);
+    M = assembled(M_of_shape, DoFTools::nonzero); // no component with another
+  }
 
-    using RowMajor =
-      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    for (unsigned int cell = 0; cell < n_cells; ++cell)
-      {
-        auto [unknowns, T]     = expansion(cell);
-        const unsigned int s   = shape_of_cell[cell];
-        const RowMajor     K_c = T.transpose() * (K_of_shape[s] * T);
-        const RowMajor     M_c = T.transpose() * (M_of_shape[s] * T);
-        const int          n   = unknowns.size();
-        for (int i = 0; i < n; ++i)
-          {
-            K->SumIntoMyValues(unknowns[i],
-                               n,
-                               K_c.row(i).data(),
-                               unknowns.data());
-            M->SumIntoMyValues(unknowns[i],
-                               n,
-                               M_c.row(i).data(),
-                               unknowns.data());
-          }
-      }
+
+
+  std::unique_ptr<Epetra_CrsMatrix>
+  PlateModel::assembled(const std::vector<CellMatrix> &matrix_of_shape,
+                        const DoFTools::Coupling       coupling) const
+  {
+    const auto for_each_row = [&](const auto &function) {
+      std::vector<int>    columns;
+      std::vector<double> values;
+      for (unsigned int cell = 0; cell < shape_of_cell.size(); ++cell)
+        {
+          const auto &[unknowns, T] = expansion(cell);
+          const Eigen::MatrixXd A =
+            T.transpose() * (matrix_of_shape[shape_of_cell[cell]] * T).eval();
+          for (Eigen::Index j = 0; j < A.cols();
+               ++j) // symmetric: row or column
+            {
+              columns.clear();
+              values.clear();
+              for (Eigen::Index i = 0; i < A.rows(); ++i)
+                if (coupling == DoFTools::always || A(i, j) != 0.)
+                  {
+                    columns.push_back(unknowns[i]);
+                    values.push_back(A(i, j));
+                  }
+              function(unknowns[j], columns, values);
+            }
+        }
+    };
+
+    DynamicSparsityPattern               pattern(n_free, n_free);
+    std::vector<types::global_dof_index> indices;
+    for_each_row([&](const int row, auto &columns, auto &) {
+      indices.assign(columns.begin(), columns.end());
+      pattern.add_entries(row,
+                          indices.begin(),
+                          indices.end(),
+                          /*indices_are_sorted=*/true);
+    });
+    auto matrix = make_matrix(pattern);
+    for_each_row([&](const int row, auto &columns, auto &values) {
+      matrix->SumIntoMyValues(row,
+                              columns.size(),
+                              values.data(),
+                              columns.data());
+    });
+    return matrix;
   }
 
 

@@ -24,9 +24,11 @@ namespace PlateImpact
     plate.factorize(sigma);
     if (n_wanted > Q.cols())
       {
-        Q.conservativeResize(plate.load().size(), n_wanted);
-        diagonal.conservativeResize(n_wanted);
-        subdiagonal.conservativeResize(n_wanted);
+        // twice as many, since all are copied; what is not used costs nothing
+        const Eigen::Index room = 2 * n_wanted;
+        Q.conservativeResize(plate.load().size(), room);
+        diagonal.conservativeResize(room);
+        subdiagonal.conservativeResize(room);
       }
     while (n < n_wanted && !complete)
       append();
@@ -91,7 +93,7 @@ namespace PlateImpact
     if (has_lost || is_second)
       {
         candidate -= Q.leftCols(n) * overlap;
-        plate.multiply_shifted(sigma, candidate, A_candidate);
+        plate.multiply_effective_stiffness(candidate, A_candidate);
       }
     is_second = repeats;
   }

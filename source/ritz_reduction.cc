@@ -13,9 +13,6 @@ namespace PlateImpact
 {
   namespace
   {
-    /// Growths by an eighth over which a force must settle: a quarter in all.
-    constexpr std::size_t n_growths = 2;
-
     /// Share of the vectors added last in the displacements, in the norm of
     /// K + sigma M, below which fields are right: measured, eta is then that
     /// of the mesh to better than 1 % of itself.
@@ -72,11 +69,11 @@ namespace PlateImpact
 
 
 
-    /// Root mean square over the contact of the difference of two histories,
-    /// relative to the peak of the second.
+    /// Mean square over the contact of the difference of two histories, in
+    /// units of the square of the peak of the second.
     double
-    relative_difference(const std::vector<double> &a,
-                        const std::vector<double> &b)
+    squared_difference(const std::vector<double> &a,
+                       const std::vector<double> &b)
     {
       double       sum = 0., peak = 0.;
       unsigned int n_contact = 0;
@@ -87,9 +84,27 @@ namespace PlateImpact
             peak = std::max(peak, b[n]);
             ++n_contact;
           }
-      if (n_contact == 0)
-        return 0.;
-      return std::sqrt(sum / n_contact) / peak;
+      return n_contact > 0 ? sum / (n_contact * peak * peak) : 0.;
+    }
+
+
+
+    /// Estimated error of the last force history of three, the root of its mean
+    /// square over the contact relative to the peak. Once waves no longer come
+    /// back from the end of the string of vectors, the errors of different
+    /// bases are uncorrelated ringing: differences are |a - b|^2 = e_a^2 +
+    /// e_b^2, and three of them tell the error of each. Below half of the last
+    /// difference the estimate is not trusted.
+    double
+    estimated_error(const std::vector<double> &first,
+                    const std::vector<double> &second,
+                    const std::vector<double> &third)
+    {
+      const double of_last = squared_difference(second, third);
+      return std::sqrt(std::max(0.25 * of_last,
+                                0.5 *
+                                  (squared_difference(first, third) + of_last -
+                                   squared_difference(first, second))));
     }
   } // namespace
 
@@ -156,16 +171,16 @@ namespace PlateImpact
             // if it is not the reduction that fails, the mesh will tell
             return nullptr;
           }
-        if (trials.size() <= n_growths)
+        if (trials.size() < 3)
           continue;
         // The force is a scalar product of displacements with the load, and
         // settles before they do.
-        const Trial &earlier = trials.front(), &latest = trials.back();
-        if (relative_difference(earlier.forces, latest.forces) <=
-              time.ritz_tolerance &&
+        const Trial &latest = trials[2];
+        if (estimated_error(trials[0].forces,
+                            trials[1].forces,
+                            latest.forces) <= time.ritz_tolerance &&
             (!needs_fields ||
-             latest.share_beyond(trials[n_growths - 1].size()) <=
-               field_tolerance))
+             latest.share_beyond(trials[1].size()) <= field_tolerance))
           return &reduced;
         trials.pop_front();
       }

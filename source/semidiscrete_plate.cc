@@ -20,6 +20,22 @@ namespace PlateImpact
       Epetra_Vector       y_view(View, matrix.RangeMap(), y.data());
       matrix.Multiply(/*TransA=*/false, x_view, y_view);
     }
+
+
+
+    /// A += c B, of which every entry has one in A. Columns are in order.
+    void
+    add(const double c, const Epetra_CrsMatrix &B, Epetra_CrsMatrix &A)
+    {
+      int    *A_rows, *A_columns, *B_rows, *B_columns;
+      double *A_values, *B_values;
+      A.ExtractCrsDataPointers(A_rows, A_columns, A_values);
+      B.ExtractCrsDataPointers(B_rows, B_columns, B_values);
+      for (int row = 0; row < B.NumMyRows(); ++row)
+        for (int b = B_rows[row], a = A_rows[row]; b < B_rows[row + 1]; ++a)
+          if (A_columns[a] == B_columns[b])
+            A_values[a] += c * B_values[b++];
+    }
   } // namespace
 
 
@@ -68,14 +84,10 @@ namespace PlateImpact
 
 
   void
-  MeshPlate::multiply_shifted(const double           c,
-                              const Eigen::VectorXd &x,
-                              Eigen::VectorXd       &y) const
+  MeshPlate::multiply_effective_stiffness(const Eigen::VectorXd &x,
+                                          Eigen::VectorXd       &y) const
   {
-    Eigen::VectorXd Mx;
-    multiply_mass(x, Mx);
-    multiply_stiffness(x, y);
-    y += c * Mx;
+    multiply(*effective_stiffness, x, y);
   }
 
 
@@ -88,14 +100,7 @@ namespace PlateImpact
     factorized_for      = -1.;
     effective_stiffness = std::make_unique<Epetra_CrsMatrix>(model.stiffness());
 
-    // K and M have the same entries in the same order
-    const auto values = [](const Epetra_CrsMatrix &matrix) {
-      int    *rows, *columns;
-      double *values;
-      matrix.ExtractCrsDataPointers(rows, columns, values);
-      return Eigen::Map<Eigen::VectorXd>(values, matrix.NumMyNonzeros());
-    };
-    values(*effective_stiffness) += c * values(model.mass());
+    add(c, model.mass(), *effective_stiffness);
     solver->factorize(*effective_stiffness);
     factorized_for = c;
     ++factorizations;

@@ -3,6 +3,7 @@
 
 #include <deal.II/base/function.h>
 #include <deal.II/dofs/dof_handler.h>
+#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/vector.h>
 
@@ -11,6 +12,7 @@
 #include "plate_impact/plate_section.h"
 
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 #include <Epetra_CrsMatrix.h>
 
 #include <memory>
@@ -106,8 +108,14 @@ namespace PlateImpact
 
     /// The free unknowns of a cell and the matrix (n_cell_dofs x their number)
     /// that yields its nodal values from theirs.
-    std::pair<std::vector<int>, Eigen::MatrixXd>
+    std::pair<std::vector<int>, Eigen::SparseMatrix<double>>
     expansion(unsigned int cell) const;
+
+    /// The sum of symmetric cell matrices.
+    /// @param coupling  `always` or, without entries that are zero, `nonzero`
+    std::unique_ptr<Epetra_CrsMatrix>
+    assembled(const std::vector<CellMatrix> &matrix_of_shape,
+              dealii::DoFTools::Coupling     coupling) const;
 
     const PlateElement               &plate_element;
     const PlateSection                plate_section;

@@ -14,8 +14,8 @@
 namespace PlateImpact
 {
   /// Reduces the plate of a mesh for one impactor after another. An impactor
-  /// gets the first basis of a growing sequence with which its force history
-  /// has settled: the last quarter of growth changed it by less than
+  /// gets the first basis of a growing sequence with which the error of its
+  /// force history, as the last three bases tell it, is below
   /// `time.ritz_tolerance` of the peak, as a root mean square over the contact,
   /// and, where fields are asked for, displacements hardly use the vectors
   /// added last. What an impactor gets depends on nothing but plate, load, time

@@ -84,11 +84,10 @@ namespace PlateImpact
     void
     multiply_mass(const Eigen::VectorXd &x, Eigen::VectorXd &y) const;
 
-    /// y = (K + c M) x.
+    /// y = (K + c M) x, with c of the last factorization.
     void
-    multiply_shifted(double                 c,
-                     const Eigen::VectorXd &x,
-                     Eigen::VectorXd       &y) const;
+    multiply_effective_stiffness(const Eigen::VectorXd &x,
+                                 Eigen::VectorXd       &y) const;
 
   private:
     const PlateModel                 &model;
