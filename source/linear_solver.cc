@@ -57,7 +57,9 @@ namespace PlateImpact
         cholmod_start(&common);
         common.supernodal         = CHOLMOD_SUPERNODAL;
         common.nmethods           = 1;
-        common.method[0].ordering = CHOLMOD_METIS;
+        // METIS' nested dissection costs as much as twenty solves and makes them
+        // faster by a few per cent, if at all, up to a million unknowns
+        common.method[0].ordering = CHOLMOD_AMD;
         common.print              = 0;
       }
 
