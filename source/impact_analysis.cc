@@ -290,7 +290,7 @@ namespace PlateImpact
         if (has_report)
           reported.take_step(stepper);
         if (has_report && is_sample)
-          reported.take_sample(stepper, result.frames);
+          reported.take_sample(stepper);
         if (is_sample &&
             waiting.add(stepper.state().time, stepper.displacement()))
           judge();
@@ -303,6 +303,7 @@ namespace PlateImpact
       clock.charge(result.seconds.stepping);
 
     result.peak_state         = reported.peak_state();
+    result.frames             = reported.frames();
     result.history            = std::move(history);
     result.steps              = n_steps;
     result.impulse            = stepper.impulse();

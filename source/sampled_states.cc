@@ -75,12 +75,28 @@ namespace PlateImpact
 
 
   void
-  ReportedStates::take_sample(const TimeStepper     &stepper,
-                              std::vector<Snapshot> &frames)
+  ReportedStates::take_sample(const TimeStepper &stepper)
   {
     if (++n_samples % frame_interval == 0)
-      frames.push_back(
-        unreduced({stepper.state().time, stepper.displacement()}));
+      film.push_back({stepper.state().time, stepper.displacement()});
+  }
+
+
+
+  std::vector<Snapshot>
+  ReportedStates::frames() const
+  {
+    if (reduced == nullptr || film.empty())
+      return film;
+    Eigen::MatrixXd coordinates(film.front().unknowns.size(), film.size());
+    for (std::size_t i = 0; i < film.size(); ++i)
+      coordinates.col(i) = film[i].unknowns;
+    // one product of matrices instead of many with a vector
+    const Eigen::MatrixXd unknowns = reduced->vectors() * coordinates;
+    std::vector<Snapshot> result;
+    for (std::size_t i = 0; i < film.size(); ++i)
+      result.push_back({film[i].time, unknowns.col(i)});
+    return result;
   }
 
 
@@ -90,16 +106,8 @@ namespace PlateImpact
   {
     if (peak_force == 0.)
       return {};
-    return unreduced(peak);
-  }
-
-
-
-  Snapshot
-  ReportedStates::unreduced(const Snapshot &state) const
-  {
     if (reduced == nullptr)
-      return state;
-    return {state.time, reduced->vectors() * state.unknowns};
+      return peak;
+    return Snapshot{peak.time, reduced->vectors() * peak.unknowns};
   }
 } // namespace PlateImpact

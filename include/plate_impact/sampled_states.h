@@ -58,20 +58,21 @@ namespace PlateImpact
     take_step(const TimeStepper &stepper);
 
     void
-    take_sample(const TimeStepper &stepper, std::vector<Snapshot> &frames);
+    take_sample(const TimeStepper &stepper);
 
+    /// On the mesh.
     std::optional<Snapshot>
     peak_state() const;
+    std::vector<Snapshot>
+    frames() const;
 
   private:
-    Snapshot
-    unreduced(const Snapshot &state) const;
-
-    const RitzPlate   *reduced;
-    const unsigned int frame_interval;
-    unsigned int       n_samples  = 0;
-    double             peak_force = 0.;
-    Snapshot           peak;
+    const RitzPlate      *reduced;
+    const unsigned int    frame_interval;
+    unsigned int          n_samples  = 0;
+    double                peak_force = 0.;
+    Snapshot              peak;
+    std::vector<Snapshot> film;
   };
 } // namespace PlateImpact
 
