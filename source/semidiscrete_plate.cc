@@ -1,6 +1,6 @@
 #include "plate_impact/semidiscrete_plate.h"
 
-#include <Epetra_Vector.h>
+#include <Eigen/SparseCore>
 
 #include <utility>
 
@@ -8,17 +8,23 @@ namespace PlateImpact
 {
   namespace
   {
+    /// Without the allocations of Epetra_CrsMatrix::Multiply().
     void
     multiply(const Epetra_CrsMatrix &matrix,
              const Eigen::VectorXd  &x,
              Eigen::VectorXd        &y)
     {
-      y.resize(x.size());
-      const Epetra_Vector x_view(View,
-                                 matrix.DomainMap(),
-                                 const_cast<double *>(x.data()));
-      Epetra_Vector       y_view(View, matrix.RangeMap(), y.data());
-      matrix.Multiply(/*TransA=*/false, x_view, y_view);
+      int    *rows, *columns;
+      double *values;
+      matrix.ExtractCrsDataPointers(rows, columns, values);
+      using RowMajor = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+      y.noalias()    = Eigen::Map<const RowMajor>(matrix.NumMyRows(),
+                                               matrix.NumMyCols(),
+                                               matrix.NumMyNonzeros(),
+                                               rows,
+                                               columns,
+                                               values) *
+        x;
     }
 
 
