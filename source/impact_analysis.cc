@@ -209,7 +209,7 @@ namespace PlateImpact
     RitzPlate     *reduced = nullptr;
     if (parameters.time.integrator == "Ritz vectors")
       {
-        reduced = reduction.settle(*law, *contact_integration, impactor);
+        reduced = reduction.settle(parameters, *contact_integration);
         clock.charge(result.seconds.stepping);
       }
     TimeStepper stepper(parameters.time,

@@ -106,16 +106,39 @@ namespace PlateImpact
                                   (squared_difference(first, third) + of_last -
                                    squared_difference(first, second))));
     }
-  } // namespace
 
 
 
-  namespace
-  {
     double
     frequency(const int half_octave)
     {
       return std::exp2(0.5 * half_octave);
+    }
+
+
+
+    /// The nearest of four numbers an octave, less than a tenth away.
+    double
+    round_number(const double value, const double unit)
+    {
+      return unit * std::exp2(0.25 * std::lround(4. * std::log2(value / unit)));
+    }
+
+
+
+    /// An impactor whose numbers are round in units of the plate.
+    ImpactorParameters
+    nearby(ImpactorParameters impactor, const PlateParameters &plate)
+    {
+      const double h = plate.thickness, E = plate.youngs_modulus,
+                   density = plate.density;
+      impactor.mass =
+        round_number(make_impactor(impactor).mass, density * h * h * h);
+      impactor.radius         = round_number(impactor.radius, h);
+      impactor.youngs_modulus = round_number(impactor.youngs_modulus, E);
+      impactor.velocity =
+        round_number(impactor.velocity, std::sqrt(E / density));
+      return impactor;
     }
   } // namespace
 
@@ -130,6 +153,30 @@ namespace PlateImpact
     , time(time)
     , needs_fields(needs_fields)
   {}
+
+
+
+  RitzPlate *
+  RitzReduction::settle(const Parameters         &parameters,
+                        const ContactIntegration &integration)
+  {
+    Parameters                rounded  = parameters;
+    const ImpactorParameters &impactor = rounded.impactor =
+      nearby(parameters.impactor, parameters.plate);
+    const std::array<double, 6> numbers = {{impactor.radius,
+                                            impactor.length,
+                                            impactor.youngs_modulus,
+                                            impactor.poissons_ratio,
+                                            impactor.mass,
+                                            impactor.velocity}};
+    const auto [known, is_new] =
+      settled.try_emplace({parameters.contact.law, numbers});
+    if (is_new)
+      known->second = settle(*make_contact_law(rounded),
+                             integration,
+                             make_impactor(impactor));
+    return known->second;
+  }
 
 
 

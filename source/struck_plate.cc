@@ -87,7 +87,7 @@ namespace PlateImpact
     if (prepared && preparation(*prepared) == preparation(parameters))
       return;
     prepared.reset();
-    response.reset();
+    responses.clear();
     reduction.reset();
     const Eigen::VectorXd load = plate_model.load(
       make_load_patch(parameters.contact, parameters.impactor.length));
@@ -108,8 +108,7 @@ namespace PlateImpact
   StruckPlate::strike(const Parameters &parameters)
   {
     prepare(parameters);
-    const auto     law      = make_contact_law(parameters);
-    const Impactor impactor = make_impactor(parameters.impactor);
+    RitzPlate *reduced = nullptr;
     if (parameters.time.integrator == "Ritz vectors")
       {
         if (!reduction)
@@ -117,17 +116,18 @@ namespace PlateImpact
                             plate_model.section(),
                             parameters.time,
                             parameters.needs_estimator());
-        if (RitzPlate *reduced =
-              reduction->settle(*law, *integration, impactor))
-          return step_to_end(
-            {parameters.time, *reduced, *law, *integration, impactor});
+        reduced = reduction->settle(parameters, *integration);
       }
+    SemidiscretePlate &stepped =
+      reduced != nullptr ? static_cast<SemidiscretePlate &>(*reduced) : *plate;
+
+    const auto          law      = make_contact_law(parameters);
+    const Impactor      impactor = make_impactor(parameters.impactor);
     const NewmarkScheme scheme(parameters.time);
     if (!scheme.conserves_energy())
       return step_to_end(
-        {parameters.time, *plate, *law, *integration, impactor});
-    if (!response)
-      response.emplace(scheme, *plate, *integration);
-    return response->impact(*law, impactor);
+        {parameters.time, stepped, *law, *integration, impactor});
+    return responses.try_emplace(&stepped, scheme, stepped, *integration)
+      .first->second.impact(*law, impactor);
   }
 } // namespace PlateImpact

@@ -59,10 +59,9 @@ namespace PlateImpact
       {
         Parameters struck        = parameters;
         struck.impactor.velocity = velocity;
-        return reduction.settle(*make_contact_law(struck),
+        return reduction.settle(struck,
                                 *make_contact_integration(
-                                  struck.contact.integration),
-                                make_impactor(struck.impactor));
+                                  struck.contact.integration));
       }
 
       const Parameters                                parameters;

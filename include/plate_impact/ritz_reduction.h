@@ -8,7 +8,10 @@
 #include "plate_impact/plate_section.h"
 #include "plate_impact/ritz_basis.h"
 
+#include <array>
 #include <map>
+#include <string>
+#include <tuple>
 #include <utility>
 
 namespace PlateImpact
@@ -18,9 +21,10 @@ namespace PlateImpact
   /// force history, as the last three bases tell it, is below
   /// `time.ritz_tolerance` of the peak, as a root mean square over the contact,
   /// and, where fields are asked for, displacements hardly use the vectors
-  /// added last. What an impactor gets depends on nothing but plate, load, time
-  /// and itself; vectors that another one has asked for before are not computed
-  /// again.
+  /// added last. The number is found with an impactor of round numbers nearby,
+  /// so that similar impactors share it and what one gets depends on nothing
+  /// but plate, load, time and itself; vectors that another one has asked for
+  /// before are not computed again.
   class RitzReduction
   {
   public:
@@ -31,19 +35,22 @@ namespace PlateImpact
                   const TimeParameters &time,
                   bool                  needs_fields);
 
+    /// @param parameters  with the load and the times of this reduction
     /// @return the reduced plate, which belongs to the reduction; null when it
     ///         takes more solves than half of the steps, so that stepping on
     ///         the mesh is the cheaper way
     RitzPlate *
-    settle(const ContactLaw         &law,
-           const ContactIntegration &integration,
-           const Impactor           &impactor);
+    settle(const Parameters &parameters, const ContactIntegration &integration);
 
     /// Vectors computed so far, a solve each.
     unsigned int
     n_vectors() const;
 
   private:
+    RitzPlate *
+    settle(const ContactLaw         &law,
+           const ContactIntegration &integration,
+           const Impactor           &impactor);
     RitzPlate &
     reduced_plate(int half_octave, unsigned int n);
 
@@ -52,6 +59,9 @@ namespace PlateImpact
     const TimeParameters time;
     const bool           needs_fields;
 
+    /// By what of the law and the impactor may differ, in round numbers.
+    std::map<std::tuple<std::string, std::array<double, 6>>, RitzPlate *>
+      settled;
     /// By 2 log2 of the root of the shift [1/s], and by the number of vectors.
     std::map<int, RitzBasis>                          bases;
     std::map<std::pair<int, unsigned int>, RitzPlate> reduced_plates;

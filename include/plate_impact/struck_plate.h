@@ -11,6 +11,7 @@
 #include "plate_impact/ritz_reduction.h"
 #include "plate_impact/semidiscrete_plate.h"
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,9 +20,9 @@ namespace PlateImpact
 {
   /// A plate on one mesh that is struck by one impactor after another. What the
   /// impactor does not change is made once: matrices for the mesh,
-  /// factorizations for the time step, the discrete response or the Ritz
-  /// vectors for the load. Every impact is the one that `run` computes on this
-  /// mesh; in Ritz vectors bit for bit, by the response up to round-off.
+  /// factorizations for the time step, Ritz vectors and discrete responses for
+  /// the load. Every impact is the one that `run` computes on this mesh, up to
+  /// round-off.
   class StruckPlate
   {
   public:
@@ -56,9 +57,10 @@ namespace PlateImpact
     std::optional<Parameters>                 prepared; ///< for these
     std::unique_ptr<const ContactIntegration> integration;
     std::unique_ptr<MeshPlate>                plate;
-    std::optional<PlateResponse>              response;
     std::optional<RitzReduction>              reduction;
-    unsigned int                              loads = 0;
+    /// of the mesh and of reduced plates
+    std::map<const SemidiscretePlate *, PlateResponse> responses;
+    unsigned int                                       loads = 0;
   };
 } // namespace PlateImpact
 
