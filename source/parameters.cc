@@ -1,6 +1,7 @@
 #include "plate_impact/parameters.h"
 
 #include "plate_impact/scene_schema.h"
+#include "plate_impact/support.h"
 
 #include <algorithm>
 
@@ -65,11 +66,7 @@ namespace PlateImpact
       schema.declare(
         "Support",
         "clamped",
-        Allowed::list(
-          Allowed::one_of(
-            {"clamped", "simply supported", "soft simply supported", "free"}),
-          1,
-          2),
+        Allowed::list(Allowed::one_of(support_names()), 1, 2),
         plate.support,
         "One word for all four edges, or two: for the edges x = +-a/2 and for "
         "the edges y = +-b/2. 'simply supported' also stops the rotation along "

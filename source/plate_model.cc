@@ -8,6 +8,7 @@
 
 #include "plate_impact/exceptions.h"
 #include "plate_impact/plate_mesh.h"
+#include "plate_impact/support.h"
 
 #include <Epetra_Map.h>
 #include <Epetra_SerialComm.h>
@@ -16,7 +17,6 @@
 #include <cmath>
 #include <map>
 #include <optional>
-#include <stdexcept>
 
 namespace PlateImpact
 {
@@ -24,48 +24,6 @@ namespace PlateImpact
 
   namespace
   {
-    /// What a support holds on an edge.
-    struct Support
-    {
-      std::string name;
-      bool        deflection, normal_rotation, tangential_rotation;
-    };
-
-    const std::vector<Support> supports = {
-      {"clamped", true, true, true},
-      {"simply supported", true, false, true},
-      {"soft simply supported", true, false, false},
-      {"free", false, false, false}};
-
-    const Support symmetry = {"symmetry", false, true, false};
-
-
-
-    const Support &
-    find_support(const std::string &name)
-    {
-      for (const Support &support : supports)
-        if (support.name == name)
-          return support;
-      throw std::logic_error("no support named " + name);
-    }
-
-
-
-    /// Components that a support holds on a boundary whose normal is x or y.
-    ComponentMask
-    held_components(const Support &support, const bool normal_is_x)
-    {
-      ComponentMask mask(n_components, false);
-      mask.set(deflection, support.deflection);
-      mask.set(normal_is_x ? rotation_x : rotation_y, support.normal_rotation);
-      mask.set(normal_is_x ? rotation_y : rotation_x,
-               support.tangential_rotation);
-      return mask;
-    }
-
-
-
     /// Corners relative to the first one in units of the tolerance: equal for
     /// congruent cells of equal orientation.
     std::array<long, 6>
@@ -169,15 +127,15 @@ namespace PlateImpact
     const auto     hold      = [&](const PlateBoundary boundary,
                           const Support      &support) {
       const bool normal_is_x = boundary == symmetry_x || boundary == edge_x;
-      const ComponentMask mask = held_components(support, normal_is_x);
+      const ComponentMask mask = support.held_components(normal_is_x);
       if (mask.n_selected_components() > 0)
         DoFTools::make_zero_boundary_constraints(dof_handler,
                                                  boundary,
                                                  constraints,
                                                  mask);
     };
-    hold(symmetry_x, symmetry);
-    hold(symmetry_y, symmetry);
+    hold(symmetry_x, symmetry_plane());
+    hold(symmetry_y, symmetry_plane());
     hold(edge_x, support_x);
     hold(edge_y, support_y);
     constraints.close();
