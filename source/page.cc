@@ -88,10 +88,23 @@ namespace PlateImpact
 
 
 
+    /// Two numbers, or nothing.
+    Json
+    to_json(const Range &range)
+    {
+      if (!std::isfinite(range.lowest) || !std::isfinite(range.highest))
+        return nullptr;
+      return {range.lowest, range.highest};
+    }
+
+
+
     Json
     to_json(const Axis &axis)
     {
-      return {{"title", axis.title}, {"logarithmic", axis.logarithmic}};
+      return {{"title", axis.title},
+              {"logarithmic", axis.logarithmic},
+              {"range", to_json(axis.range)}};
     }
   } // namespace
 
@@ -245,9 +258,10 @@ namespace PlateImpact
 
 
   void
-  Page::colour_maps(const std::vector<ColourMap> &maps)
+  Page::colour_maps(const std::vector<ColourMap> &maps, const bool small)
   {
-    content += "<div class=\"grid\">\n";
+    content +=
+      std::string("<div class=\"grid") + (small ? " small" : "") + "\">\n";
     for (const ColourMap &map : maps)
       {
         content += "<figure><h3>" + escaped(map.title) +
@@ -259,7 +273,8 @@ namespace PlateImpact
                             {"y", to_json(map.y)},
                             {"xValues", array(map.x_values)},
                             {"yValues", array(map.y_values)},
-                            {"values", array(map.values)}});
+                            {"values", array(map.values)},
+                            {"range", to_json(map.range)}});
       }
     content += "</div>\n";
   }

@@ -17,6 +17,9 @@ namespace PlateImpact
     /// An entry with up to so many values has a curve for each.
     constexpr std::size_t most_curves = 8;
 
+    /// Values of a third entry with figures of their own.
+    constexpr std::size_t most_panels = 8;
+
     /// Rows of the table of the page.
     constexpr std::size_t most_rows = 200;
 
@@ -38,6 +41,37 @@ namespace PlateImpact
     with_unit(const std::string &title, const std::string &unit)
     {
       return unit.empty() || unit == "-" ? title : title + " [" + unit + "]";
+    }
+
+
+
+    /// Of a title "Peak force [N]": "Peak force".
+    std::string
+    without_unit(const std::string &title)
+    {
+      return title.substr(0, title.find(" ["));
+    }
+
+
+
+    /// Of a title "Peak force [N]": "[N]"; empty for a pure number.
+    std::string
+    unit_of(const std::string &title)
+    {
+      const std::size_t bracket = title.find('[');
+      return bracket == title.npos ? "" : title.substr(bracket);
+    }
+
+
+
+    /// "Velocity = 2 m/s" with " = " between name and value.
+    std::string
+    assignment(const SweptEntry  &entry,
+               const std::string &value,
+               const std::string &between)
+    {
+      return entry.path.substr(entry.path.find('/') + 1) + between + value +
+        (entry.unit.empty() || entry.unit == "-" ? "" : ' ' + entry.unit);
     }
   } // namespace
 
@@ -120,6 +154,21 @@ namespace PlateImpact
 
 
 
+  Range
+  SweepPage::range(const Quantity &quantity) const
+  {
+    Range range;
+    for (std::size_t point = 0; point < rows.size(); ++point)
+      {
+        const double v = value(quantity, point);
+        range.lowest   = std::fmin(range.lowest, v);
+        range.highest  = std::fmax(range.highest, v);
+      }
+    return range;
+  }
+
+
+
   Plot
   SweepPage::curves(const Quantity                              &quantity,
                     const Scale                                 &x,
@@ -127,7 +176,7 @@ namespace PlateImpact
                     const std::vector<std::vector<std::size_t>> &points) const
   {
     Plot plot;
-    plot.title   = quantity.title.substr(0, quantity.title.find(" ["));
+    plot.title   = without_unit(quantity.title);
     plot.x.title = x.title;
     plot.y.title = quantity.title;
     for (std::size_t s = 0; s < points.size(); ++s)
@@ -165,55 +214,62 @@ namespace PlateImpact
 
 
   void
-  SweepPage::write_plane(Page             &page,
-                         const std::size_t first,
-                         const std::size_t stride) const
+  SweepPage::write_panels(Page                     &page,
+                          const std::vector<Panel> &panels,
+                          const bool                small) const
   {
-    const Scale a = scale(plan.entries()[0]), b = scale(plan.entries()[1]);
+    const SweptEntry &entry_a = plan.entries()[0], &entry_b = plan.entries()[1];
+    const Scale       a = scale(entry_a), b = scale(entry_b);
     const std::size_t n_a = a.values.size(), n_b = b.values.size();
-    const auto        point = [&](const std::size_t i, const std::size_t j) {
-      return first + (i * n_b + j) * stride;
+    const auto point = [n_b](const Panel &panel, std::size_t i, std::size_t j) {
+      return panel.first + (i * n_b + j) * panel.stride;
     };
     // curves for each value of the entry with words or with fewer values
-    const bool a_is_family =
-      b.is_numeric && (!a.is_numeric || (n_a < n_b && n_a <= most_curves));
     if (!a.is_numeric || !b.is_numeric || std::min(n_a, n_b) <= 3)
       {
-        const Scale &family = a_is_family ? a : b, &x = a_is_family ? b : a;
-        std::vector<std::vector<std::size_t>> points(family.values.size());
-        std::vector<std::string>              names;
-        for (std::size_t s = 0; s < points.size(); ++s)
-          {
-            names.push_back(family.title.substr(family.title.find('/') + 1) +
-                            " " + family.texts[s]);
-            for (std::size_t i = 0; i < x.values.size(); ++i)
-              points[s].push_back(a_is_family ? point(s, i) : point(i, s));
-          }
+        const bool a_is_family =
+          b.is_numeric && (!a.is_numeric || (n_a < n_b && n_a <= most_curves));
+        const Scale             &x      = a_is_family ? b : a;
+        const SweptEntry        &family = a_is_family ? entry_a : entry_b;
+        std::vector<std::string> names;
+        for (const std::string &text : family.values)
+          names.push_back(assignment(family, text, " "));
         std::vector<Plot> plots;
-        for (const Quantity &quantity : shown)
-          plots.push_back(curves(quantity, x, names, points));
-        page.plots(plots, stride > 1);
-        return;
+        for (const Panel &panel : panels)
+          {
+            std::vector<std::vector<std::size_t>> points(names.size());
+            for (std::size_t s = 0; s < names.size(); ++s)
+              for (std::size_t i = 0; i < x.values.size(); ++i)
+                points[s].push_back(a_is_family ? point(panel, s, i) :
+                                                  point(panel, i, s));
+            plots.push_back(curves(*panel.quantity, x, names, points));
+            if (panel.title.empty())
+              continue;
+            plots.back().title   = panel.title;
+            plots.back().y.title = unit_of(panel.quantity->title);
+            plots.back().y.range = range(*panel.quantity);
+          }
+        return page.plots(plots, small);
       }
 
     std::vector<ColourMap> maps;
-    for (const Quantity &quantity : shown)
+    for (const Panel &panel : panels)
       {
-        if ((maps.size() + 1) * n_a * n_b > most_map_points && !maps.empty())
-          break;
-        ColourMap map{quantity.title.substr(0, quantity.title.find(" [")),
-                      quantity.title,
-                      {a.title},
-                      {b.title},
-                      a.values,
-                      b.values,
-                      {}};
+        const std::string &title = panel.quantity->title;
+        maps.push_back({panel.title.empty() ? without_unit(title) : panel.title,
+                        title,
+                        {a.title},
+                        {b.title},
+                        a.values,
+                        b.values,
+                        {},
+                        range(*panel.quantity)});
         for (std::size_t j = 0; j < n_b; ++j)
           for (std::size_t i = 0; i < n_a; ++i)
-            map.values.push_back(value(quantity, point(i, j)));
-        maps.push_back(map);
+            maps.back().values.push_back(
+              value(*panel.quantity, point(panel, i, j)));
       }
-    page.colour_maps(maps);
+    page.colour_maps(maps, small);
   }
 
 
@@ -231,20 +287,37 @@ namespace PlateImpact
         std::vector<Plot> plots;
         for (const Quantity &quantity : shown)
           plots.push_back(curves(quantity, scale(entries[0]), {""}, {points}));
-        page.plots(plots);
-        return;
+        return page.plots(plots);
+      }
+
+    const std::size_t n_third =
+      entries.size() == 2 ? 1 : entries[2].values.size();
+    const std::size_t n_shown = std::min(n_third, most_panels);
+    const std::size_t most_quantities =
+      std::max<std::size_t>(1,
+                            most_map_points * n_third /
+                              (rows.size() * n_shown));
+    std::vector<Panel> panels;
+    for (std::size_t q = 0; q < std::min(shown.size(), most_quantities); ++q)
+      {
+        for (std::size_t k = 0; k < n_shown; ++k)
+          panels.push_back(
+            {&shown[q],
+             entries.size() == 2 ?
+               "" :
+               assignment(entries[2], entries[2].values[k], " = "),
+             k,
+             n_third});
+        if (entries.size() == 2)
+          continue;
+        page.heading(without_unit(shown[q].title));
+        write_panels(page, panels, /*small=*/true);
+        panels.clear();
       }
     if (entries.size() == 2)
-      return write_plane(page, 0, 1);
-    const std::size_t n = entries[2].values.size();
-    for (std::size_t k = 0; k < std::min(n, most_curves); ++k)
-      {
-        page.heading(with_unit(entries[2].path, entries[2].unit) + " = " +
-                     entries[2].values[k]);
-        write_plane(page, k, n);
-      }
-    if (n > most_curves)
-      page.paragraph("The other " + std::to_string(n - most_curves) +
+      write_panels(page, panels, /*small=*/false);
+    if (n_shown < n_third)
+      page.paragraph("The other " + std::to_string(n_third - n_shown) +
                      " values of " + entries[2].path + " are in sweep.csv.");
   }
 

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include <iosfwd>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -28,10 +29,18 @@ namespace PlateImpact
     Style               style  = Style::line;
   };
 
+  /// What an axis or a scale of colours shows at least; not finite: its values.
+  struct Range
+  {
+    double lowest  = std::numeric_limits<double>::quiet_NaN(),
+           highest = std::numeric_limits<double>::quiet_NaN();
+  };
+
   struct Axis
   {
     std::string title; ///< with its unit in brackets
     bool        logarithmic = false;
+    Range       range       = {};
   };
 
   struct Plot
@@ -80,6 +89,7 @@ namespace PlateImpact
     Axis                x, y;
     std::vector<double> x_values, y_values;
     std::vector<double> values; ///< row by row, x fastest; not finite: empty
+    Range               range = {}; ///< of the scale
   };
 
 
@@ -131,8 +141,9 @@ namespace PlateImpact
     void
     plots(const std::vector<Plot> &plots, bool small = false);
 
+    /// Maps beside each other where there is room; `small` ones for many.
     void
-    colour_maps(const std::vector<ColourMap> &maps);
+    colour_maps(const std::vector<ColourMap> &maps, bool small = false);
 
     /// Meshes beside each other where there is room, to be coloured by any of
     /// their fields, on one scale for all.

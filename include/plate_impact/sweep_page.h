@@ -19,7 +19,7 @@ namespace PlateImpact
   /// sweep.html: the figures of the points over the swept values. Curves over
   /// one entry, or over the first where lists are paired up; coloured maps over
   /// two, or a curve for each value where one of them has few values or words;
-  /// over three, a map or a group of curves for each value of the third.
+  /// over three, such a figure for each value of the third, on one scale.
   class SweepPage
   {
   public:
@@ -62,14 +62,28 @@ namespace PlateImpact
     double
     value(const Quantity &quantity, std::size_t point) const;
 
+    /// Of its values at all points.
+    Range
+    range(const Quantity &quantity) const;
+
+    /// A quantity over the product of the first two entries.
+    struct Panel
+    {
+      const Quantity *quantity;
+      std::string     title;  ///< what tells it from others of the quantity
+      std::size_t     first;  ///< point
+      std::size_t     stride; ///< to the next value of the second entry
+    };
+
     void
     write_facts(Page &page, const SweepWork &work) const;
     void
     write_figures(Page &page) const;
-    /// The points of a product of two entries from a first point on.
-    /// @param stride  from a point to the next value of the second entry
+    /// As maps, or as families of curves.
     void
-    write_plane(Page &page, std::size_t first, std::size_t stride) const;
+    write_panels(Page                     &page,
+                 const std::vector<Panel> &panels,
+                 bool                      small) const;
     Plot
     curves(const Quantity                              &quantity,
            const Scale                                 &x,

@@ -48,7 +48,7 @@ function makeMap(holder) {
   const map = data.maps[holder.dataset.map];
   const xs = data.arrays[map.xValues], ys = data.arrays[map.yValues], values = data.arrays[map.values];
   const known = values.filter((v) => v !== null);
-  const low = Math.min(...known), high = Math.max(...known);
+  const [low, high] = map.range ?? [Math.min(...known), Math.max(...known)];
   const width = 480, height = Math.min(480, Math.max(160, width * ys.length / xs.length)), left = 70, bottom = 44;
   const svg = svgElement('svg', { viewBox: `0 0 ${left + width + 10} ${height + bottom + 8}`, 'font-size': 13, role: 'img',
     'aria-label': `${map.value} from ${formatted(low)} to ${formatted(high)} over ${map.x.title} and ${map.y.title}` });

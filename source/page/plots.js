@@ -57,14 +57,18 @@ function axis(description, overrides, values) {
     ticks: { color: cssColour('text'), maxRotation: 0 }, ...overrides
   };
   if (result.type === 'category') return result;
-  if (description.logarithmic)
-    result.ticks.callback = function (value) {
-      const lead = value / 10 ** Math.floor(Math.log10(value) + 1e-9);
-      const decades = Math.log10(this.max / this.min);
+  if (description.range) [result.suggestedMin, result.suggestedMax] = description.range;
+  if (description.logarithmic) {
+    result.afterBuildTicks = (scale) => {
+      const decades = Math.log10(scale.max / scale.min);
       const shown = decades > 2.5 ? [1] : decades > 1.2 ? [1, 2, 5] : [1, 2, 3, 4, 5, 6, 8];
-      return shown.some((s) => Math.abs(s - lead) < 1e-6) ? formatted(value, 3) : '';
+      scale.ticks = scale.ticks.filter(({ value }) => {
+        const lead = value / 10 ** Math.floor(Math.log10(value) + 1e-9);
+        return shown.some((s) => Math.abs(s - lead) < 1e-6);
+      });
     };
-  else {
+    result.ticks.callback = (value) => formatted(value, 3);
+  } else {
     result.ticks.callback = (value) => formatted(value, 5);
     if (values?.every(Number.isInteger) && Math.max(...values) - Math.min(...values) < 25) result.ticks.stepSize = 1;
   }
