@@ -200,13 +200,15 @@ namespace PlateImpact
                      "Ritz vectors, as many as the force needs; on the mesh "
                      "nevertheless where that takes more of them than half "
                      "of the steps.");
-      schema.declare("Ritz tolerance",
-                     "1e-5",
-                     Allowed::number_above(0),
-                     time.ritz_tolerance,
-                     "Change of the force, as a fraction of its peak, below "
-                     "which no further Ritz vectors are added: a root mean "
-                     "square over the contact. [-]");
+      schema.declare(
+        "Ritz tolerance",
+        "1e-5",
+        Allowed::number_above(0),
+        time.ritz_tolerance,
+        "Estimated error of the force against that of the mesh, as "
+        "a fraction of its peak, below which no further Ritz "
+        "vectors are added: a root mean square over the contact. "
+        "[-]");
       schema.declare("Newmark beta",
                      "0.25",
                      Allowed::number_up_to(0, 1),
