@@ -190,31 +190,36 @@ namespace PlateImpact
 
 
 
-  std::pair<std::vector<int>, Eigen::SparseMatrix<double>>
-  PlateModel::expansion(const unsigned int cell) const
+  std::vector<int>
+  PlateModel::resolve_constraints(const unsigned int cell,
+                                  const CellMatrix  &matrix,
+                                  Eigen::MatrixXd   &result) const
   {
-    std::vector<int> unknowns;
-    const auto       first = first_contribution.begin() + n_cell_dofs * cell;
-    for (std::size_t k = first[0]; k < first[n_cell_dofs]; ++k)
+    const auto        first = first_contribution.begin() + n_cell_dofs * cell;
+    const std::size_t begin = first[0], end = first[n_cell_dofs];
+    std::vector<int>  unknowns;
+    for (std::size_t k = begin; k < end; ++k)
       unknowns.push_back(contributions[k].unknown);
     std::sort(unknowns.begin(), unknowns.end());
     unknowns.erase(std::unique(unknowns.begin(), unknowns.end()),
                    unknowns.end());
 
-    std::vector<Eigen::Triplet<double>> entries;
+    std::vector<int> position, dof; // of contributions
     for (int i = 0; i < n_cell_dofs; ++i)
       for (std::size_t k = first[i]; k < first[i + 1]; ++k)
         {
-          const auto column = std::lower_bound(unknowns.begin(),
-                                               unknowns.end(),
-                                               contributions[k].unknown);
-          entries.emplace_back(i,
-                               column - unknowns.begin(),
-                               contributions[k].weight);
+          dof.push_back(i);
+          position.push_back(std::lower_bound(unknowns.begin(),
+                                              unknowns.end(),
+                                              contributions[k].unknown) -
+                             unknowns.begin());
         }
-    Eigen::SparseMatrix<double> T(n_cell_dofs, unknowns.size());
-    T.setFromTriplets(entries.begin(), entries.end());
-    return {unknowns, T};
+    result.setZero(unknowns.size(), unknowns.size());
+    for (std::size_t l = 0; l < dof.size(); ++l)
+      for (std::size_t k = 0; k < dof.size(); ++k)
+        result(position[k], position[l]) += contributions[begin + k].weight *
+          contributions[begin + l].weight * matrix(dof[k], dof[l]);
+    return unknowns;
   }
 
 
@@ -242,15 +247,15 @@ namespace PlateImpact
                         const DoFTools::Coupling       coupling) const
   {
     const auto for_each_row = [&](const auto &function) {
+      Eigen::MatrixXd     A;
       std::vector<int>    columns;
       std::vector<double> values;
       for (unsigned int cell = 0; cell < shape_of_cell.size(); ++cell)
         {
-          const auto &[unknowns, T] = expansion(cell);
-          const Eigen::MatrixXd A =
-            T.transpose() * (matrix_of_shape[shape_of_cell[cell]] * T).eval();
-          for (Eigen::Index j = 0; j < A.cols();
-               ++j) // symmetric: row or column
+          const std::vector<int> unknowns =
+            resolve_constraints(cell, matrix_of_shape[shape_of_cell[cell]], A);
+          // symmetric, so that a column is a row
+          for (Eigen::Index j = 0; j < A.cols(); ++j)
             {
               columns.clear();
               values.clear();

@@ -12,7 +12,6 @@
 #include "plate_impact/plate_section.h"
 
 #include <Eigen/Core>
-#include <Eigen/SparseCore>
 #include <Epetra_CrsMatrix.h>
 
 #include <memory>
@@ -106,10 +105,12 @@ namespace PlateImpact
     void
     find_shapes();
 
-    /// The free unknowns of a cell and the matrix (n_cell_dofs x their number)
-    /// that yields its nodal values from theirs.
-    std::pair<std::vector<int>, Eigen::SparseMatrix<double>>
-    expansion(unsigned int cell) const;
+    /// A cell's matrix in terms of its free unknowns.
+    /// @return the unknowns, in ascending order
+    std::vector<int>
+    resolve_constraints(unsigned int      cell,
+                        const CellMatrix &matrix,
+                        Eigen::MatrixXd  &result) const;
 
     /// The sum of symmetric cell matrices.
     /// @param coupling  `always` or, without entries that are zero, `nonzero`
