@@ -193,12 +193,12 @@ namespace PlateImpact
     const int    half_octave =
       std::lround(2. * std::log2(30. * std::acos(-1.) / contact_time));
 
-    // Waves run along the string of vectors at this speed: until the end time
-    // fields take in three quarters of the distance, as measured, and a force
-    // about as many as waves can come back from.
+    // Waves run along the string of vectors at this speed; a force is right
+    // when they cannot come back from its end until the end time. Fields may
+    // follow with the third basis, the first that is judged.
     const double distance = frequency(half_octave) * time.end_time;
     const double n_first =
-      std::max(16., (needs_fields ? 0.4 : 0.25) * distance);
+      std::max(16., (needs_fields ? 0.32 : 0.25) * distance);
     // beyond half as many solves as steps the steps themselves are cheaper
     const double n_most = std::max(16., 0.5 * time.end_time / time.time_step);
     std::deque<Trial> trials; // the last ones
