@@ -373,20 +373,8 @@ namespace PlateImpact
   bool
   ImpactAnalysis::asks_for_too_many_cells(const CycleResult &result) const
   {
-    const AdaptivityParameters &adaptivity = parameters.adaptivity;
-    // strategies without target sizes halve cells at most
-    double n_cells = 4. * result.cells;
-    if (adaptivity.strategy == "hanging nodes" ||
-        adaptivity.strategy == "remeshing")
-      {
-        n_cells = 0.;
-        const std::vector<double> sizes =
-          target_sizes(*triangulation, *result.error, adaptivity);
-        for (const auto &cell : triangulation->active_cell_iterators())
-          n_cells +=
-            std::pow(cell_size(cell) / sizes[cell->active_cell_index()], 2);
-      }
-    return n_cells > adaptivity.maximum_cells;
+    return adaptation->n_wanted_cells(*triangulation, *result.error) >
+      parameters.adaptivity.maximum_cells;
   }
 
 

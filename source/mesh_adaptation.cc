@@ -136,6 +136,19 @@ namespace PlateImpact
 
 
 
+  double
+  n_cells_of_sizes(const Triangulation<2>    &mesh,
+                   const std::vector<double> &sizes)
+  {
+    double n_cells = 0.;
+    for (const auto &cell : mesh.active_cell_iterators())
+      n_cells +=
+        std::pow(cell_size(cell) / sizes[cell->active_cell_index()], 2);
+    return n_cells;
+  }
+
+
+
   bool
   is_smallest(const Triangulation<2>::cell_iterator &cell,
               const AdaptivityParameters            &adaptivity)
@@ -154,6 +167,15 @@ namespace PlateImpact
       cells.push_back(cell->id());
     std::sort(cells.begin(), cells.end());
     return cells;
+  }
+
+
+
+  double
+  MeshAdaptation::n_wanted_cells(const Triangulation<2> &mesh,
+                                 const ErrorEstimate &) const
+  {
+    return 4. * mesh.n_active_cells();
   }
 
 
@@ -192,6 +214,15 @@ namespace PlateImpact
         mesh.execute_coarsening_and_refinement();
       }
     return sorted_cells(mesh) != before;
+  }
+
+
+
+  double
+  HangingNodeAdaptation::n_wanted_cells(const Triangulation<2> &mesh,
+                                        const ErrorEstimate    &estimate) const
+  {
+    return n_cells_of_sizes(mesh, target_sizes(mesh, estimate, adaptivity));
   }
 
 

@@ -171,17 +171,14 @@ namespace PlateImpact
                          const ErrorEstimate       &estimate,
                          const std::vector<double> &sizes) const
   {
-    double n_cells = 0.;
-    bool   is_off  = false;
+    const double limit = estimate.eta > adaptivity.target_error ? 1. : scatter;
     for (const auto &cell : mesh.active_cell_iterators())
-      {
-        const double ratio = cell_size(cell) / sizes[cell->active_cell_index()];
-        n_cells += ratio * ratio;
-        is_off = is_off ||
-          ratio * refinement_margin >
-            (estimate.eta > adaptivity.target_error ? 1. : scatter);
-      }
-    return is_off || n_cells < mesh.n_active_cells() / (scatter * scatter);
+      if (cell_size(cell) / sizes[cell->active_cell_index()] *
+            refinement_margin >
+          limit)
+        return true;
+    return n_cells_of_sizes(mesh, sizes) <
+      mesh.n_active_cells() / (scatter * scatter);
   }
 
 
@@ -217,5 +214,14 @@ namespace PlateImpact
             mesher.mesh(domain, size_field(mesh, sizes), warnings),
             domain[domain.size() - 2]);
     return true;
+  }
+
+
+
+  double
+  Remeshing::n_wanted_cells(const Triangulation<2> &mesh,
+                            const ErrorEstimate    &estimate) const
+  {
+    return n_cells_of_sizes(mesh, target_sizes(mesh, estimate, adaptivity));
   }
 } // namespace PlateImpact

@@ -21,6 +21,12 @@ namespace PlateImpact
                const ErrorEstimate            &estimate,
                const AdaptivityParameters     &adaptivity);
 
+  /// About how many cells have the area of the mesh when each gives way to
+  /// cells of its target size. By active index. [m]
+  double
+  n_cells_of_sizes(const dealii::Triangulation<2> &mesh,
+                   const std::vector<double>      &sizes);
+
   /// Whether the minimum cell size forbids to refine a cell.
   bool
   is_smallest(const dealii::Triangulation<2>::cell_iterator &cell,
@@ -46,6 +52,12 @@ namespace PlateImpact
     adapt(dealii::Triangulation<2> &mesh,
           const ErrorEstimate      &estimate,
           std::vector<std::string> &warnings) const = 0;
+
+    /// About how many cells the mesh would have after adapt(); four times as
+    /// many as now for strategies without target sizes, which halve cells.
+    virtual double
+    n_wanted_cells(const dealii::Triangulation<2> &mesh,
+                   const ErrorEstimate            &estimate) const;
   };
 
 
@@ -61,6 +73,10 @@ namespace PlateImpact
     adapt(dealii::Triangulation<2> &mesh,
           const ErrorEstimate      &estimate,
           std::vector<std::string> &warnings) const override;
+
+    double
+    n_wanted_cells(const dealii::Triangulation<2> &mesh,
+                   const ErrorEstimate            &estimate) const override;
 
   private:
     const AdaptivityParameters adaptivity;

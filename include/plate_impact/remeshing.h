@@ -31,6 +31,10 @@ namespace PlateImpact
           const ErrorEstimate      &estimate,
           std::vector<std::string> &warnings) const override;
 
+    double
+    n_wanted_cells(const dealii::Triangulation<2> &mesh,
+                   const ErrorEstimate            &estimate) const override;
+
   private:
     std::vector<double>
     wanted_sizes(const dealii::Triangulation<2> &mesh,
