@@ -214,6 +214,21 @@ namespace PlateImpact
 
 
 
+  double
+  contact_radius(const Parameters &parameters,
+                 const double      force,
+                 const double      indentation)
+  {
+    const ImpactorParameters &impactor = parameters.impactor;
+    return impactor.shape == "cylinder" ?
+      line_contact_half_width(impactor.radius,
+                              force / impactor.length,
+                              contact_modulus(parameters)) :
+      std::sqrt(impactor.radius * std::max(0., indentation));
+  }
+
+
+
   std::unique_ptr<const ContactLaw>
   make_contact_law(const Parameters &parameters)
   {

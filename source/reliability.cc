@@ -25,36 +25,24 @@ namespace PlateImpact
 
 
 
-    /// Largest pressure of the Hertz contact at a force. [Pa]
+    /// Radius or half-width of Hertz's contact at the peak. [m]
+    double
+    radius_at(const Parameters &parameters, const ContactState &peak)
+    {
+      return contact_radius(parameters, peak.force, peak.indentation);
+    }
+
+
+
+    /// Largest pressure of Hertz's contact at the peak. [Pa]
     double
     hertz_pressure(const Parameters &parameters, const ContactState &peak)
     {
       const ImpactorParameters &impactor = parameters.impactor;
       const double              pi       = std::acos(-1.);
-      if (impactor.shape == "cylinder")
-        {
-          const double p = peak.force / impactor.length;
-          return 2. * p /
-            (pi *
-             line_contact_half_width(impactor.radius,
-                                     p,
-                                     contact_modulus(parameters)));
-        }
-      return 1.5 * peak.force / (pi * impactor.radius * peak.indentation);
-    }
-
-
-
-    /// Half-width or radius of Hertz's contact at the peak. [m]
-    double
-    hertz_radius(const Parameters &parameters, const ContactState &peak)
-    {
-      const ImpactorParameters &impactor = parameters.impactor;
       return impactor.shape == "cylinder" ?
-        line_contact_half_width(impactor.radius,
-                                peak.force / impactor.length,
-                                contact_modulus(parameters)) :
-        std::sqrt(impactor.radius * std::max(0., peak.indentation));
+        2. * peak.force / (pi * radius_at(parameters, peak) * impactor.length) :
+        1.5 * peak.force / (pi * impactor.radius * peak.indentation);
     }
 
 
@@ -213,7 +201,7 @@ namespace PlateImpact
       if (peak.force <= 0.)
         return {};
       const ContactParameters &contact = parameters.contact;
-      const double             radius  = hertz_radius(parameters, peak);
+      const double             radius  = radius_at(parameters, peak);
       if (parameters.impactor.shape == "cylinder")
         {
           if (contact.load_distribution == "strip" &&
@@ -333,7 +321,7 @@ namespace PlateImpact
                    peak.indentation / parameters.impactor.radius,
                    " of the impactor's radius: the laws of contact are for "
                    "less than 0.1"));
-      const double half_width = hertz_radius(parameters, peak);
+      const double half_width = radius_at(parameters, peak);
       if (parameters.impactor.shape == "cylinder" &&
           half_width > 0.25 * parameters.impactor.length)
         warnings.push_back(

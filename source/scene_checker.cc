@@ -244,12 +244,9 @@ namespace PlateImpact
     const bool         has_patch = load != "point" && load != "line";
     if (has_patch && parameters.contact.patch_radius == 0.)
       {
-        const double radius = load == "strip" ?
-          line_contact_half_width(parameters.impactor.radius,
-                                  peak.force / parameters.impactor.length,
-                                  contact_modulus(parameters)) :
-          std::sqrt(parameters.impactor.radius * peak.indentation);
-        const auto  &sides  = parameters.plate.side_lengths;
+        const double radius =
+          contact_radius(parameters, peak.force, peak.indentation);
+        const auto &sides = parameters.plate.side_lengths;
         if (radius > 0.5 * std::min(sides[0], sides[1]))
           return refuse({"Contact/Patch radius",
                          "Plate/Side lengths",

@@ -118,6 +118,16 @@ namespace PlateImpact
   double
   contact_modulus(const Parameters &parameters);
 
+  /// Radius of Hertz's contact of a sphere, sqrt(r alpha) (Johnson, Contact
+  /// Mechanics, eqs. 4.22 and 4.23), 0 for negative indentations; half-width of
+  /// that of a cylinder. [m]
+  /// @param force        [N]
+  /// @param indentation  under that force [m]
+  double
+  contact_radius(const Parameters &parameters,
+                 double            force,
+                 double            indentation);
+
   /// The law that the scene names: `line` (eq. 32), `Sun` (eq. 17 as printed:
   /// 1/E for the plate, after Yang & Sun, NASA CR-165460, 1981) or `Hertz` ((1
   /// - nu^2)/E for both bodies, Johnson, Contact Mechanics, eq. 4.23).
