@@ -24,13 +24,9 @@ namespace PlateImpact
       Eigen::MatrixXd values;
       model.cell_values(cell, states, values);
       Eigen::MatrixXd result = model.shape(cell).strains_at_quadrature * values;
+      const Eigen::Matrix<double, 5, 5> stiffness = model.section().stiffness();
       for (Eigen::Index q = 0; q < result.rows(); q += 5)
-        {
-          result.middleRows<3>(q) =
-            (model.section().bending_stiffness * result.middleRows<3>(q))
-              .eval();
-          result.middleRows<2>(q + 3) *= model.section().shear_stiffness;
-        }
+        result.middleRows<5>(q) = (stiffness * result.middleRows<5>(q)).eval();
       return result;
     }
 
