@@ -17,13 +17,7 @@ namespace PlateImpact
     step_to_end(TimeStepper stepper)
     {
       Impact result;
-      result.history.reserve(stepper.n_steps() + 1);
-      result.history.add(stepper.state());
-      for (unsigned int step = 0; step < stepper.n_steps(); ++step)
-        {
-          stepper.advance();
-          result.history.add(stepper.state());
-        }
+      result.history = history_to_end(stepper);
       result.impulse = stepper.impulse();
       return result;
     }

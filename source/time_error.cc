@@ -43,17 +43,11 @@ namespace PlateImpact
   {
     TimeParameters coarse = time;
     coarse.time_step = std::min(2. * history.states()[1].time, time.end_time);
-    TimeStepper    stepper(coarse, plate, law, integration, impactor);
-    ContactHistory coarse_history;
-    coarse_history.add(stepper.state());
-    for (unsigned int step = 1; step <= stepper.n_steps(); ++step)
-      {
-        stepper.advance();
-        coarse_history.add(stepper.state());
-      }
-    const double peak    = history.peak_of_curve();
-    const double changed = std::abs(coarse_history.peak_of_curve() - peak) / 3.,
-                 missed  = peak - history.peak().force;
+    TimeStepper  stepper(coarse, plate, law, integration, impactor);
+    const double coarse_peak = history_to_end(stepper).peak_of_curve();
+    const double peak        = history.peak_of_curve();
+    const double changed     = std::abs(coarse_peak - peak) / 3.,
+                 missed      = peak - history.peak().force;
     return peak > 0. ? (changed + missed) / peak : 0.;
   }
 } // namespace PlateImpact

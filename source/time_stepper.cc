@@ -107,4 +107,20 @@ namespace PlateImpact
   {
     return impactor_stepper.n_contact_steps();
   }
+
+
+
+  ContactHistory
+  history_to_end(TimeStepper &stepper)
+  {
+    ContactHistory history;
+    history.reserve(stepper.n_steps() + 1);
+    history.add(stepper.state());
+    for (unsigned int step = 0; step < stepper.n_steps(); ++step)
+      {
+        stepper.advance();
+        history.add(stepper.state());
+      }
+    return history;
+  }
 } // namespace PlateImpact

@@ -51,7 +51,7 @@ namespace PlateImpact
                             *law,
                             *integration,
                             make_impactor(struck.impactor));
-        return run_to_end(stepper);
+        return history_to_end(stepper);
       }
 
       RitzPlate *

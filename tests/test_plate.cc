@@ -174,21 +174,6 @@ namespace PlateImpact
 
 
   ContactHistory
-  run_to_end(TimeStepper &stepper)
-  {
-    ContactHistory history;
-    history.add(stepper.state());
-    for (unsigned int step = 0; step < stepper.n_steps(); ++step)
-      {
-        stepper.advance(); // throws where a value is not finite
-        history.add(stepper.state());
-      }
-    return history;
-  }
-
-
-
-  ContactHistory
   impact(const Parameters             &parameters,
          const Triangulation<2>       &mesh,
          const std::vector<LoadPoint> &load,
@@ -209,7 +194,7 @@ namespace PlateImpact
                         *law,
                         *integration,
                         make_impactor(parameters.impactor));
-    return run_to_end(stepper);
+    return history_to_end(stepper);
   }
 
 

@@ -57,10 +57,6 @@ namespace PlateImpact
   Eigen::MatrixXd
   dense(const Epetra_CrsMatrix &matrix);
 
-  /// The states at t = 0 and after every step to the end.
-  ContactHistory
-  run_to_end(TimeStepper &stepper);
-
   /// An impact with the law, integration and impactor of a scene on a given
   /// mesh.
   ContactHistory

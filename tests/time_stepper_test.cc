@@ -88,7 +88,7 @@ namespace PlateImpact
         const Impactor           &impactor)
     {
       TimeStepper stepper(time, plate, law, integration, impactor);
-      return run_to_end(stepper);
+      return history_to_end(stepper);
     }
 
 
@@ -270,8 +270,8 @@ namespace PlateImpact
                       unknown = bouncing_plate(false);
           TimeStepper with(time, known, law, *integration, ball),
             without(time, unknown, law, *integration, ball);
-          const ContactHistory history  = run_to_end(with),
-                               complete = run_to_end(without);
+          const ContactHistory history  = history_to_end(with),
+                               complete = history_to_end(without);
           EXPECT_GE(complete.n_contacts(), 3u);
           EXPECT_LT(history.relative_energy_drift(),
                     integration == &conserving ? 1e-11 : 1e-4);

@@ -1,6 +1,7 @@
 #ifndef plate_impact_time_stepper_h
 #define plate_impact_time_stepper_h
 
+#include "plate_impact/contact_history.h"
 #include "plate_impact/impactor_stepper.h"
 #include "plate_impact/parameters.h"
 #include "plate_impact/plate_stepper.h"
@@ -76,6 +77,13 @@ namespace PlateImpact
     ImpactorStepper           impactor_stepper;
     std::optional<double>     separated_at;
   };
+
+
+  /// Steps to the end time.
+  /// @return the present state and that after every step
+  /// @throws ComputationError as TimeStepper::advance()
+  ContactHistory
+  history_to_end(TimeStepper &stepper);
 } // namespace PlateImpact
 
 #endif
