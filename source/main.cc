@@ -13,6 +13,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <functional>
 #include <iostream>
 #include <new>
 #include <optional>
@@ -32,28 +33,18 @@ namespace
 
 
 
+  /// Reads a scene and computes what a command asks for.
+  /// @param command  run_scene() or compare_scene()
   void
-  run(const std::string                &path,
-      const std::optional<std::string> &output,
-      const std::vector<std::string>   &overrides,
-      const bool                        quiet)
+  compute(const std::function<void(const Scene &, Console &)> &command,
+          const std::string                                   &path,
+          const std::optional<std::string>                    &output,
+          const std::vector<std::string>                      &overrides,
+          const bool                                           quiet)
   {
     const Scene scene = read_scene(path, overrides, output);
     Console     console(quiet);
-    run_scene(scene, console);
-  }
-
-
-
-  void
-  compare(const std::string                &path,
-          const std::optional<std::string> &output,
-          const std::vector<std::string>   &overrides,
-          const bool                        quiet)
-  {
-    const Scene scene = read_scene(path, overrides, output);
-    Console     console(quiet);
-    compare_scene(scene, console);
+    command(scene, console);
   }
 
 
@@ -165,9 +156,9 @@ namespace
 
     // of these the files count
     if (run_command->parsed())
-      run(path, output, overrides, quiet);
+      compute(run_scene, path, output, overrides, quiet);
     if (compare_command->parsed())
-      compare(path, output, overrides, quiet);
+      compute(compare_scene, path, output, overrides, quiet);
     if (sweep_command->parsed())
       {
         sweep_options.quiet = quiet;
