@@ -1,7 +1,5 @@
 #include "plate_impact/impact_analysis.h"
 
-#include <deal.II/base/timer.h>
-
 #include "plate_impact/exceptions.h"
 #include "plate_impact/impactor.h"
 #include "plate_impact/linear_solver.h"
@@ -38,23 +36,6 @@ namespace PlateImpact
         0.5 * parameters.impactor.length :
         0.;
     }
-
-
-
-    /// Charges the time since the last charge to a stage.
-    class StageClock
-    {
-    public:
-      void
-      charge(double &seconds)
-      {
-        seconds += timer.wall_time();
-        timer.restart();
-      }
-
-    private:
-      Timer timer;
-    };
   } // namespace
 
 
@@ -106,9 +87,9 @@ namespace PlateImpact
 
     // a plate at rest stays at rest
     if (parameters.has_impactor())
-      run_transient(result);
+      run_transient(result, clock);
     if (has_estimator)
-      judge_mesh(result);
+      judge_mesh(result, clock);
     return result;
   }
 
@@ -191,9 +172,8 @@ namespace PlateImpact
 
 
   void
-  ImpactAnalysis::run_transient(CycleResult &result)
+  ImpactAnalysis::run_transient(CycleResult &result, StageClock &clock)
   {
-    StageClock clock;
     plate_model->assemble();
     MeshPlate mesh_plate(*plate_model,
                          plate_model->load(load_patch),
@@ -208,10 +188,7 @@ namespace PlateImpact
                             has_estimator);
     RitzPlate     *reduced = nullptr;
     if (parameters.time.integrator == "Ritz vectors")
-      {
-        reduced = reduction.settle(parameters, *contact_integration);
-        clock.charge(result.seconds.stepping);
-      }
+      reduced = reduction.settle(parameters, *contact_integration);
     TimeStepper stepper(parameters.time,
                         reduced != nullptr ?
                           static_cast<SemidiscretePlate &>(*reduced) :
@@ -219,18 +196,20 @@ namespace PlateImpact
                         *law,
                         *contact_integration,
                         impactor);
-    clock.charge(result.seconds.factorization);
-    step_to_end(stepper, reduced, result);
+    clock.charge(result.seconds.stepping);
+    step_to_end(stepper, reduced, result, clock);
     if (reduced != nullptr)
-      {
-        result.time_error = estimated_time_error(*result.history,
-                                                 parameters.time,
-                                                 *reduced,
-                                                 *law,
-                                                 *contact_integration,
-                                                 impactor);
-        clock.charge(result.seconds.stepping);
-      }
+      result.time_error = estimated_time_error(*result.history,
+                                               parameters.time,
+                                               *reduced,
+                                               *law,
+                                               *contact_integration,
+                                               impactor);
+    clock.charge(result.seconds.stepping);
+    // a basis or a stepper factorizes when it needs to
+    const double factorizing = mesh_plate.factorization_seconds();
+    result.seconds.stepping -= factorizing;
+    result.seconds.factorization += factorizing;
 
     result.work.factorizations = mesh_plate.n_factorizations();
     result.work.ritz_vectors   = reduction.n_vectors();
@@ -243,9 +222,9 @@ namespace PlateImpact
   void
   ImpactAnalysis::step_to_end(TimeStepper     &stepper,
                               const RitzPlate *reduced,
-                              CycleResult     &result)
+                              CycleResult     &result,
+                              StageClock      &clock)
   {
-    StageClock clock;
     if (has_estimator)
       error_estimator =
         std::make_unique<ErrorEstimator>(*plate_model,
@@ -299,8 +278,6 @@ namespace PlateImpact
       }
     if (has_estimator)
       judge();
-    else
-      clock.charge(result.seconds.stepping);
 
     result.peak_state         = reported.peak_state();
     result.frames             = reported.frames();
@@ -351,9 +328,8 @@ namespace PlateImpact
 
 
   void
-  ImpactAnalysis::judge_mesh(CycleResult &result)
+  ImpactAnalysis::judge_mesh(CycleResult &result, StageClock &clock)
   {
-    StageClock clock;
     result.error = error_estimator->estimate();
     if (kelly)
       kelly->distribute(*result.error, parameters.adaptivity.target_error);

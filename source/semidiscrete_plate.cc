@@ -1,5 +1,7 @@
 #include "plate_impact/semidiscrete_plate.h"
 
+#include "plate_impact/stage_clock.h"
+
 #include <Eigen/SparseCore>
 
 #include <utility>
@@ -103,6 +105,7 @@ namespace PlateImpact
   {
     if (c == factorized_for)
       return;
+    StageClock clock;
     factorized_for      = -1.;
     effective_stiffness = std::make_unique<Epetra_CrsMatrix>(model.stiffness());
 
@@ -110,6 +113,7 @@ namespace PlateImpact
     solver->factorize(*effective_stiffness);
     factorized_for = c;
     ++factorizations;
+    clock.charge(seconds);
   }
 
 
@@ -126,6 +130,14 @@ namespace PlateImpact
   MeshPlate::n_factorizations() const
   {
     return factorizations;
+  }
+
+
+
+  double
+  MeshPlate::factorization_seconds() const
+  {
+    return seconds;
   }
 
 

@@ -1,5 +1,8 @@
 // Whole impacts against the histories of series and Ritz solutions of high
 // order (tests/reference), computed through the library.
+#include <deal.II/base/timer.h>
+
+#include "plate_impact/impact_analysis.h"
 #include "plate_impact/scene.h"
 #include "test_plate.h"
 
@@ -148,6 +151,31 @@ namespace PlateImpact
                             .force);
         }
       EXPECT_NEAR(peaks[1] / peaks[0], 1., 1e-3);
+    }
+
+
+
+    TEST(ImpactAnalysis, StagesTakeNoMoreSecondsThanTheCycle)
+    {
+      for (const std::string integrator : {"Newmark", "Ritz vectors"})
+        {
+          const Parameters parameters =
+            parameters_with({"Discretization/Initial cells=4,6",
+                             "Time/Integrator=" + integrator});
+          const Timer       timer; // the whole
+          ImpactAnalysis    analysis(parameters);
+          const CycleResult result  = analysis.compute_cycle();
+          const Seconds    &seconds = result.seconds;
+          EXPECT_LE(seconds.total(), timer.wall_time()) << integrator;
+          EXPECT_EQ(result.time_error.has_value(),
+                    integrator == "Ritz vectors");
+          for (const double stage : {seconds.mesh,
+                                     seconds.assembly,
+                                     seconds.factorization,
+                                     seconds.stepping,
+                                     seconds.estimation})
+            EXPECT_GT(stage, 0.) << integrator;
+        }
     }
   } // namespace
 } // namespace PlateImpact

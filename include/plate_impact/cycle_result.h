@@ -21,7 +21,7 @@ namespace PlateImpact
     unsigned int ritz_vectors      = 0;
   };
 
-  /// Wall time of the stages of a cycle. [s]
+  /// Wall time of the stages of a cycle, every second in one of them. [s]
   struct Seconds
   {
     double mesh = 0., assembly = 0., factorization = 0., stepping = 0.,

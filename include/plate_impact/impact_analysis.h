@@ -14,6 +14,7 @@
 #include "plate_impact/plate_element.h"
 #include "plate_impact/plate_model.h"
 #include "plate_impact/ritz_reduction.h"
+#include "plate_impact/stage_clock.h"
 #include "plate_impact/time_stepper.h"
 
 #include <functional>
@@ -82,12 +83,13 @@ namespace PlateImpact
     bool
     asks_for_too_many_cells(const CycleResult &result) const;
     void
-    run_transient(CycleResult &result);
+    run_transient(CycleResult &result, StageClock &clock);
     /// @param reduced  the plate that is stepped; null: that of the mesh
     void
     step_to_end(TimeStepper     &stepper,
                 const RitzPlate *reduced,
-                CycleResult     &result);
+                CycleResult     &result,
+                StageClock      &clock);
     bool
     is_snapshot(unsigned int step, unsigned int n_steps) const;
     /// Cells nearer to a point load than half the thickness.
@@ -97,7 +99,7 @@ namespace PlateImpact
     std::function<bool(const dealii::Point<2> &)>
     line_load() const;
     void
-    judge_mesh(CycleResult &result);
+    judge_mesh(CycleResult &result, StageClock &clock);
 
     const Parameters                               &parameters;
     const Progress                                  progress;

@@ -76,6 +76,10 @@ namespace PlateImpact
     unsigned int
     n_factorizations() const;
 
+    /// Wall time of all factorizations. [s]
+    double
+    factorization_seconds() const;
+
     /// As LinearSolver::factor_size(). [bytes]
     double
     factor_size() const;
@@ -96,6 +100,7 @@ namespace PlateImpact
     std::unique_ptr<LinearSolver>     solver;
     double       factorized_for = -1.; ///< c of the last factorization
     unsigned int factorizations = 0;
+    double       seconds        = 0.; ///< of the factorizations
   };
 } // namespace PlateImpact
 
