@@ -1,23 +1,15 @@
 #include "plate_impact/comparison_page.h"
 
+#include "plate_impact/comparison_plots.h"
 #include "plate_impact/prefixed_unit.h"
 #include "plate_impact/version.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <functional>
-#include <limits>
 
 namespace PlateImpact
 {
   namespace
   {
-    /// A history has as many steps as a scene asks for; a plot shows that many.
-    constexpr std::size_t max_plotted_states = 600;
-
-
-
     std::string
     percentage(const double fraction)
     {
@@ -42,19 +34,6 @@ namespace PlateImpact
     name_of(const ComparisonCurve &curve)
     {
       return curve.strategy + ", " + curve.element;
-    }
-
-
-
-    /// Numbers of the meshes of a curve.
-    std::vector<double>
-    column(const ComparisonCurve                             &curve,
-           const std::function<double(const ComparedMesh &)> &value)
-    {
-      std::vector<double> values;
-      for (const ComparedMesh &mesh : curve.meshes)
-        values.push_back(value(mesh));
-      return values;
     }
 
 
@@ -87,24 +66,21 @@ namespace PlateImpact
 
 
 
-    /// Two parallel numbers of a plot: cost and error.
-    struct Measure
+    /// The mesh from which on a strategy keeps eta at 5 % or below; null where
+    /// there is none.
+    const ComparedMesh *
+    first_at_five_percent(const std::vector<ThresholdRow> &rows,
+                          const std::string               &strategy,
+                          const std::string               &element)
     {
-      std::string                                 title;
-      std::function<double(const ComparedMesh &)> value;
-    };
-
-    const std::vector<Measure> costs = {
-      {"cells", [](const ComparedMesh &mesh) { return mesh.cells; }},
-      {"unknowns",
-       [](const ComparedMesh &mesh) { return mesh.degrees_of_freedom; }},
-      {"seconds, cycles before included [s]",
-       [](const ComparedMesh &mesh) { return mesh.cumulative_seconds; }}};
-
-    const std::vector<Measure> errors = {
-      {"error of the peak force [%]",
-       [](const ComparedMesh &mesh) { return 100. * mesh.peak_force_error; }},
-      {"η [%]", [](const ComparedMesh &mesh) { return 100. * mesh.eta; }}};
+      for (const ThresholdRow &row : rows)
+        if (row.quantity == "eta" && row.threshold == 0.05)
+          for (const Achievement &achievement : row.achievements)
+            if (achievement.curve->strategy == strategy &&
+                achievement.curve->element == element)
+              return achievement.mesh;
+      return nullptr;
+    }
   } // namespace
 
 
@@ -127,9 +103,10 @@ namespace PlateImpact
               "user waits for an error, and how many cells it takes.");
     add_outcome(page);
     add_thresholds(page);
-    add_costs(page);
-    add_effectivity(page);
-    add_histories(page);
+    const ComparisonPlots plots(scene, comparison);
+    plots.add_costs(page);
+    plots.add_effectivity(page);
+    plots.add_histories(page);
     add_meshes(page);
     add_fairness(page);
     add_numbers(page);
@@ -202,161 +179,6 @@ namespace PlateImpact
 
 
 
-  Series
-  ComparisonPage::series(const ComparisonCurve &curve) const
-  {
-    const auto &strategies = scene.parameters.comparison.strategies;
-    const auto  place =
-      std::find(strategies.begin(), strategies.end(), curve.strategy);
-    return {curve.strategy,
-            {},
-            {},
-            static_cast<unsigned int>(place - strategies.begin()),
-            Style::line_and_points};
-  }
-
-
-
-  std::vector<Plot>
-  ComparisonPage::plots_by_element(
-    const Plot                                                   &frame,
-    const std::function<void(const ComparisonCurve &, Series &)> &fill) const
-  {
-    std::vector<Plot> plots;
-    for (const std::string &element : scene.parameters.comparison.elements)
-      {
-        Plot plot  = frame;
-        plot.title = element;
-        for (const ComparisonCurve &curve : comparison.curves())
-          if (curve.element == element)
-            {
-              plot.series.push_back(series(curve));
-              fill(curve, plot.series.back());
-            }
-        plots.push_back(plot);
-      }
-    return plots;
-  }
-
-
-
-  void
-  ComparisonPage::add_costs(Page &page) const
-  {
-    page.section("Error against cost");
-    page.paragraph(
-      "Every point is a mesh. Errors of the peak force below the dashed line, "
-      "the uncertainty of the reference, say nothing about the mesh.");
-    for (const Measure &error : errors)
-      for (const Measure &cost : costs)
-        {
-          page.heading(error.title + " against " + cost.title);
-          std::vector<Plot> plots = plots_by_element(
-            {"", "", {cost.title, true}, {error.title, true}, {}, {}},
-            [&](const ComparisonCurve &curve, Series &series) {
-              series.x = column(curve, cost.value);
-              series.y = column(curve, error.value);
-            });
-          if (&error == &errors.front())
-            for (Plot &plot : plots)
-              add_uncertainty(plot);
-          page.plots(plots, /*small=*/true);
-        }
-  }
-
-
-
-  void
-  ComparisonPage::add_uncertainty(Plot &plot) const
-  {
-    const double uncertainty = 100. * comparison.reference().uncertainty;
-    double       first = std::numeric_limits<double>::infinity(), last = 0.;
-    for (const Series &series : plot.series)
-      for (const double x : series.x)
-        {
-          first = std::min(first, x);
-          last  = std::max(last, x);
-        }
-    if (uncertainty > 0. && first < last)
-      plot.series.push_back({"uncertainty of the reference",
-                             {first, last},
-                             {uncertainty, uncertainty},
-                             static_cast<unsigned int>(
-                               scene.parameters.comparison.strategies.size()),
-                             Style::dashed});
-  }
-
-
-
-  void
-  ComparisonPage::add_effectivity(Page &page) const
-  {
-    if (!comparison.reference().true_error)
-      return;
-    page.section("Effectivity of the estimator");
-    page.paragraph("η over the error in energy against the reference, on "
-                   "meshes whose η is at least three times the reference's.");
-    page.plots(
-      plots_by_element(
-        {"effectivity", "", {"cells", true}, {"effectivity", false}, {}, {}},
-        [](const ComparisonCurve &curve, Series &series) {
-          for (const ComparedMesh &mesh : curve.meshes)
-            if (mesh.effectivity)
-              {
-                series.x.push_back(mesh.cells);
-                series.y.push_back(*mesh.effectivity);
-              }
-        }),
-      /*small=*/true);
-  }
-
-
-
-  void
-  ComparisonPage::add_histories(Page &page) const
-  {
-    page.section("Force histories");
-    page.paragraph("On the last mesh of every curve.");
-    const PrefixedUnit time("s", scene.parameters.time.end_time);
-    const PrefixedUnit force("N", comparison.reference().peak_force);
-    const auto fill = [&](const ContactHistory &history, Series &series) {
-      const auto       &states = history.states();
-      const std::size_t stride = 1 + (states.size() - 1) / max_plotted_states;
-      for (std::size_t i = 0; i < states.size(); i += stride)
-        {
-          series.x.push_back(time(states[i].time));
-          series.y.push_back(force(states[i].force));
-        }
-    };
-    std::vector<Plot> plots =
-      plots_by_element({"",
-                        "",
-                        {"time [" + time.name() + "]", false},
-                        {"force [" + force.name() + "]", false},
-                        {},
-                        {}},
-                       [&](const ComparisonCurve &curve, Series &series) {
-                         series.style = Style::line;
-                         if (curve.history)
-                           fill(*curve.history, series);
-                       });
-    if (comparison.reference().history)
-      for (Plot &plot : plots)
-        {
-          plot.series.push_back(
-            {"reference",
-             {},
-             {},
-             static_cast<unsigned int>(
-               scene.parameters.comparison.strategies.size()),
-             Style::dashed});
-          fill(*comparison.reference().history, plot.series.back());
-        }
-    page.plots(plots, /*small=*/true);
-  }
-
-
-
   void
   ComparisonPage::add_meshes(Page &page) const
   {
@@ -389,27 +211,25 @@ namespace PlateImpact
       "start of the program is left out. Errors are those of the mesh: the "
       "reference has the same time step.");
     Table table;
-    table.columns = {"Element",
-                     "hanging nodes [cells]",
-                     "remeshing [cells]",
-                     "hanging nodes η [%]",
-                     "remeshing η [%]"};
+    table.columns                        = {"Element",
+                                            "hanging nodes [cells]",
+                                            "remeshing [cells]",
+                                            "hanging nodes η [%]",
+                                            "remeshing η [%]"};
+    const std::vector<ThresholdRow> rows = comparison.thresholds();
     for (const std::string &element : scene.parameters.comparison.elements)
       {
-        std::vector<const ComparedMesh *> found;
-        for (const std::string strategy : {"hanging nodes", "remeshing"})
-          for (const ThresholdRow &row : comparison.thresholds())
-            if (row.quantity == "eta" && row.threshold == 0.05)
-              for (const Achievement &achievement : row.achievements)
-                if (achievement.curve->strategy == strategy &&
-                    achievement.curve->element == element)
-                  found.push_back(achievement.mesh);
-        if (found.size() == 2)
+        const ComparedMesh *halved = first_at_five_percent(rows,
+                                                           "hanging nodes",
+                                                           element),
+                           *remeshed =
+                             first_at_five_percent(rows, "remeshing", element);
+        if (halved != nullptr && remeshed != nullptr)
           table.rows.push_back({element,
-                                std::to_string(found[0]->cells),
-                                std::to_string(found[1]->cells),
-                                six_digits(100. * found[0]->eta),
-                                six_digits(100. * found[1]->eta)});
+                                std::to_string(halved->cells),
+                                std::to_string(remeshed->cells),
+                                six_digits(100. * halved->eta),
+                                six_digits(100. * remeshed->eta)});
       }
     page.paragraph(
       "Hanging nodes halve sizes: a cell that asks for a little less than its "

@@ -5,7 +5,6 @@
 #include "plate_impact/page.h"
 #include "plate_impact/scene.h"
 
-#include <functional>
 #include <iosfwd>
 #include <string>
 #include <vector>
@@ -28,26 +27,10 @@ namespace PlateImpact
     write(std::ostream &out) const;
 
   private:
-    /// An empty series with the name and colour of the strategy.
-    Series
-    series(const ComparisonCurve &curve) const;
-    /// A plot for every element with a series for every strategy.
-    std::vector<Plot>
-    plots_by_element(
-      const Plot                                                   &frame,
-      const std::function<void(const ComparisonCurve &, Series &)> &fill) const;
-    void
-    add_uncertainty(Plot &plot) const;
     void
     add_outcome(Page &page) const;
     void
     add_thresholds(Page &page) const;
-    void
-    add_costs(Page &page) const;
-    void
-    add_effectivity(Page &page) const;
-    void
-    add_histories(Page &page) const;
     void
     add_meshes(Page &page) const;
     void
