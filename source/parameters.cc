@@ -2,6 +2,7 @@
 // the order in which they are printed. A list, as long as there are entries.
 #include "plate_impact/parameters.h"
 
+#include "plate_impact/plate_element.h"
 #include "plate_impact/scene_schema.h"
 #include "plate_impact/support.h"
 
@@ -25,14 +26,6 @@ namespace PlateImpact
 
   namespace
   {
-    std::vector<std::string>
-    elements()
-    {
-      return {"serendipity", "heterosis", "Lagrange", "MITC9"};
-    }
-
-
-
     void
     declare_bodies(SceneSchema &schema, Parameters &parameters)
     {
@@ -159,7 +152,7 @@ namespace PlateImpact
       schema.declare(
         "Element",
         "MITC9",
-        Allowed::one_of(elements()),
+        Allowed::one_of(PlateElement::names()),
         discretization.element,
         "Deflection and rotations with 8 nodes (serendipity, the "
         "paper's), with 8 and 9 (heterosis) or with 9 (Lagrange); "
@@ -365,9 +358,9 @@ namespace PlateImpact
                      "What is compared, each with every element.");
       schema.declare("Elements",
                      "serendipity, heterosis, Lagrange",
-                     Allowed::list(Allowed::one_of(elements()),
+                     Allowed::list(Allowed::one_of(PlateElement::names()),
                                    1,
-                                   elements().size()),
+                                   PlateElement::names().size()),
                      comparison.elements,
                      "As in Discretization/Element.");
       schema.declare("Maximum cycles",
