@@ -43,15 +43,7 @@ namespace PlateImpact
       {
         Parameters struck        = parameters;
         struck.impactor.velocity = velocity;
-        const auto law           = make_contact_law(struck);
-        const auto integration =
-          make_contact_integration(struck.contact.integration);
-        TimeStepper stepper(struck.time,
-                            plate,
-                            *law,
-                            *integration,
-                            make_impactor(struck.impactor));
-        return history_to_end(stepper);
+        return impact(struck, plate);
       }
 
       RitzPlate *

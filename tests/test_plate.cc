@@ -174,18 +174,8 @@ namespace PlateImpact
 
 
   ContactHistory
-  impact(const Parameters             &parameters,
-         const Triangulation<2>       &mesh,
-         const std::vector<LoadPoint> &load,
-         const double                  multiplicity)
+  impact(const Parameters &parameters, SemidiscretePlate &plate)
   {
-    const PlateElement element(parameters.discretization.element);
-    PlateModel         model(mesh, element, parameters.plate, multiplicity);
-    model.assemble();
-    MeshPlate  plate(model,
-                    model.load(load),
-                    make_linear_solver(
-                      parameters.discretization.linear_solver));
     const auto law = make_contact_law(parameters);
     const auto integration =
       make_contact_integration(parameters.contact.integration);
@@ -195,6 +185,24 @@ namespace PlateImpact
                         *integration,
                         make_impactor(parameters.impactor));
     return history_to_end(stepper);
+  }
+
+
+
+  ContactHistory
+  impact(const Parameters             &parameters,
+         const Triangulation<2>       &mesh,
+         const std::vector<LoadPoint> &load,
+         const double                  multiplicity)
+  {
+    const PlateElement element(parameters.discretization.element);
+    PlateModel         model(mesh, element, parameters.plate, multiplicity);
+    model.assemble();
+    MeshPlate plate(model,
+                    model.load(load),
+                    make_linear_solver(
+                      parameters.discretization.linear_solver));
+    return impact(parameters, plate);
   }
 
 

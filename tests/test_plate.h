@@ -57,8 +57,12 @@ namespace PlateImpact
   Eigen::MatrixXd
   dense(const Epetra_CrsMatrix &matrix);
 
-  /// An impact with the law, integration and impactor of a scene on a given
-  /// mesh.
+  /// An impact with the law, integration, impactor and time of a scene on a
+  /// plate.
+  ContactHistory
+  impact(const Parameters &parameters, SemidiscretePlate &plate);
+
+  /// The same on a given mesh.
   ContactHistory
   impact(const Parameters               &parameters,
          const dealii::Triangulation<2> &mesh,
