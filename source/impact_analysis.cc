@@ -12,7 +12,6 @@
 #include "plate_impact/time_stepper.h"
 
 #include <algorithm>
-#include <limits>
 #include <new>
 #include <sstream>
 #include <utility>
@@ -81,9 +80,7 @@ namespace PlateImpact
     clock.charge(result.seconds.assembly);
     result.cells              = triangulation->n_active_cells();
     result.degrees_of_freedom = plate_model->n_unknowns();
-    result.min_cell_size      = std::numeric_limits<double>::max();
-    for (const auto &cell : triangulation->active_cell_iterators())
-      result.min_cell_size = std::min(result.min_cell_size, cell_size(cell));
+    result.min_cell_size      = smallest_cell_size(*triangulation);
 
     // a plate at rest stays at rest
     if (parameters.has_impactor())

@@ -3,6 +3,7 @@
 #include <deal.II/grid/grid_generator.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace PlateImpact
 {
@@ -33,5 +34,16 @@ namespace PlateImpact
     for (const unsigned int face : cell->face_indices())
       longest = std::max(longest, cell->face(face)->diameter());
     return longest;
+  }
+
+
+
+  double
+  smallest_cell_size(const Triangulation<2> &mesh)
+  {
+    double smallest = std::numeric_limits<double>::max();
+    for (const auto &cell : mesh.active_cell_iterators())
+      smallest = std::min(smallest, cell_size(cell));
+    return smallest;
   }
 } // namespace PlateImpact

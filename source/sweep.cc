@@ -9,6 +9,7 @@
 #include "plate_impact/sweep_groups.h"
 #include "plate_impact/sweep_page.h"
 #include "plate_impact/sweep_table.h"
+#include "plate_impact/sweep_warnings.h"
 
 #include <algorithm>
 #include <exception>
@@ -108,7 +109,7 @@ namespace PlateImpact
       finish(const SweepWork &work)
       {
         for (const std::size_t point : points_to_do())
-          add({point, {}, "not computed: its process ended early"}, {});
+          add({point, {}, "not computed: its process ended early", {}}, {});
         table.finish();
         std::string results = (directory / "sweep.csv").string();
         if (scene.parameters().output.write_report)
@@ -118,20 +119,14 @@ namespace PlateImpact
             });
             results = (directory / "sweep.html").string() + ", " + results;
           }
-        std::vector<std::string> warnings;
-        std::string              first_failure;
-        std::size_t              n_failed = 0;
-        for (const auto &row : table.rows())
-          if (!row->failure.empty())
-            {
-              if (++n_failed == 1)
-                first_failure = row->failure;
-            }
-        const std::string failures = std::to_string(n_failed) + " of " +
-          std::to_string(table.rows().size()) +
-          " points failed; the first: " + first_failure;
-        if (n_failed > 0 && n_failed < table.rows().size())
-          warnings.push_back(failures);
+        std::vector<std::string> warnings = sweep_warnings(table.rows());
+        if (std::none_of(table.rows().begin(),
+                         table.rows().end(),
+                         [](const auto &row) { return row->failure.empty(); }))
+          {
+            console.end(work, {}, results);
+            throw ComputationError(warnings.front());
+          }
         if (work.loads > 100 && scene.parameters().contact.patch_radius == 0.)
           warnings.push_back(
             "every impactor had a load of its own, " +
@@ -140,8 +135,6 @@ namespace PlateImpact
             "Hertz radius; with a radius set they share one, and a point "
             "takes a millisecond");
         console.end(work, warnings, results);
-        if (n_failed == table.rows().size())
-          throw ComputationError(failures);
       }
 
     private:
@@ -175,6 +168,7 @@ namespace PlateImpact
       Message(const SweepRow &row, const std::optional<ContactHistory> &history)
         : point(row.point)
         , failure(row.failure)
+        , warnings(row.warnings)
       {
         for (const auto &value : row.figures)
           {
@@ -203,7 +197,7 @@ namespace PlateImpact
       SweepRow
       row() const
       {
-        SweepRow row{point, {}, failure};
+        SweepRow row{point, {}, failure, warnings};
         for (std::size_t i = 0; i < figures.size(); ++i)
           row.figures.push_back(
             has_figure[i] ? std::optional<double>(figures[i]) : std::nullopt);
@@ -225,16 +219,17 @@ namespace PlateImpact
       void
       serialize(Archive &archive, const unsigned int)
       {
-        archive &is_work &work.meshes &work.plates   &work.loads;
-        archive &point &failure &has_figure &figures &states;
+        archive &is_work &work.meshes &work.plates             &work.loads;
+        archive &point &failure &warnings &has_figure &figures &states;
       }
 
-      bool                is_work = false;
-      SweepWork           work;
-      std::size_t         point = 0;
-      std::string         failure;
-      std::vector<char>   has_figure;
-      std::vector<double> figures, states;
+      bool                     is_work = false;
+      SweepWork                work;
+      std::size_t              point = 0;
+      std::string              failure;
+      std::vector<std::string> warnings;
+      std::vector<char>        has_figure;
+      std::vector<double>      figures, states;
     };
 
 

@@ -4,8 +4,10 @@
 #include "plate_impact/impact_analysis.h"
 #include "plate_impact/impact_figures.h"
 #include "plate_impact/plate_mesh.h"
+#include "plate_impact/reliability.h"
 
 #include <new>
+#include <sstream>
 #include <tuple>
 #include <utility>
 
@@ -126,6 +128,7 @@ namespace PlateImpact
                                       valid.parameters,
                                       valid.expected,
                                       computed.discretization_error);
+      row.warnings              = std::move(computed.warnings);
       if (valid.parameters.sweep.write_histories)
         history = std::move(computed.impact.history);
     });
@@ -144,6 +147,7 @@ namespace PlateImpact
     if (current_group != group)
       {
         struck_plate.reset();
+        warning.clear();
         current_group = group;
         failure       = failure_of([&] {
           auto mesh = make_mesh(group, point);
@@ -163,9 +167,36 @@ namespace PlateImpact
         on_mesh.adaptivity.strategy = "none";
         return analyse(on_mesh, copy_of(struck_plate->model().mesh()));
       }
+    return strike(point);
+  }
+
+
+
+  SweepComputation::Computed
+  SweepComputation::strike(const SweepPoint &point)
+  {
+    const Parameters  &parameters   = point.parameters;
     const unsigned int loads_before = struck_plate->n_loads();
-    Computed           computed{struck_plate->strike(parameters), {}};
+    Computed           computed{struck_plate->strike(parameters), {}, {}};
     done.loads += struck_plate->n_loads() - loads_before;
+
+    const PlateModel &model = struck_plate->model();
+    CycleResult       result;
+    result.history       = computed.impact.history;
+    result.min_cell_size = smallest_cell_size(model.mesh());
+    // an adapted mesh was judged with the worst point
+    computed.warnings = is_adaptive(parameters) ?
+      impact_warnings(parameters,
+                      model.section(),
+                      2. * point.expected.time,
+                      result) :
+      reliability_warnings(parameters,
+                           model.mesh(),
+                           model.section(),
+                           *make_contact_law(parameters),
+                           result);
+    if (!warning.empty())
+      computed.warnings.push_back(warning);
     return computed;
   }
 
@@ -182,6 +213,16 @@ namespace PlateImpact
     ImpactAnalysis    analysis(worst.parameters);
     const CycleResult last = run_cycles(analysis);
     done.meshes += last.cycle - 1;
+    if (last.error->eta > worst.parameters.adaptivity.target_error)
+      {
+        std::ostringstream text;
+        text.precision(3);
+        text << "eta is " << 100. * last.error->eta
+             << " % on the mesh of the plate for its hardest point, more than "
+                "Adaptivity/Target error = "
+             << 100. * worst.parameters.adaptivity.target_error << " %";
+        warning = text.str();
+      }
     return copy_of(analysis.mesh());
   }
 
@@ -225,6 +266,13 @@ namespace PlateImpact
         done.plates += last.cycle;
       }
     done.loads += last.cycle;
-    return {{std::move(*last.history), last.impulse}, last.error->eta};
+    auto warnings = reliability_warnings(parameters,
+                                         analysis.mesh(),
+                                         analysis.model().section(),
+                                         *analysis.contact_law(),
+                                         last);
+    return {{std::move(*last.history), last.impulse},
+            last.error->eta,
+            std::move(warnings)};
   }
 } // namespace PlateImpact

@@ -2,6 +2,7 @@
 
 #include "plate_impact/impact_figures.h"
 #include "plate_impact/prefixed_unit.h"
+#include "plate_impact/sweep_warnings.h"
 #include "plate_impact/version.h"
 
 #include <algorithm>
@@ -326,20 +327,18 @@ namespace PlateImpact
   void
   SweepPage::write_facts(Page &page, const SweepWork &work) const
   {
-    std::size_t n_failed = 0;
-    std::string first_failure;
-    for (const auto &row : rows)
-      if (!row->failure.empty() && ++n_failed == 1)
-        first_failure = row->failure;
+    const auto n_failed =
+      std::count_if(rows.begin(), rows.end(), [](const auto &row) {
+        return !row->failure.empty();
+      });
     page.section("Outcome");
     page.facts({{"Points", std::to_string(rows.size()), ""},
                 {"Failed", std::to_string(n_failed), ""},
                 {"Meshes", std::to_string(work.meshes), "computed on"},
                 {"Plate models", std::to_string(work.plates), ""},
                 {"Responses to a load", std::to_string(work.loads), ""}});
-    if (n_failed > 0)
-      page.notice(std::to_string(n_failed) +
-                  " points failed; the first: " + first_failure);
+    for (const std::string &warning : sweep_warnings(rows))
+      page.notice(warning);
     page.paragraph(
       "Models and responses are those of the computation that ended this "
       "sweep; points that share plate, mesh and load share them.");
@@ -403,8 +402,9 @@ namespace PlateImpact
             rows[point]->failure.empty() ?
               six_digits(rows[point]->figures[i].value_or(std::nan(""))) :
               "–");
-        row.push_back(rows[point]->failure.empty() ? "ok" :
-                                                     rows[point]->failure);
+        row.push_back(!rows[point]->failure.empty()   ? rows[point]->failure :
+                        rows[point]->warnings.empty() ? "ok" :
+                                                        "ok, with warnings");
         table.rows.push_back(row);
       }
     page.table(table);

@@ -1,5 +1,7 @@
 #include "plate_impact/sweep_table.h"
 
+#include <deal.II/base/utilities.h>
+
 #include "plate_impact/allowed.h"
 #include "plate_impact/exceptions.h"
 #include "plate_impact/impact_figures.h"
@@ -12,12 +14,13 @@ namespace PlateImpact
   namespace
   {
     const std::string file_name = "sweep.csv";
+    const std::string separator = " | "; ///< of warnings
 
 
 
     /// A field of a table, in quotes where it needs them (RFC 4180).
     std::string
-    quoted(const std::string &text)
+    as_field(const std::string &text)
     {
       if (text.find_first_of(",\"\n") == std::string::npos)
         return text;
@@ -56,7 +59,7 @@ namespace PlateImpact
     {
       std::string text;
       for (const std::string &value : values)
-        text += quoted(value) + ',';
+        text += as_field(value) + ',';
       return text;
     }
   } // namespace
@@ -86,7 +89,7 @@ namespace PlateImpact
       names.push_back(entry.path);
     for (const Figure &figure : impact_figures())
       names.push_back(figure.name);
-    return joined(names) + "status";
+    return joined(names) + "warnings,status";
   }
 
 
@@ -101,7 +104,11 @@ namespace PlateImpact
           text += shortest(*row.figures[i]);
         text += ',';
       }
-    return text + quoted(row.failure.empty() ? "ok" : row.failure);
+    std::string warnings;
+    for (const std::string &warning : row.warnings)
+      warnings += (warnings.empty() ? "" : separator) + warning;
+    return text + as_field(warnings) + ',' +
+      as_field(row.failure.empty() ? "ok" : row.failure);
   }
 
 
@@ -123,7 +130,7 @@ namespace PlateImpact
     while (std::getline(in, text) && !in.eof())
       {
         const std::vector<std::string> fields = split(text);
-        if (fields.size() != n_values + n_figures + 1 || fields.back() != "ok")
+        if (fields.size() != n_values + n_figures + 2 || fields.back() != "ok")
           continue;
         SweepRow row;
         for (std::size_t i = 0; i < n_figures; ++i)
@@ -135,6 +142,9 @@ namespace PlateImpact
               convert(field, value);
               row.figures.emplace_back(value);
             }
+        row.warnings =
+          dealii::Utilities::split_string_list(fields[n_values + n_figures],
+                                               separator);
         const auto place =
           points.find(joined({fields.begin(), fields.begin() + n_values}));
         if (place != points.end())

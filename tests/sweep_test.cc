@@ -307,6 +307,34 @@ namespace PlateImpact
 
 
 
+    TEST_F(Sweep, PointsHaveTheWarningsOfARun)
+    {
+      const std::string scene =
+        write_scene(on_one_mesh +
+                    swept("set Entry 1 = Impactor/Radius\n"
+                          "set Values 1 = 0.005, 0.03, 0.06"));
+      ASSERT_EQ(sweep(scene), 0) << err;
+      const std::string growing = "the force still grows at Time/End time = "
+                                  "8e-05 s: the peak force is that of this "
+                                  "time only";
+      EXPECT_NE(err.find("warning: 2 of 3 points; the first: " + growing),
+                std::string::npos)
+        << err;
+      EXPECT_EQ(rows()[0].at("warnings").find(growing), std::string::npos);
+      for (const int row : {1, 2})
+        EXPECT_NE(rows()[row].at("warnings").find(growing), std::string::npos);
+      const std::string warnings = err;
+      ASSERT_EQ(sweep(scene, "--resume"), 0) << err;
+      EXPECT_EQ(err, warnings);
+      ASSERT_EQ(execute("run '" + scene + "' --output '" +
+                        (directory / "run").string() +
+                        "' --set Impactor/Radius=0.06"),
+                0);
+      EXPECT_NE(err.find(growing), std::string::npos) << err;
+    }
+
+
+
     TEST_F(Sweep, ResumesWhereItWasInterrupted)
     {
       const std::string scene =

@@ -29,6 +29,10 @@ namespace PlateImpact
   /// Size h of a cell: its longest side, which is what resolves a field. [m]
   double
   cell_size(const dealii::Triangulation<2>::cell_iterator &cell);
+
+  /// That of the smallest active cell. [m]
+  double
+  smallest_cell_size(const dealii::Triangulation<2> &mesh);
 } // namespace PlateImpact
 
 #endif

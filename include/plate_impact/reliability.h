@@ -20,6 +20,14 @@ namespace PlateImpact
                  const PlateSection &section,
                  const CycleResult  &result);
 
+  /// These, and where end time and time step leave the peak force open.
+  /// @param contact_time  expected [s]
+  std::vector<std::string>
+  impact_warnings(const Parameters   &parameters,
+                  const PlateSection &section,
+                  double              contact_time,
+                  const CycleResult  &result);
+
   /// Where the result of a scene leaves what its model, mesh or step can tell:
   /// a sentence each, with numbers and advice. Empty for a result without an
   /// impactor.

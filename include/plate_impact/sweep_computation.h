@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace PlateImpact
 {
@@ -48,12 +49,16 @@ namespace PlateImpact
   private:
     struct Computed
     {
-      Impact                impact;
-      std::optional<double> discretization_error;
+      Impact                   impact;
+      std::optional<double>    discretization_error;
+      std::vector<std::string> warnings;
     };
 
     Computed
     compute(std::size_t group, const SweepPoint &point);
+    /// The impact on the struck plate.
+    Computed
+    strike(const SweepPoint &point);
     /// The valid point of a group that needs the finest mesh.
     SweepPoint
     worst_point(std::size_t group);
@@ -73,6 +78,7 @@ namespace PlateImpact
     std::optional<std::size_t>   current_group;
     std::unique_ptr<StruckPlate> struck_plate; ///< of the current group
     std::string                  failure;      ///< why there is none
+    std::string                  warning;      ///< of its mesh
   };
 } // namespace PlateImpact
 

@@ -19,13 +19,14 @@ namespace PlateImpact
     std::size_t                        point = 0;
     std::vector<std::optional<double>> figures; ///< empty for a failed point
     std::string                        failure; ///< the reason, in one line
+    std::vector<std::string> warnings; ///< a sentence each, as of `run`
   };
 
 
   /// sweep.csv: a row per point with the swept values, the figures of the
-  /// impact and `ok` or the reason of the failure. While the sweep lasts, rows
-  /// are appended as they come, so that what is there is valid at any moment;
-  /// finish() puts them in the order of the points.
+  /// impact, warnings, and `ok` or the reason of the failure. While the sweep
+  /// lasts, rows are appended as they come, so that what is there is valid at
+  /// any moment; finish() puts them in the order of the points.
   class SweepTable
   {
   public:
