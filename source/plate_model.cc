@@ -139,6 +139,7 @@ namespace PlateImpact
     hold(edge_x, support_x);
     hold(edge_y, support_y);
     constraints.close();
+    holds_deflection = support_x.deflection || support_y.deflection;
   }
 
 
@@ -417,6 +418,14 @@ namespace PlateImpact
   PlateModel::mesh() const
   {
     return dof_handler.get_triangulation();
+  }
+
+
+
+  bool
+  PlateModel::is_free() const
+  {
+    return !holds_deflection;
   }
 
 

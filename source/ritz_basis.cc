@@ -121,6 +121,14 @@ namespace PlateImpact
 
 
   bool
+  RitzBasis::is_free() const
+  {
+    return plate.is_free();
+  }
+
+
+
+  bool
   RitzBasis::is_complete() const
   {
     return complete;
@@ -186,8 +194,8 @@ namespace PlateImpact
 
 
     /// (K^-1)_11, from pivots that end at the first row; infinite unless all
-    /// eigenvalues lie beyond what vectors that are orthogonal to 1e-9 leave of
-    /// rigid motions.
+    /// eigenvalues lie beyond what vectors that are orthogonal to 1e-9 may
+    /// change.
     double
     first_of_inverse(const Eigen::VectorXd &diagonal,
                      const Eigen::VectorXd &beside)
@@ -215,8 +223,9 @@ namespace PlateImpact
     , mass_beside(basis.mass_subdiagonal().head(n - 1))
     , stiffness(1. - basis.shift() * mass.array())
     , stiffness_beside(-basis.shift() * mass_beside)
-    , compliance(1.001 * u[0] * u[0] *
-                 first_of_inverse(stiffness, stiffness_beside))
+    , compliance(basis.is_free() ? std::numeric_limits<double>::infinity() :
+                                   1.001 * u[0] * u[0] *
+                     first_of_inverse(stiffness, stiffness_beside))
     , inverse_pivots(n)
     , factor(n)
   {}

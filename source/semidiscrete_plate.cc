@@ -126,6 +126,14 @@ namespace PlateImpact
 
 
 
+  bool
+  MeshPlate::is_free() const
+  {
+    return model.is_free();
+  }
+
+
+
   unsigned int
   MeshPlate::n_factorizations() const
   {

@@ -85,6 +85,11 @@ namespace PlateImpact
     const dealii::Triangulation<2> &
     mesh() const;
 
+    /// Whether no support holds the deflection, so that the plate can move as
+    /// a rigid body.
+    bool
+    is_free() const;
+
     const PlateElement &
     element() const;
 
@@ -124,7 +129,8 @@ namespace PlateImpact
     dealii::DoFHandler<2>             dof_handler;
     dealii::AffineConstraints<double> constraints;
 
-    unsigned int     n_free = 0;
+    bool             holds_deflection = false;
+    unsigned int     n_free           = 0;
     std::vector<int> unknown_of_dof; ///< -1 for constrained ones
 
     /// Nodal value i of cell c is the sum of contributions

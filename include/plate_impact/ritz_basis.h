@@ -37,6 +37,10 @@ namespace PlateImpact
     unsigned int
     n_vectors() const;
 
+    /// Whether the plate can move as a rigid body.
+    bool
+    is_free() const;
+
     /// Whether further vectors would be round-off: the basis then holds
     /// every motion that the load can excite.
     bool

@@ -73,6 +73,10 @@ namespace PlateImpact
     void
     solve(const Eigen::VectorXd &b, Eigen::VectorXd &x) override;
 
+    /// As PlateModel::is_free().
+    bool
+    is_free() const;
+
     unsigned int
     n_factorizations() const;
 
