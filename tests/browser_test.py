@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
-"""Opens the reports of several scenes in headless Chromium and checks them there.
+"""Opens pages of several scenes in headless Chromium and checks them there.
 
     browser_test.py PROGRAM SCENES_DIRECTORY
 
-No error on the console, every plot drawn, the slider moves the film, keys read
-values, colours of meshes change, nothing wider than a narrow screen. Exit status
-77, "skipped", where there is no Chromium.
+Reports, a sweep over three entries and a comparison, as wide as a screen, a tablet
+and a telephone: no error on the console, every plot and map drawn, the slider moves
+the film, keys read values, colours of meshes change, nothing wider than the window,
+no colour of the light page left in the dark. Exit status 77, "skipped", where there
+is no Chromium.
 """
 
 import json
@@ -28,6 +30,18 @@ const expect = (holds, what) => { if (!holds) problems.push(what); };
 const isDrawn = (canvas) => canvas.width > 0 &&
   new Uint32Array(canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data.buffer)
     .some((pixel) => pixel !== 0);
+/** Whether the area of a plot, its axes and legend apart, shows a colour of its series. */
+const showsSeries = (chart) => {
+  const { left, top, width, height } = chart.chartArea, ratio = chart.currentDevicePixelRatio;
+  const pixels = chart.canvas.getContext('2d').getImageData(left * ratio, top * ratio, width * ratio, height * ratio).data;
+  return chart.data.datasets.some(({ borderColor }) => {
+    const [r, g, b] = [1, 3, 5].map((i) => parseInt(borderColor.slice(i, i + 2), 16));
+    for (let i = 0; i < pixels.length; i += 4)
+      if (Math.abs(pixels[i] - r) + Math.abs(pixels[i + 1] - g) + Math.abs(pixels[i + 2] - b) < 6 && pixels[i + 3] > 250)
+        return true;
+    return false;
+  });
+};
 const key = (element, name) => element.dispatchEvent(new KeyboardEvent('keydown', { key: name }));
 
 const plotHolders = [...document.querySelectorAll('[data-plot]')];
@@ -36,6 +50,7 @@ for (const holder of plotHolders) {
   const plot = data.plots[holder.dataset.plot];
   expect(canvas && isDrawn(canvas), plot.title + ': not drawn');
   const chart = Chart.getChart(canvas);
+  expect(showsSeries(chart), plot.title + ': no series in its colour');
   expect(chart.data.datasets.length === plot.series.length, plot.title + ': series missing');
   expect(canvas.tabIndex === 0, plot.title + ': not reached by keys');
   key(canvas, 'ArrowRight');
@@ -81,28 +96,52 @@ for (const group of document.querySelectorAll('.mesh-group')) {
   expect(seen.size === select.options.length, 'meshes: colours do not change with the field');
   expect(!fills().includes('NaN'), 'meshes: a colour is not a number');
 }
+const maps = [...document.querySelectorAll('[data-map]')];
+for (const holder of maps) {
+  const map = data.maps[holder.dataset.map];
+  const values = data.arrays[map.values].filter((value) => value !== null);
+  const fills = [...holder.querySelectorAll('rect')].map((cell) => cell.getAttribute('fill'));
+  expect(fills.length === values.length && !fills.join().includes('NaN'), map.title + ': cells missing');
+  expect(new Set(fills).size > 1 || Math.min(...values) === Math.max(...values), map.title + ': one colour');
+  expect(map.range === null || Math.min(...values) >= map.range[0] * (1 - 1e-5) &&
+    Math.max(...values) <= map.range[1] * (1 + 1e-5), map.title + ': beyond its scale');
+}
+
+const dark = matchMedia('(prefers-color-scheme: dark)').matches;
+const ground = getComputedStyle(document.body).backgroundColor.match(/\d+/g).map(Number);
+expect(dark === DARK, 'not seen in the ' + (DARK ? 'dark' : 'light'));
+expect(dark === (ground[0] < 128), 'wrong ground for ' + (dark ? 'dark' : 'light'));
+expect(innerWidth === WIDTH, 'seen ' + innerWidth + ' pixels wide');
 expect(document.documentElement.scrollWidth <= innerWidth, 'wider than the window: ' +
   document.documentElement.scrollWidth + ' > ' + innerWidth);
-document.title = JSON.stringify({ plots: plotHolders.length, film: Boolean(player),
-  meshes: document.querySelectorAll('.mesh-group svg').length, problems });
+parent.postMessage(JSON.stringify({ plots: plotHolders.length, film: Boolean(player), maps: maps.length,
+  meshes: document.querySelectorAll('.mesh-group svg').length, problems }), '*');
 </script>"""
 
+# a window of Chromium is at least 500 pixels wide, a frame within it is not
+FRAME = """<!DOCTYPE html><html><head><meta name="color-scheme" content="light dark"><title></title></head><body>
+<iframe src="probed.html" width="WIDTH" height="1000" style="border: 0"></iframe>
+<script>addEventListener('message', (event) => { document.title = event.data; });</script></body></html>"""
 
-def seen_in_browser(browser, page, width, directory):
-    """What the probe finds on a page in a window of some width."""
+
+def seen_in_browser(browser, page, width, dark, directory):
+    """What the probe finds on a page as wide as that."""
     html = page.read_text(encoding="utf-8")
-    probed = directory / "probed.html"
-    probed.write_text(
-        html.replace("<head>", "<head>" + BEFORE, 1).replace("</body>", AFTER + "</body>", 1),
+    after = AFTER.replace("WIDTH", str(width)).replace("DARK", "true" if dark else "false")
+    (directory / "probed.html").write_text(
+        html.replace("<head>", "<head>" + BEFORE, 1).replace("</body>", after + "</body>", 1),
         encoding="utf-8")
+    frame = directory / "frame.html"
+    frame.write_text(FRAME.replace("WIDTH", str(width)), encoding="utf-8")
     dom = subprocess.run(
         [browser, "--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars",
-         f"--user-data-dir={directory / 'profile'}", f"--window-size={width},1200",
-         "--virtual-time-budget=5000", "--dump-dom", probed.as_uri()],
+         f"--user-data-dir={directory / 'profile'}", "--window-size=1500,1200",
+         *(["--blink-settings=preferredColorScheme=0"] if dark else []),
+         "--virtual-time-budget=5000", "--dump-dom", frame.as_uri()],
         capture_output=True, text=True, timeout=300, check=True).stdout
     title = re.search(r"<title>(.*?)</title>", dom, re.DOTALL).group(1)
     if not title.startswith("{"):
-        return {"plots": 0, "film": False, "meshes": 0, "problems": ["a script of the page stops before its end"]}
+        return {"plots": 0, "film": False, "maps": 0, "meshes": 0, "problems": ["a script of the page stops before its end"]}
     return json.loads(title.replace("&amp;", "&").replace("&lt;", "<").replace("&gt;", ">"))
 
 
@@ -114,32 +153,44 @@ def main():
         return 77
 
     coarse = ["Time/Time step=1e-6"]
-    # arguments of the run, least number of plots, whether there is a film
+    one_mesh = ["Adaptivity/Strategy=none", "Contact/Patch radius=5e-4"]
+    three_entries = ["Sweep/Entry 1=Impactor/Velocity", "Sweep/Values 1=1:2:4",
+                     "Sweep/Entry 2=Impactor/Mass", "Sweep/Values 2=0.01:0.04:4",
+                     "Sweep/Entry 3=Plate/Thickness", "Sweep/Values 3=0.004, 0.008"]
+    small_comparison = ["Comparison/Maximum cycles=2", "Comparison/Reference peak force=1301",
+                        "Comparison/Strategies=uniform, hanging nodes", "Comparison/Elements=MITC9"]
+    # command, scene, entries; what the page has at least: plots, maps, meshes; whether a film
     cases = [
-        ("sphere-on-steel-plate.prm", coarse, 8, True),
-        ("sphere-on-steel-plate.prm", coarse + ["Impactor/Shape=none"], 1, False),
-        ("sphere-on-steel-plate.prm", coarse + ["Adaptivity/Strategy=none"], 5, True),
-        ("paper-cylinder.prm", ["Adaptivity/Maximum cycles=2"], 8, True),
-        ("extremes/long-plate.prm", ["Adaptivity/Maximum cycles=2"], 8, True),
+        ("run", "sphere-on-steel-plate.prm", coarse, (8, 0, 3), True),
+        ("run", "sphere-on-steel-plate.prm", coarse + ["Impactor/Shape=none"], (1, 0, 1), False),
+        ("run", "sphere-on-steel-plate.prm", coarse + ["Adaptivity/Strategy=none"], (5, 0, 1), True),
+        ("run", "paper-cylinder.prm", ["Adaptivity/Maximum cycles=2"], (8, 0, 2), True),
+        ("run", "extremes/long-plate.prm", ["Adaptivity/Maximum cycles=2"], (8, 0, 2), True),
+        ("sweep", "sphere-on-steel-plate.prm", coarse + one_mesh + three_entries, (0, 8, 0), False),
+        ("compare", "sphere-on-steel-plate.prm", coarse + small_comparison, (2, 0, 2), False),
     ]
+    page_of = {"run": "report.html", "sweep": "sweep.html", "compare": "comparison.html"}
     failures = 0
     with tempfile.TemporaryDirectory() as name:
         directory = pathlib.Path(name)
-        for scene, entries, n_plots, has_film in cases:
+        for command, scene, entries, least, has_film in cases:
             overrides = [word for entry in entries for word in ("--set", entry)]
-            subprocess.run([program, "run", scenes / scene, "--quiet", "--output",
+            subprocess.run([program, command, scenes / scene, "--quiet", "--output",
                             directory / "results", *overrides],
                            check=True, stderr=subprocess.DEVNULL)
-            for width in (1300, 500):
-                found = seen_in_browser(browser, directory / "results" / "report.html", width, directory)
+            page = directory / "results" / page_of[command]
+            for width, dark in ((1400, False), (800, False), (390, False), (1400, True)):
+                found = seen_in_browser(browser, page, width, dark, directory)
                 problems = found["problems"]
-                if found["plots"] < n_plots:
-                    problems.append(f"{found['plots']} plots, expected {n_plots}")
+                for kind, number in zip(("plots", "maps", "meshes"), least):
+                    if found[kind] < number:
+                        problems.append(f"{found[kind]} {kind}, expected {number}")
                 if found["film"] != has_film:
                     problems.append("film: " + ("missing" if has_film else "not expected"))
-                if found["meshes"] == 0:
-                    problems.append("no mesh")
-                print(f"{scene} {' '.join(entries)}, {width} pixels: {'; '.join(problems) or 'as expected'}")
+                if page.stat().st_size > 3e6:
+                    problems.append(f"{page.stat().st_size} bytes")
+                print(f"{command} {scene} {' '.join(entries)}, {width} pixels{', dark' if dark else ''}: "
+                      f"{'; '.join(problems) or 'as expected'}", flush=True)
                 failures += bool(problems)
     return 1 if failures else 0
 
