@@ -2,6 +2,7 @@
 // announce, and what its page claims is so.
 #include "program_fixture.h"
 
+#include <algorithm>
 #include <cmath>
 #include <regex>
 
@@ -119,6 +120,47 @@ namespace PlateImpact
       outcome_of("02");
       EXPECT_NE(err.find("do not resolve the bending waves"), std::string::npos)
         << err;
+    }
+
+
+
+    TEST_F(Course, JumpsRankTheCellsButSpreadTheErrorTooEvenly)
+    {
+      // cell by cell on the same 144 equal cells
+      std::vector<std::vector<double>> errors;
+      for (const std::string indicator : {"SPR", "Kelly"})
+        {
+          outcome_of("01",
+                     {uniform,
+                      "Adaptivity/Maximum cycles=3",
+                      "Adaptivity/Indicator=" + indicator});
+          std::istringstream rows(
+            text(results() / "element_errors_cycle_3.csv"));
+          std::string row;
+          std::getline(rows, row);
+          ASSERT_EQ(row.substr(0, 40),
+                    "cell,center_x,center_y,size,element_erro");
+          errors.emplace_back();
+          while (std::getline(rows, row))
+            {
+              for (unsigned int column = 0; column < 4; ++column)
+                row.erase(0, row.find(',') + 1);
+              errors.back().push_back(std::stod(row));
+            }
+          ASSERT_EQ(errors.back().size(), 144u);
+        }
+      const auto worst = [&](const std::vector<double> &xi) {
+        return std::max_element(xi.begin(), xi.end()) - xi.begin();
+      };
+      const auto share_of_worst = [&](const std::vector<double> &xi) {
+        double sum = 0.;
+        for (const double value : xi)
+          sum += value * value;
+        return xi[worst(xi)] * xi[worst(xi)] / sum;
+      };
+      EXPECT_EQ(worst(errors[0]), worst(errors[1]));
+      EXPECT_GT(share_of_worst(errors[0]), 0.9);
+      EXPECT_LT(share_of_worst(errors[1]), 0.5);
     }
 
 

@@ -99,6 +99,39 @@ def what_the_estimator_sees():
     right.minorticks_off()
     right.legend()
     save(figure, "what-the-estimator-sees")
+    recovery_against_jumps()
+
+
+def recovery_against_jumps():
+    """The element errors of both indicators on the same equal cells, which neither
+    changes, with a table on the standard output."""
+    by_name = {name: Results(1, "Adaptivity/Strategy=uniform", "Adaptivity/Maximum cycles=4",
+                             f"Adaptivity/Indicator={indicator}")
+               for name, indicator in (("recovery", "SPR"), ("jumps", "Kelly"))}
+    print("cells  " + "".join(f"{name}: largest xi'  its share %  xi' >= 1   "
+                              for name in by_name))
+    figure, (left, right) = new_figure(2)
+    for cycle in range(4):
+        row = f"{by_name['jumps'].cycles[cycle]['cells']:5}  "
+        for results in by_name.values():
+            xi = results.cells[cycle]["element_error"]
+            share = 100 * xi.max()**2 / (xi**2).sum()
+            row += f"{xi.max():21.1f} {share:12.0f} {(xi >= 1).sum():9}   "
+        print(row)
+    for (name, results), marker in zip(by_name.items(), ("s", "o")):
+        xi = np.sort(results.cells[2]["element_error"])[::-1]
+        left.loglog(np.arange(1, xi.size + 1), xi, marker, markersize=3, label=name)
+    left.axhline(1, color="0.5", linewidth=0.8)
+    left.set(xlabel="cell, the worst first", ylabel="xi' on 144 equal cells")
+    left.legend()
+    for (name, indicator), marker in zip((("recovery", "SPR"), ("jumps", "Kelly")), ("s-", "o-")):
+        results = Results(2, "Adaptivity/Strategy=hanging nodes", "Adaptivity/Maximum cycles=12",
+                          f"Adaptivity/Indicator={indicator}")
+        right.semilogy(results.column("cells"), 100 * results.column("discretization_error"),
+                       marker, label=f"{name}, {len(results.cycles)} cycles")
+    right.set(xlabel="cells of the thin plate, adapted", ylabel="eta [%]")
+    right.legend()
+    save(figure, "recovery-against-jumps")
 
 
 def hanging_nodes_and_remeshing():
