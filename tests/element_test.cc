@@ -3,6 +3,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
+
 namespace PlateImpact
 {
   using namespace dealii;
@@ -53,7 +55,9 @@ namespace PlateImpact
       PlateElementTest,
       testing::ValuesIn(PlateElement::names()),
       [](const testing::TestParamInfo<std::string> &info) {
-        return info.param;
+        std::string name = info.param;
+        std::replace(name.begin(), name.end(), ' ', '_');
+        return name;
       });
 
 
