@@ -43,19 +43,6 @@ namespace PlateImpact
       const std::string text = value ? formatted(format, *value) : "-";
       return std::string(width - std::min(width, text.size()), ' ') + text;
     }
-
-
-
-    /// A time that someone waits.
-    std::string
-    waiting_time(const double seconds)
-    {
-      if (seconds < 100.)
-        return formatted("%.0f s", seconds);
-      if (seconds < 6000.)
-        return formatted("%.0f min", seconds / 60.);
-      return formatted("%.1f h", seconds / 3600.);
-    }
   } // namespace
 
 
@@ -179,9 +166,15 @@ namespace PlateImpact
           std::cout << ", eta " << formatted("%.6g", 100. * last.error->eta)
                     << " % (target " << formatted("%.6g", 100. * target)
                     << " %)";
+        if (last.error && last.error->eta <= target &&
+            outcome != "target reached" &&
+            last.error->max_element_error() >= 1.)
+          std::cout << ", largest xi' "
+                    << formatted("%.3g", last.error->max_element_error())
+                    << " (limit 1)";
         if (last.cells_at_minimum_size > 0)
-          std::cout << " (" << last.cells_at_minimum_size
-                    << " cells at the minimum size keep xi' >= 1)";
+          std::cout << " (cells at the minimum size that keep xi' >= 1: "
+                    << last.cells_at_minimum_size << ")";
         if (last.history)
           std::cout << "\nPeak force  "
                     << out.emphasized(formatted("%.6g N",
@@ -210,7 +203,8 @@ namespace PlateImpact
   Console::begin_comparison(const Scene &scene)
   {
     if (!quiet)
-      std::cout << scene.name << "\nComputing the reference" << std::endl;
+      std::cout << out.emphasized(scene.name, Emphasis::bold)
+                << "\nComputing the reference" << std::endl;
   }
 
 

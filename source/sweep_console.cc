@@ -3,6 +3,7 @@
 #include "plate_impact/impact_figures.h"
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <iostream>
 #include <unistd.h>
@@ -61,12 +62,16 @@ namespace PlateImpact
 
   SweepConsole::SweepConsole(const bool quiet)
     : quiet(quiet)
+    , out(STDOUT_FILENO)
+    , err(STDERR_FILENO)
     // mpirun makes its processes' output a terminal where it has none itself,
     // but not their input
-    , shows_progress(!quiet && isatty(STDOUT_FILENO) && isatty(STDIN_FILENO))
+    , shows_progress(!quiet && out.is_interactive() && isatty(STDIN_FILENO))
     , start(std::chrono::steady_clock::now())
     , last_progress(start)
-  {}
+  {
+    std::signal(SIGPIPE, SIG_IGN);
+  }
 
 
 
@@ -82,8 +87,9 @@ namespace PlateImpact
     std::string names;
     for (const SweptEntry &entry : plan->entries())
       names += (names.empty() ? "" : ", ") + entry.path;
-    std::cout << scene.name() << ": " << counted(plan->n_points(), "point")
-              << " of " << names << " on " << counted(n_groups, "plate");
+    std::cout << out.emphasized(scene.name(), Emphasis::bold) << ": "
+              << counted(plan->n_points(), "point") << " of " << names << " on "
+              << counted(n_groups, "plate");
     if (n_done > 0)
       std::cout << ", " << n_done << " of them done before";
     std::cout << '\n';
@@ -110,10 +116,13 @@ namespace PlateImpact
         if (!shows_progress ||
             now - last_progress < std::chrono::milliseconds(500))
           return;
-        last_progress = now;
-        has_progress  = true;
-        std::cout << "\r\033[K " << n_computed << " of " << n_points
-                  << std::flush;
+        last_progress                               = now;
+        has_progress                                = true;
+        const std::chrono::duration<double> elapsed = now - start;
+        std::cout << "\r\033[K " << n_computed << " of " << n_points << ", "
+                  << waiting_time(elapsed.count() * (n_points - n_computed) /
+                                  n_computed)
+                  << " left" << std::flush;
         return;
       }
     const std::vector<std::string> values = plan->values(row.point);
@@ -164,6 +173,7 @@ namespace PlateImpact
                   << "\nResults     " << results << std::endl;
       }
     for (const std::string &warning : warnings)
-      std::cerr << "warning: " << warning << std::endl;
+      std::cerr << err.emphasized("warning: ", Emphasis::warning) << warning
+                << std::endl;
   }
 } // namespace PlateImpact

@@ -1,5 +1,6 @@
 #include "plate_impact/terminal.h"
 
+#include <cstdio>
 #include <cstdlib>
 #include <string_view>
 #include <unistd.h>
@@ -15,6 +16,26 @@ namespace PlateImpact
       return value != nullptr ? value : "";
     }
   } // namespace
+
+
+
+  std::string
+  waiting_time(const double seconds)
+  {
+    const bool in_seconds = seconds < 100., in_minutes = seconds < 6000.;
+    char       text[64];
+    std::snprintf(text,
+                  sizeof(text),
+                  "%.0f %s",
+                  seconds /
+                    (in_seconds   ? 1. :
+                       in_minutes ? 60. :
+                                    3600.),
+                  in_seconds   ? "s" :
+                    in_minutes ? "min" :
+                                 "h");
+    return text;
+  }
 
 
 

@@ -1,6 +1,9 @@
 // What the program prints on terminals, in pipes and in files.
 #include "program_fixture.h"
 
+#include <algorithm>
+#include <map>
+
 namespace PlateImpact
 {
   namespace
@@ -54,6 +57,57 @@ namespace PlateImpact
       EXPECT_EQ(summary()["outcome"], "target reached");
       EXPECT_EQ(shell("\"$PROGRAM\" defaults | head -n 1"), 0);
       EXPECT_EQ(err, "");
+    }
+
+
+
+    const std::string small_sweep =
+      " sweep \"$SCENE\" --output results --set Adaptivity/Strategy=none "
+      "--set 'Sweep/Entry 1=Impactor/Velocity' --set 'Sweep/Values 1=1:2:30' ";
+
+
+
+    TEST_F(ConsoleOutput, SweepSurvivesAReaderThatLeaves)
+    {
+      // more than the reader takes before it leaves
+      ASSERT_EQ(shell("( \"$PROGRAM\"" + small_sweep +
+                      "; echo $? > status ) | head -n 1"),
+                0);
+      EXPECT_EQ(text(directory / "status"), "0\n");
+      const std::string table = text(results() / "sweep.csv");
+      EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 31) << table;
+    }
+
+
+
+    TEST_F(ConsoleOutput, FilesTakeNothingThatClosedStreamsDoNot)
+    {
+      for (const std::string command :
+           {" run \"$SCENE\" --output results ", small_sweep.c_str()})
+        {
+          ASSERT_EQ(shell("\"$PROGRAM\"" + command), 0) << err;
+          std::map<fs::path, std::string> before;
+          for (const auto &entry : fs::directory_iterator(results()))
+            if (entry.path().extension() == ".csv")
+              before[entry.path()] = text(entry.path());
+          EXPECT_FALSE(before.empty());
+          ASSERT_EQ(shell("\"$PROGRAM\"" + command + "<&- >&- 2>&-"), 0);
+          for (const auto &[path, content] : before)
+            EXPECT_EQ(text(path), content) << path;
+        }
+    }
+
+
+
+    TEST_F(ConsoleOutput, LargeSweepTellsTheTimeThatIsLeft)
+    {
+      const std::string command =
+        "script --quiet --return --command \"'$PROGRAM' sweep '$SCENE' --output "
+        "results --set Adaptivity/Strategy=none --set 'Sweep/Entry "
+        "1=Impactor/Velocity' --set 'Sweep/Values 1=1:2:600'\" /dev/null";
+      ASSERT_EQ(shell("TERM=xterm " + command), 0) << out;
+      EXPECT_NE(out.find(" of 600, "), std::string::npos) << out;
+      EXPECT_NE(out.find(" s left"), std::string::npos) << out;
     }
 
 

@@ -4,6 +4,7 @@
 #include "plate_impact/sweep_computation.h"
 #include "plate_impact/sweep_scene.h"
 #include "plate_impact/sweep_table.h"
+#include "plate_impact/terminal.h"
 
 #include <chrono>
 #include <string>
@@ -11,7 +12,8 @@
 
 namespace PlateImpact
 {
-  /// What a user sees while a sweep runs.
+  /// What a user sees while a sweep runs. A reader who closes the pipe
+  /// (`| head`) does not end it.
   class SweepConsole
   {
   public:
@@ -23,8 +25,8 @@ namespace PlateImpact
     void
     begin(const SweepScene &scene, std::size_t n_groups, std::size_t n_done);
 
-    /// A line per point of a small sweep; the number of points done so far, on
-    /// a terminal, of a large one.
+    /// A line per point of a small sweep; of a large one, on a terminal, the
+    /// number of points done so far and the time that the others take.
     void
     row(const SweepRow &row);
 
@@ -34,7 +36,9 @@ namespace PlateImpact
         const std::string              &results);
 
   private:
-    const bool                                  quiet, shows_progress;
+    const bool                                  quiet;
+    const Terminal                              out, err;
+    const bool                                  shows_progress;
     std::optional<SweepPlan>                    plan;
     std::size_t                                 n_points = 0, n_computed = 0;
     const std::chrono::steady_clock::time_point start;
