@@ -5,6 +5,9 @@
 #include "plate_impact/impactor.h"
 #include "plate_impact/plate_section.h"
 #include "plate_impact/reliability.h"
+#include "plate_impact/scene_reader.h"
+#include "plate_impact/sweep_groups.h"
+#include "plate_impact/sweep_plan.h"
 #include "plate_impact/zener.h"
 
 #include <algorithm>
@@ -49,16 +52,26 @@ namespace PlateImpact
     /// end: where the contact outlasts what Zener's equation expects, end and
     /// step are extended together.
     CycleResult
-    coarse_impact(const Parameters &scene, const double expected_contact_time)
+    coarse_impact(const Parameters &scene,
+                  const double      expected_contact_time,
+                  const double      wavelength)
     {
       Parameters parameters                   = scene;
       parameters.discretization.initial_cells = {{8, 8}};
-      parameters.discretization.element       = "MITC9";
-      parameters.adaptivity.strategy          = "none";
-      parameters.output.write_report          = false;
-      parameters.output.field_samples         = 0;
-      parameters.time.integrator              = "Ritz vectors";
-      parameters.time.end_time                = 1.5 * expected_contact_time;
+      // Zener's equation, which knows short waves, is of no help for a cylinder
+      for (unsigned int d = 0; d < 2; ++d)
+        if (scene.impactor.shape == "cylinder")
+          parameters.discretization.initial_cells[d] =
+            static_cast<unsigned int>(
+              std::clamp(scene.plate.side_lengths[d] / wavelength + 1.,
+                         8.,
+                         32.));
+      parameters.discretization.element = "MITC9";
+      parameters.adaptivity.strategy    = "none";
+      parameters.output.write_report    = false;
+      parameters.output.field_samples   = 0;
+      parameters.time.integrator        = "Ritz vectors";
+      parameters.time.end_time          = 1.5 * expected_contact_time;
       while (true)
         {
           parameters.time.time_step = parameters.time.end_time / 96.;
@@ -106,8 +119,9 @@ namespace PlateImpact
       else
         print_line(out,
                    "peak force",
-                   "about that of the infinite plate: its waves are too "
-                   "short for a coarse mesh");
+                   parameters.impactor.shape == "cylinder" ? "above" : "about",
+                   " that of the infinite plate: its waves are too short for "
+                   "a coarse mesh");
       print_line(out,
                  "infinite plate",
                  zener.force,
@@ -219,41 +233,134 @@ namespace PlateImpact
 
 
 
+    struct Cost
+    {
+      double cells, unknowns, cycles, steps;
+      double seconds_of_cycle;
+    };
+
+
+
     /// Cells and seconds from what scenes of prm/ take: eta falls with the
     /// number of cells, which are spread over the levels of the refinement.
-    void
-    print_cost(std::ostream &out, const Parameters &parameters)
+    Cost
+    cost_of_run(const Parameters &parameters)
     {
       const AdaptivityParameters &adaptivity = parameters.adaptivity;
       const auto  &cells   = parameters.discretization.initial_cells;
       const auto  &sides   = parameters.plate.side_lengths;
       const double initial = static_cast<double>(cells[0]) * cells[1];
       const double h = 0.5 * std::max(sides[0] / cells[0], sides[1] / cells[1]);
-      double       expected = initial, cycles = 1.;
+      Cost         cost;
+      cost.cells  = initial;
+      cost.cycles = 1.;
       if (adaptivity.strategy != "none")
         {
           const double halvings = h / adaptivity.minimum_cell_size;
-          expected              = std::clamp(18. * std::log2(halvings) * 0.05 /
-                                  adaptivity.target_error,
-                                initial,
-                                initial * halvings * halvings);
-          cycles = std::min(4., double(adaptivity.maximum_cycles));
+          cost.cells            = std::clamp(18. * std::log2(halvings) * 0.05 /
+                                    adaptivity.target_error,
+                                  initial,
+                                  initial * halvings * halvings);
+          cost.cycles = std::min(4., double(adaptivity.maximum_cycles));
         }
-      const double unknowns = 12. * expected,
-                   steps = parameters.time.end_time / parameters.time.time_step;
+      cost.unknowns = 12. * cost.cells;
+      cost.steps    = parameters.time.end_time / parameters.time.time_step;
       const bool is_reduced = parameters.time.integrator == "Ritz vectors";
+      cost.seconds_of_cycle = cost.unknowns * 5e-5 +
+        cost.steps * (is_reduced ? 1e-6 : cost.unknowns * 2e-7);
+      return cost;
+    }
+
+
+
+    void
+    print_cost(std::ostream &out, const Parameters &parameters)
+    {
+      const Cost cost = cost_of_run(parameters);
       print_line(out,
                  "cost",
                  "of the order of ",
-                 expected,
+                 cost.cells,
                  " cells, ",
-                 unknowns,
+                 cost.unknowns,
                  " unknowns, ",
-                 0.2 +
-                   cycles *
-                     (unknowns * 5e-5 +
-                      steps * (is_reduced ? 1e-6 : unknowns * 2e-7)),
+                 0.2 + cost.cycles * cost.seconds_of_cycle,
                  " s");
+    }
+
+
+
+    std::string
+    counted(const std::size_t n, const std::string &noun)
+    {
+      return std::to_string(n) + ' ' + noun + (n == 1 ? "" : "s");
+    }
+
+
+
+    /// Why points that could share a load with its response do not; empty when
+    /// they do.
+    std::string
+    what_keeps_loads_apart(const Parameters &given, const SweepPlan &plan)
+    {
+      if (given.sweep.estimate_error)
+        return "Sweep/Estimate error = true steps every impact by itself";
+      const std::string &load = given.contact.load_distribution;
+      if (load != "point" && load != "line" &&
+          given.contact.patch_radius == 0. &&
+          !plan.sweeps("Contact/Patch radius"))
+        return "Contact/Patch radius = 0 lets every impactor choose";
+      if (given.time.time_step == 0. && !plan.sweeps("Time/Time step"))
+        return "Time/Time step = 0 lets every impactor choose";
+      return {};
+    }
+
+
+
+    /// What `plate-impact sweep` makes of the scene's section Sweep; seconds
+    /// from what sweeps of the main scene take.
+    void
+    print_sweep(std::ostream &out, const Scene &scene)
+    {
+      const Parameters &given = scene.given;
+      const SweepPlan   plan(SceneReader().schema, given.sweep);
+      const std::size_t n_points = plan.n_points();
+      if (n_points == 0)
+        return;
+      const bool is_adaptive = given.adaptivity.strategy != "none" ||
+        plan.sweeps("Adaptivity/Strategy");
+      const bool has_own_meshes =
+        is_adaptive && given.sweep.adapt == "each point";
+      const SweepGroups groups(plan, is_adaptive);
+      const std::string reason = what_keeps_loads_apart(given, plan);
+      const std::size_t n_plates =
+        has_own_meshes ? n_points : groups.groups().size();
+      const std::size_t n_loads =
+        has_own_meshes || !reason.empty() ? n_points : groups.n_loads();
+
+      std::string names;
+      for (const SweptEntry &entry : plan.entries())
+        names += (names.empty() ? "" : ", ") + entry.path;
+      out << "\nSweep\n";
+      print_line(out, "points", counted(n_points, "impact"), " of ", names);
+      print_line(out,
+                 "models",
+                 counted(n_plates, "plate"),
+                 is_adaptive ? " on adapted meshes, " : ", ",
+                 counted(n_loads, "response"),
+                 " to a load",
+                 !has_own_meshes && n_loads > groups.n_loads() ? ": " + reason +
+                     "; " + std::to_string(groups.n_loads()) + " would do" :
+                                                                 "");
+      const Cost   cost       = cost_of_run(scene.parameters);
+      const bool   is_reduced = given.time.integrator == "Ritz vectors";
+      const double seconds    = 0.2 +
+        n_plates * cost.cycles * cost.seconds_of_cycle +
+        n_loads * cost.unknowns * (is_reduced ? 1e-5 : 1e-7 * cost.steps) +
+        n_points *
+          (cost.steps * (is_reduced ? 2e-6 : 1e-6) +
+           (given.sweep.estimate_error ? cost.seconds_of_cycle : 0.));
+      print_line(out, "cost", "of the order of ", seconds, " s");
     }
   } // namespace
 
@@ -271,10 +378,11 @@ namespace PlateImpact
         const auto         law = make_contact_law(parameters);
         const ExpectedPeak zener =
           zener_peak(*law, make_impactor(parameters.impactor), section);
-        CycleResult coarse = coarse_impact(parameters, 2. * zener.time);
-        // a coarse cell against the wave that an infinite plate would carry
-        const bool is_resolved = coarse.min_cell_size <
-          0.5 * contact_wave(section, 2. * zener.time).length;
+        // the wave that an infinite plate would carry
+        const double wavelength = contact_wave(section, 2. * zener.time).length;
+        CycleResult  coarse =
+          coarse_impact(parameters, 2. * zener.time, wavelength);
+        const bool   is_resolved  = coarse.min_cell_size < 0.5 * wavelength;
         const double contact_time = is_resolved ?
           coarse.history->first_contact_end().value_or(2. * zener.time) :
           2. * zener.time;
@@ -285,6 +393,7 @@ namespace PlateImpact
         page << "\nAdvice\n";
         print_advice(page, parameters, contact_time);
         print_cost(page, parameters);
+        print_sweep(page, scene);
         coarse.min_cell_size = parameters.adaptivity.minimum_cell_size;
         for (const std::string &warning :
              model_warnings(parameters, section, coarse))

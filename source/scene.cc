@@ -14,13 +14,14 @@ namespace PlateImpact
     SceneReader  reader(path, overrides, output);
     SceneChecker checker(reader.schema, reader.parameters);
     checker.check_together();
+    const Parameters given = reader.parameters;
     if (reader.mistakes.empty() && checker.mistakes.empty())
       checker.complete();
     reader.add_mistakes(checker.mistakes);
     reader.add_mistakes(
       SweepPlan(reader.schema, reader.parameters.sweep).mistakes());
     reader.refuse_mistakes();
-    return {path, reader.parameters, reader.text()};
+    return {path, reader.parameters, reader.text(), given};
   }
 
 

@@ -59,6 +59,8 @@ namespace PlateImpact
           loads[group].emplace(load_key, loads[group].size()).first->second;
         members[group].emplace_back(place, point);
       }
+    for (const auto &of_group : loads)
+      n_found_loads += of_group.size();
     for (auto &group : members)
       {
         std::sort(group.begin(), group.end());
@@ -74,6 +76,14 @@ namespace PlateImpact
   SweepGroups::groups() const
   {
     return found;
+  }
+
+
+
+  std::size_t
+  SweepGroups::n_loads() const
+  {
+    return n_found_loads;
   }
 
 

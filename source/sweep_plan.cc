@@ -238,6 +238,16 @@ namespace PlateImpact
 
 
   bool
+  SweepPlan::sweeps(const std::string &path) const
+  {
+    return std::any_of(swept.begin(), swept.end(), [&](const auto &entry) {
+      return entry.path == path;
+    });
+  }
+
+
+
+  bool
   SweepPlan::forms_product() const
   {
     return is_product;

@@ -64,10 +64,8 @@ namespace PlateImpact
   bool
   SweepScene::may_adapt() const
   {
-    for (const SweptEntry &entry : sweep_plan.entries())
-      if (entry.path == "Adaptivity/Strategy")
-        return true;
-    return base->adaptivity.strategy != "none";
+    return base->adaptivity.strategy != "none" ||
+      sweep_plan.sweeps("Adaptivity/Strategy");
   }
 
 

@@ -8,6 +8,8 @@
 
 #include <cmath>
 #include <map>
+#include <regex>
+#include <utility>
 
 namespace PlateImpact
 {
@@ -331,6 +333,46 @@ namespace PlateImpact
                         "' --set Impactor/Radius=0.06"),
                 0);
       EXPECT_NE(err.find(growing), std::string::npos) << err;
+    }
+
+
+
+    TEST_F(Sweep, CheckSaysWhatItWillMake)
+    {
+      const std::string velocities  = "set Entry 1 = Impactor/Velocity\n"
+                                      "set Values 1 = 1:2:4\n";
+      const std::string thicknesses = "set Entry 2 = Plate/Thickness\n"
+                                      "set Values 2 = 0.008, 0.006\n";
+      const auto        numbers     = [](const std::string &text) {
+        std::smatch made;
+        EXPECT_TRUE(std::regex_search(
+          text,
+          made,
+          std::regex("([0-9]+) plates?(?: models?)?(?: on adapted meshes)?, "
+                                "([0-9]+) responses? to a load")))
+          << text;
+        return std::pair<std::string, std::string>(made[1], made[2]);
+      };
+      for (const std::string &entries : {velocities, velocities + thicknesses})
+        for (const std::string set : {"Contact/Patch radius=0",
+                                      "Contact/Patch radius=0.0005",
+                                      "Sweep/Estimate error=true",
+                                      "Adaptivity/Strategy=hanging nodes"})
+          {
+            const std::string scene = write_scene(on_one_mesh + swept(entries));
+            ASSERT_EQ(execute("check '" + scene + "' --set '" + set + "'"), 0)
+              << err;
+            const std::string expected = out;
+            ASSERT_EQ(sweep(scene, "--set '" + set + "'"), 0) << err;
+            EXPECT_EQ(numbers(expected), numbers(out)) << set;
+            EXPECT_EQ(expected.find("would do") != expected.npos,
+                      set == "Contact/Patch radius=0" ||
+                        set == "Sweep/Estimate error=true")
+              << expected;
+          }
+      const std::string no_sweep = write_scene(on_one_mesh);
+      ASSERT_EQ(execute("check '" + no_sweep + "'"), 0) << err;
+      EXPECT_EQ(out.find("Sweep"), out.npos);
     }
 
 

@@ -15,7 +15,8 @@ namespace PlateImpact
   {
     std::string name; ///< of the file, as given
     Parameters  parameters;
-    std::string text; ///< every value used, as a scene that repeats the run
+    std::string text;  ///< every value used, as a scene that repeats the run
+    Parameters  given; ///< with the zeros that let the program choose
   };
 
   /// Reads a scene file, the overrides "Section/Entry=value" and the output

@@ -28,6 +28,11 @@ namespace PlateImpact
     const std::vector<std::vector<std::size_t>> &
     groups() const;
 
+    /// Loads with time steps, as the swept entries tell them apart, in all
+    /// groups together.
+    std::size_t
+    n_loads() const;
+
     /// Parts of groups to compute one after another: points that are still to
     /// be computed, at most so many.
     struct Task
@@ -42,6 +47,7 @@ namespace PlateImpact
 
   private:
     std::vector<std::vector<std::size_t>> found;
+    std::size_t                           n_found_loads = 0;
   };
 } // namespace PlateImpact
 

@@ -40,6 +40,10 @@ namespace PlateImpact
     const std::vector<SweptEntry> &
     entries() const;
 
+    /// Whether an entry, "Section/Entry", is swept.
+    bool
+    sweeps(const std::string &path) const;
+
     /// Every value with every other, as opposed to lists that are paired up.
     bool
     forms_product() const;
