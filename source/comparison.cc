@@ -34,13 +34,14 @@ namespace PlateImpact
     /// Adapts to the target, which is halved as often as it is met already or
     /// gives no new mesh. A smaller target is the same as larger errors.
     /// @param tightening  of the scene's target; doubled with every halving
-    /// @return whether there is a new mesh
-    bool
+    /// @return why there is no new mesh; empty when there is one
+    std::optional<std::string>
     adapt_further(ImpactAnalysis    &analysis,
                   const CycleResult &result,
                   const double       target,
                   double            &tightening)
     {
+      std::optional<std::string> end = "mesh unchanged";
       for (unsigned int halvings = 0; halvings < 8; ++halvings)
         {
           CycleResult seen;
@@ -48,11 +49,11 @@ namespace PlateImpact
           seen.error->eta *= tightening;
           for (double &xi : seen.error->element_errors)
             xi *= tightening;
-          if (seen.error->eta > target && analysis.adapt(seen))
-            return true;
+          if (seen.error->eta > target && !(end = analysis.adapt(seen)))
+            return {};
           tightening *= 2.;
         }
-      return false;
+      return end;
     }
   } // namespace
 
@@ -97,7 +98,7 @@ namespace PlateImpact
     CycleResult      coarse     = analysis.compute_cycle();
     while (coarse.error->eta > 0.1 * target &&
            coarse.cells < enough_reference_cells &&
-           adapt_further(analysis, coarse, target, tightening))
+           !adapt_further(analysis, coarse, target, tightening))
       coarse = analysis.compute_cycle();
     analysis.refine_everywhere();
     const CycleResult fine = analysis.compute_cycle();
@@ -204,10 +205,12 @@ namespace PlateImpact
             curve.end = "nearly as fine as the reference";
             return;
           }
-        if (cycle < comparison.maximum_cycles &&
-            !adapt_further(analysis, result, target, tightening))
+        if (cycle == comparison.maximum_cycles)
+          break;
+        if (const auto end =
+              adapt_further(analysis, result, target, tightening))
           {
-            curve.end = "mesh unchanged";
+            curve.end = *end;
             return;
           }
       }

@@ -92,24 +92,31 @@ namespace PlateImpact
 
 
 
-  bool
+  std::optional<std::string>
   ImpactAnalysis::adapt(const CycleResult &result)
   {
-    if (asks_for_too_many_cells(result))
-      return false;
+    const AdaptivityParameters &adaptivity = parameters.adaptivity;
+    const std::string           too_many   = "maximum cells";
+    // before there is a mesh that does not fit into the memory
+    if (adaptation->n_wanted_cells(*triangulation, *result.error) >
+        adaptivity.maximum_cells)
+      return too_many;
     StageClock clock;
     // whoever keeps the last mesh needs its model: adapt a copy
     auto adapted = std::make_unique<Triangulation<2>>();
     adapted->copy_triangulation(*triangulation);
     if (!adaptation->adapt(*adapted, *result.error, adaptation_warnings))
-      return false;
+      return result.error->eta <= adaptivity.target_error ? "target reached" :
+                                                            "mesh unchanged";
+    if (adapted->n_active_cells() > adaptivity.maximum_cells)
+      return too_many;
     seconds_for_mesh = 0.;
     clock.charge(seconds_for_mesh);
     kelly.reset();
     error_estimator.reset();
     plate_model.reset();
     triangulation = std::move(adapted);
-    return true;
+    return {};
   }
 
 
@@ -343,15 +350,6 @@ namespace PlateImpact
 
 
 
-  bool
-  ImpactAnalysis::asks_for_too_many_cells(const CycleResult &result) const
-  {
-    return adaptation->n_wanted_cells(*triangulation, *result.error) >
-      parameters.adaptivity.maximum_cells;
-  }
-
-
-
   std::optional<std::string>
   ImpactAnalysis::outcome(const CycleResult &result) const
   {
@@ -362,8 +360,6 @@ namespace PlateImpact
       return "target reached";
     if (result.cycle == parameters.adaptivity.maximum_cycles)
       return "maximum cycles";
-    if (asks_for_too_many_cells(result))
-      return "maximum cells";
     return {};
   }
 } // namespace PlateImpact

@@ -26,11 +26,8 @@ namespace PlateImpact
           CycleResult result = analysis.compute_cycle();
           output.write_cycle(result, analysis.model(), analysis.estimator());
           std::optional<std::string> end = analysis.outcome(result);
-          if (!end && !analysis.adapt(result))
-            end =
-              result.error->eta <= scene.parameters.adaptivity.target_error ?
-              "target reached" :
-              "mesh unchanged";
+          if (!end)
+            end = analysis.adapt(result);
           console.cycle(result);
           if (!end)
             continue;

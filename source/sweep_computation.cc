@@ -42,7 +42,7 @@ namespace PlateImpact
       while (true)
         {
           CycleResult result = analysis.compute_cycle();
-          if (analysis.outcome(result) || !analysis.adapt(result))
+          if (analysis.outcome(result) || analysis.adapt(result))
             return result;
         }
     }

@@ -178,6 +178,23 @@ namespace PlateImpact
 
 
 
+    TEST_F(Program, NoMeshHasMoreCellsThanAllowed)
+    {
+      for (const int limit : {60, 122, 150, 190})
+        {
+          ASSERT_EQ(run(main_scene,
+                        "--set 'Adaptivity/Maximum cells=" +
+                          std::to_string(limit) + "'"),
+                    0)
+            << err;
+          EXPECT_EQ(summary()["outcome"], "maximum cells") << limit;
+          for (const auto &cycle : summary()["cycles"])
+            EXPECT_LE(cycle["cells"], limit);
+        }
+    }
+
+
+
     TEST_F(Program, SamplesOfTheEstimatorAreEnough)
     {
       const auto eta = [this](const std::string &interval) {

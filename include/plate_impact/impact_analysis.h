@@ -55,9 +55,9 @@ namespace PlateImpact
     outcome(const CycleResult &result) const;
 
     /// Makes the mesh that a result asks for the present one, unless it is the
-    /// same again.
-    /// @return whether the mesh has changed
-    bool
+    /// same again or has too many cells.
+    /// @return why the loop ends instead; empty when the mesh has changed
+    std::optional<std::string>
     adapt(const CycleResult &result);
 
     /// Halves every cell, whatever the strategy and the minimum cell size.
@@ -80,8 +80,6 @@ namespace PlateImpact
     contact_law() const;
 
   private:
-    bool
-    asks_for_too_many_cells(const CycleResult &result) const;
     void
     run_transient(CycleResult &result, StageClock &clock);
     /// @param reduced  the plate that is stepped; null: that of the mesh
