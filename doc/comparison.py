@@ -43,12 +43,12 @@ def reference(result):
 def main():
     page = root / "doc/comparison.md"
     text = page.read_text()
-    for scene in re.findall(r"^## .*`(prm/compare-.*\.prm)`$", text, re.M):
+    for scene in re.findall(r"^## .*(prm/compare-.*\.prm)$", text, re.M):
         with tempfile.TemporaryDirectory() as directory:
             subprocess.run([sys.argv[1], "compare", scene, "--quiet", "--output", directory],
                            cwd=root, check=True)
             result = json.loads((pathlib.Path(directory) / "comparison.json").read_text())
-        start = text.index(f"`{scene}`")
+        start = text.index(f"{scene}\n")
         section = re.sub(r"Reference:[^|]*\n\n(\|.*\n)+",
                          lambda _: reference(result) + "\n\n" + table(result) + "\n",
                          text[start:], count=1)
