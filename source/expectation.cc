@@ -309,9 +309,9 @@ namespace PlateImpact
       if (load != "point" && load != "line" &&
           given.contact.patch_radius == 0. &&
           !plan.sweeps("Contact/Patch radius"))
-        return "Contact/Patch radius = 0 lets every impactor choose";
+        return "Contact/Patch radius = 0 lets impactors choose";
       if (given.time.time_step == 0. && !plan.sweeps("Time/Time step"))
-        return "Time/Time step = 0 lets every impactor choose";
+        return "Time/Time step = 0 lets impactors choose";
       return {};
     }
 
@@ -335,8 +335,12 @@ namespace PlateImpact
       const std::string reason = what_keeps_loads_apart(given, plan);
       const std::size_t n_plates =
         has_own_meshes ? n_points : groups.groups().size();
-      const std::size_t n_loads =
-        has_own_meshes || !reason.empty() ? n_points : groups.n_loads();
+      // what impactors choose is rounded, so that they differ in some hundred
+      // ways
+      const bool has_own_loads  = has_own_meshes || given.sweep.estimate_error;
+      const std::size_t n_loads = has_own_loads ? n_points :
+        reason.empty()                          ? groups.n_loads() :
+                         std::min(n_points, 200 * groups.n_loads());
 
       std::string names;
       for (const SweptEntry &entry : plan.entries())
@@ -347,6 +351,7 @@ namespace PlateImpact
                  "models",
                  counted(n_plates, "plate"),
                  is_adaptive ? " on adapted meshes, " : ", ",
+                 has_own_loads || reason.empty() ? "" : "up to ",
                  counted(n_loads, "response"),
                  " to a load",
                  !has_own_meshes && n_loads > groups.n_loads() ? ": " + reason +

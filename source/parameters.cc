@@ -129,7 +129,7 @@ namespace PlateImpact
         contact.patch_radius,
         "Radius of the disc or half-width of the strip; 0: the Hertz "
         "contact radius at the peak force that Zener's equation "
-        "predicts. [m]");
+        "predicts, to the nearest of 64 in an octave. [m]");
       schema.declare(
         "Integration",
         "energy conserving",
@@ -177,9 +177,9 @@ namespace PlateImpact
                      "1e-7",
                      Allowed::number_from(0),
                      time.time_step,
-                     "Shortened where End time is not a multiple of it. 0: the "
-                     "contact time that Zener's equation predicts over the "
-                     "power of two that meets Step tolerance. [s]");
+                     "Shortened where End time is not a multiple of it. 0: by "
+                     "powers of two, the largest that meets Step tolerance in "
+                     "Zener's equation. [s]");
       schema.declare("Step tolerance",
                      "1e-4",
                      Allowed::number_between(0, 1),

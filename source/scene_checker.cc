@@ -255,7 +255,14 @@ namespace PlateImpact
                         "lets the program choose the Hertz contact radius, "
                         "which is " +
                           in_words(radius) + " m and reaches beyond the plate");
-        schema.set("Contact", "Patch radius", radius);
+        // one of few, so that similar impactors share their load; half a per
+        // cent of the radius is less than a ten thousandth of the force
+        const double thickness = parameters.plate.thickness;
+        schema.set("Contact",
+                   "Patch radius",
+                   thickness *
+                     std::exp2(
+                       std::lround(64. * std::log2(radius / thickness)) / 64.));
       }
     const auto &cells = parameters.discretization.initial_cells;
     const auto &sides = parameters.plate.side_lengths;

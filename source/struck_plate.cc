@@ -6,7 +6,6 @@
 #include "plate_impact/newmark_scheme.h"
 #include "plate_impact/time_stepper.h"
 
-#include <tuple>
 #include <utility>
 
 namespace PlateImpact
@@ -24,24 +23,8 @@ namespace PlateImpact
 
 
 
-    /// What makes the load and the steps of an impact, in comparable form.
-    auto
-    preparation(const Parameters &parameters)
-    {
-      const ContactParameters &contact = parameters.contact;
-      const TimeParameters    &time    = parameters.time;
-      return std::make_tuple(contact.load_distribution,
-                             contact.patch_radius,
-                             contact.integration,
-                             parameters.impactor.length,
-                             parameters.needs_estimator(),
-                             time.integrator,
-                             time.end_time,
-                             time.time_step,
-                             time.ritz_tolerance,
-                             time.newmark_beta,
-                             time.newmark_gamma);
-    }
+    /// Numbers in the Ritz vectors of all loads that are kept: 0.4 GB.
+    constexpr double most_numbers = 5e7;
   } // namespace
 
 
@@ -70,30 +53,61 @@ namespace PlateImpact
   unsigned int
   StruckPlate::n_loads() const
   {
-    return loads;
+    return n_made;
   }
 
 
 
-  void
+  StruckPlate::LoadKey
+  StruckPlate::load_key(const Parameters &parameters)
+  {
+    const ContactParameters    &contact = parameters.contact;
+    const TimeParameters       &time    = parameters.time;
+    const std::array<double, 7> numbers = {{contact.patch_radius,
+                                            parameters.impactor.length,
+                                            time.end_time,
+                                            time.time_step,
+                                            time.ritz_tolerance,
+                                            time.newmark_beta,
+                                            time.newmark_gamma}};
+    return {contact.load_distribution,
+            contact.integration,
+            time.integrator,
+            parameters.needs_estimator(),
+            numbers};
+  }
+
+
+
+  StruckPlate::Load &
   StruckPlate::prepare(const Parameters &parameters)
   {
-    if (prepared && preparation(*prepared) == preparation(parameters))
-      return;
-    prepared.reset();
-    responses.clear();
-    reduction.reset();
-    const Eigen::VectorXd load = plate_model.load(
-      make_load_patch(parameters.contact, parameters.impactor.length));
+    const LoadKey key   = load_key(parameters);
+    auto          known = loads.find(key);
+    if (known == loads.end())
+      {
+        double numbers = 0.;
+        for (const auto &[other, load] : loads)
+          if (load.reduction)
+            numbers += 1. * load.reduction->n_vectors() * load.u.size();
+        if (numbers > most_numbers)
+          loads.clear();
+        known      = loads.try_emplace(key).first;
+        Load &load = known->second;
+        load.u     = plate_model.load(
+          make_load_patch(parameters.contact, parameters.impactor.length));
+        load.integration =
+          make_contact_integration(parameters.contact.integration);
+        ++n_made;
+      }
+    Load &load = known->second;
     if (plate == nullptr)
       plate = std::make_unique<MeshPlate>(plate_model,
-                                          load,
+                                          load.u,
                                           make_linear_solver(linear_solver));
     else
-      plate->set_load(load);
-    integration = make_contact_integration(parameters.contact.integration);
-    prepared    = parameters;
-    ++loads;
+      plate->set_load(load.u);
+    return load;
   }
 
 
@@ -101,16 +115,16 @@ namespace PlateImpact
   Impact
   StruckPlate::strike(const Parameters &parameters)
   {
-    prepare(parameters);
+    Load      &load    = prepare(parameters);
     RitzPlate *reduced = nullptr;
     if (parameters.time.integrator == "Ritz vectors")
       {
-        if (!reduction)
-          reduction.emplace(*plate,
-                            plate_model.section(),
-                            parameters.time,
-                            parameters.needs_estimator());
-        reduced = reduction->settle(parameters, *integration);
+        if (!load.reduction)
+          load.reduction.emplace(*plate,
+                                 plate_model.section(),
+                                 parameters.time,
+                                 parameters.needs_estimator());
+        reduced = load.reduction->settle(parameters, *load.integration);
       }
     SemidiscretePlate &stepped =
       reduced != nullptr ? static_cast<SemidiscretePlate &>(*reduced) : *plate;
@@ -120,8 +134,9 @@ namespace PlateImpact
     const NewmarkScheme scheme(parameters.time);
     if (!scheme.conserves_energy())
       return step_to_end(
-        {parameters.time, stepped, *law, *integration, impactor});
-    return responses.try_emplace(&stepped, scheme, stepped, *integration)
+        {parameters.time, stepped, *law, *load.integration, impactor});
+    return load.responses
+      .try_emplace(&stepped, scheme, stepped, *load.integration)
       .first->second.impact(*law, impactor);
   }
 } // namespace PlateImpact

@@ -127,13 +127,6 @@ namespace PlateImpact
             console.end(work, {}, results);
             throw ComputationError(warnings.front());
           }
-        if (work.loads > 100 && scene.parameters().contact.patch_radius == 0.)
-          warnings.push_back(
-            "every impactor had a load of its own, " +
-            std::to_string(work.loads) +
-            " in all, since Contact/Patch radius = 0 lets each choose its "
-            "Hertz radius; with a radius set they share one, and a point "
-            "takes a millisecond");
         console.end(work, warnings, results);
       }
 

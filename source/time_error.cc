@@ -16,7 +16,12 @@ namespace PlateImpact
   {
     const ExpectedPeak exact        = zener_peak(law, impactor, section);
     const double       contact_time = 2. * exact.time, pi = std::acos(-1.);
-    double             step = contact_time / 8.;
+    // by powers of two from a time of the plate alone, the inverse frequency of
+    // thickness shear, so that impactors share steps
+    const double base =
+      std::sqrt(section.rotary_inertia / section.shear_stiffness);
+    double step =
+      base * std::exp2(std::floor(std::log2(contact_time / 8. / base)));
     // the reference is good to about 1e-5
     const double tolerance = std::max(time.step_tolerance, 1e-5);
     while (true)

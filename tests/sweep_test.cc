@@ -348,8 +348,9 @@ namespace PlateImpact
         EXPECT_TRUE(std::regex_search(
           text,
           made,
-          std::regex("([0-9]+) plates?(?: models?)?(?: on adapted meshes)?, "
-                                "([0-9]+) responses? to a load")))
+          std::regex(
+            "([0-9]+) plates?(?: models?)?(?: on adapted meshes)?, (?:up to )?"
+                       "([0-9]+) responses? to a load")))
           << text;
         return std::pair<std::string, std::string>(made[1], made[2]);
       };

@@ -11,10 +11,12 @@
 #include "plate_impact/ritz_reduction.h"
 #include "plate_impact/semidiscrete_plate.h"
 
+#include <array>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
 
 namespace PlateImpact
 {
@@ -45,8 +47,25 @@ namespace PlateImpact
     n_loads() const;
 
   private:
-    /// Makes the load of an impact, unless it is the last one's.
-    void
+    /// What makes the load and the steps of an impact.
+    using LoadKey = std::
+      tuple<std::string, std::string, std::string, bool, std::array<double, 7>>;
+
+    static LoadKey
+    load_key(const Parameters &parameters);
+
+    /// What impacts with one load share.
+    struct Load
+    {
+      Eigen::VectorXd                           u;
+      std::unique_ptr<const ContactIntegration> integration;
+      std::optional<RitzReduction>              reduction;
+      /// of the mesh and of reduced plates
+      std::map<const SemidiscretePlate *, PlateResponse> responses;
+    };
+
+    /// The load of an impact, now that of the plate as well.
+    Load &
     prepare(const Parameters &parameters);
 
     const PlateElement                              element;
@@ -54,13 +73,9 @@ namespace PlateImpact
     const std::string                               linear_solver;
     PlateModel                                      plate_model;
 
-    std::optional<Parameters>                 prepared; ///< for these
-    std::unique_ptr<const ContactIntegration> integration;
-    std::unique_ptr<MeshPlate>                plate;
-    std::optional<RitzReduction>              reduction;
-    /// of the mesh and of reduced plates
-    std::map<const SemidiscretePlate *, PlateResponse> responses;
-    unsigned int                                       loads = 0;
+    std::unique_ptr<MeshPlate> plate;
+    std::map<LoadKey, Load>    loads;
+    unsigned int               n_made = 0; ///< loads
   };
 } // namespace PlateImpact
 
