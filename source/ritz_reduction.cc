@@ -16,7 +16,7 @@ namespace PlateImpact
     /// Share of the vectors added last in the displacements, in the norm of
     /// K + sigma M, below which fields are right: measured, eta is then that
     /// of the mesh to better than 1 % of itself.
-    constexpr double field_tolerance = 1e-2;
+    constexpr double field_tolerance = 5e-3;
 
 
 
@@ -117,11 +117,11 @@ namespace PlateImpact
 
 
 
-    /// The nearest of four numbers an octave, less than a tenth away.
+    /// The nearest of two numbers an octave, less than a fifth away.
     double
     round_number(const double value, const double unit)
     {
-      return unit * std::exp2(0.25 * std::lround(4. * std::log2(value / unit)));
+      return unit * std::exp2(0.5 * std::lround(2. * std::log2(value / unit)));
     }
 
 

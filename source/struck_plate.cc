@@ -23,8 +23,8 @@ namespace PlateImpact
 
 
 
-    /// Numbers in the Ritz vectors of all loads that are kept: 0.4 GB.
-    constexpr double most_numbers = 5e7;
+    /// Numbers in the Ritz vectors of all loads that are kept: 0.8 GB.
+    constexpr double most_numbers = 1e8;
   } // namespace
 
 
