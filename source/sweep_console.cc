@@ -114,7 +114,8 @@ namespace PlateImpact
       {
         const auto now = std::chrono::steady_clock::now();
         if (!shows_progress ||
-            now - last_progress < std::chrono::milliseconds(500))
+            (has_progress &&
+             now - last_progress < std::chrono::milliseconds(500)))
           return;
         last_progress                               = now;
         has_progress                                = true;
