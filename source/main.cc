@@ -33,55 +33,167 @@ namespace
 
 
 
+  /// What the options of a command fill.
+  struct Arguments
+  {
+    std::string                path;
+    std::optional<std::string> output;
+    std::vector<std::string>   overrides;
+    SweepOptions               sweep; ///< `quiet` is every command's
+  };
+
+
+
+  void
+  add_scene(CLI::App &command, Arguments &arguments)
+  {
+    command.add_option("scene", arguments.path, "Parameter file (.prm)")
+      ->required();
+    command
+      .add_option("-s,--set",
+                  arguments.overrides,
+                  "Entry to change: \"Section/Entry=value\"; may be repeated")
+      ->allow_extra_args(false);
+  }
+
+
+
+  void
+  add_run_options(CLI::App &command, Arguments &arguments)
+  {
+    add_scene(command, arguments);
+    command.add_option("-o,--output",
+                       arguments.output,
+                       "Directory of the results, in place of the scene's");
+    command.add_flag("-q,--quiet",
+                     arguments.sweep.quiet,
+                     "Print warnings and errors only");
+  }
+
+
+
   /// Reads a scene and computes what a command asks for.
   /// @param command  run_scene() or compare_scene()
   void
   compute(const std::function<void(const Scene &, Console &)> &command,
-          const std::string                                   &path,
-          const std::optional<std::string>                    &output,
-          const std::vector<std::string>                      &overrides,
-          const bool                                           quiet)
+          const Arguments                                     &arguments)
   {
-    const Scene scene = read_scene(path, overrides, output);
-    Console     console(quiet);
+    const Scene scene =
+      read_scene(arguments.path, arguments.overrides, arguments.output);
+    Console console(arguments.sweep.quiet);
     command(scene, console);
   }
 
 
 
   void
-  sweep(const std::string                &path,
-        const std::optional<std::string> &output,
-        const std::vector<std::string>   &overrides,
-        const SweepOptions               &options)
+  add_run(CLI::App &app, Arguments &arguments)
   {
-    Processes processes;
-    // one of them tells of mistakes that all find
-    if (!processes.is_first())
-      std::cerr.setstate(std::ios::failbit);
-    SweepScene scene(path, overrides, output);
-    run_sweep(scene, options, processes);
+    CLI::App &command =
+      *app.add_subcommand("run", "Compute the impact that a scene describes");
+    add_run_options(command, arguments);
+    command.footer(
+      "Writes report.html, summary.json, contact_history.csv, scene.prm and what "
+      "the\nscene's section Output asks for. `plate-impact defaults` explains "
+      "every entry.\n\n"
+      "Example:\n"
+      "  plate-impact run my.prm --set \"Impactor/Velocity=2\" --output fast");
+    command.callback([&arguments] { compute(run_scene, arguments); });
   }
 
 
 
   void
-  add_run_options(CLI::App                   &command,
-                  std::string                &path,
-                  std::optional<std::string> &output,
-                  std::vector<std::string>   &overrides,
-                  bool                       &quiet)
+  add_compare(CLI::App &app, Arguments &arguments)
   {
-    command.add_option("scene", path, "Parameter file (.prm)")->required();
-    command.add_option("-o,--output",
-                       output,
-                       "Directory of the results, in place of the scene's");
-    command
-      .add_option("-s,--set",
-                  overrides,
-                  "Entry to change: \"Section/Entry=value\"; may be repeated")
-      ->allow_extra_args(false);
-    command.add_flag("-q,--quiet", quiet, "Print warnings and errors only");
+    CLI::App &command = *app.add_subcommand(
+      "compare",
+      "Compare strategies and elements: error against run time");
+    add_run_options(command, arguments);
+    command.footer(
+      "Reads the scene's section Comparison; writes comparison.html, "
+      "comparison.csv\nand comparison.json. Ctrl-C leaves what is done, in whole "
+      "files.");
+    command.callback([&arguments] { compute(compare_scene, arguments); });
+  }
+
+
+
+  void
+  sweep(const Arguments &arguments)
+  {
+    Processes processes;
+    // one of them tells of mistakes that all find
+    if (!processes.is_first())
+      std::cerr.setstate(std::ios::failbit);
+    SweepScene scene(arguments.path, arguments.overrides, arguments.output);
+    run_sweep(scene, arguments.sweep, processes);
+  }
+
+
+
+  void
+  add_sweep(CLI::App &app, Arguments &arguments)
+  {
+    CLI::App &command = *app.add_subcommand(
+      "sweep",
+      "Compute many impacts: the entries and values of the scene's Sweep "
+      "section; under mpirun on all its processes");
+    add_run_options(command, arguments);
+    command.add_flag("--resume",
+                     arguments.sweep.resume,
+                     "Continue an interrupted sweep: keep the points that are "
+                     "in its directory");
+    command.footer(
+      "The section is, for example,\n"
+      "  subsection Sweep\n"
+      "    set Entry 1  = Impactor/Velocity\n"
+      "    set Values 1 = 0.5:5:20          # first:last:number, or 1, 2, 5\n"
+      "    set Entry 2  = Plate/Thickness\n"
+      "    set Values 2 = 0.004, 0.006\n"
+      "  end\n"
+      "Writes sweep.html and sweep.csv. `plate-impact check` says what it costs.");
+    command.callback([&arguments] { sweep(arguments); });
+  }
+
+
+
+  /// Calls a function whose result is what it prints.
+  void
+  print(const std::function<void(std::ostream &)> &function)
+  {
+    function(std::cout);
+    std::cout.flush();
+    if (!std::cout)
+      throw ComputationError("the standard output cannot be written");
+  }
+
+
+
+  void
+  add_check(CLI::App &app, Arguments &arguments)
+  {
+    CLI::App &command =
+      *app.add_subcommand("check",
+                          "Check a scene and say what to expect of it");
+    add_scene(command, arguments);
+    command.footer("Takes a fraction of a second and writes nothing.");
+    command.callback([&arguments] {
+      const Scene scene = read_scene(arguments.path, arguments.overrides);
+      print([&](std::ostream &out) { print_expectation(out, scene); });
+    });
+  }
+
+
+
+  void
+  add_defaults(CLI::App &app)
+  {
+    CLI::App &command = *app.add_subcommand(
+      "defaults",
+      "Print every entry with its meaning, unit and default, as a valid scene");
+    command.footer("Example:\n  plate-impact defaults > my.prm");
+    command.callback([] { print(print_defaults); });
   }
 
 
@@ -106,76 +218,27 @@ namespace
       "`plate-impact COMMAND --help` lists the options of a command.\n"
       "Exit status: 0 done, 1 the input is wrong, 2 the computation failed.\n"
       "Colours are left out in pipes and where NO_COLOR is set.");
-
-    std::string                path;
-    std::optional<std::string> output;
-    std::vector<std::string>   overrides;
-    bool                       quiet = false;
-    CLI::App                  *run_command =
-      app.add_subcommand("run", "Compute the impact that a scene describes");
-    add_run_options(*run_command, path, output, overrides, quiet);
-    CLI::App *compare_command = app.add_subcommand(
-      "compare",
-      "Compare strategies and elements: error against run time");
-    add_run_options(*compare_command, path, output, overrides, quiet);
-    CLI::App *defaults_command = app.add_subcommand(
-      "defaults",
-      "Print every entry with its meaning, unit and default, as a valid scene");
-
-    CLI::App *check_command =
-      app.add_subcommand("check", "Check a scene and say what to expect of it");
-    check_command->add_option("scene", path, "Parameter file (.prm)")
-      ->required();
-    check_command
-      ->add_option("-s,--set",
-                   overrides,
-                   "Entry to change: \"Section/Entry=value\"; may be repeated")
-      ->allow_extra_args(false);
-    SweepOptions sweep_options;
-    CLI::App    *sweep_command = app.add_subcommand(
-      "sweep",
-      "Compute many impacts: the entries and values of the scene's Sweep "
-         "section; under mpirun on all its processes");
-    add_run_options(*sweep_command, path, output, overrides, quiet);
-    sweep_command->add_flag("--resume",
-                            sweep_options.resume,
-                            "Continue an interrupted sweep: keep the points "
-                            "that are in its directory");
-
+    Arguments arguments;
+    add_run(app, arguments);
+    add_compare(app, arguments);
+    add_sweep(app, arguments);
+    add_check(app, arguments);
+    add_defaults(app);
     try
       {
-        app.parse(argc, argv);
+        app.parse(argc, argv); // calls the command
       }
     catch (const CLI::ParseError &error)
       {
         if (error.get_exit_code() == 0)
           return app.exit(error);
+        if (argc > 1 && argv[1][0] != '-' && app.get_subcommands().empty())
+          throw InputError(
+            {"there is no command '" + std::string(argv[1]) +
+             "'; expected run, compare, sweep, check or defaults"});
         throw InputError(
           {error.what() + std::string("; see plate-impact --help")});
       }
-
-    // of these the files count
-    if (run_command->parsed())
-      compute(run_scene, path, output, overrides, quiet);
-    if (compare_command->parsed())
-      compute(compare_scene, path, output, overrides, quiet);
-    if (sweep_command->parsed())
-      {
-        sweep_options.quiet = quiet;
-        sweep(path, output, overrides, sweep_options);
-      }
-    if (run_command->parsed() || compare_command->parsed() ||
-        sweep_command->parsed())
-      return success;
-
-    // of these what they print
-    if (check_command->parsed())
-      print_expectation(std::cout, read_scene(path, overrides));
-    else if (defaults_command->parsed())
-      print_defaults(std::cout);
-    std::cout.flush();
-    if (!std::cout)
-      throw ComputationError("the standard output cannot be written");
     return success;
   }
 
