@@ -72,7 +72,7 @@ namespace PlateImpact
       const std::vector<unsigned int>                     &singular_cells = {},
       const std::function<bool(const dealii::Point<2> &)> &is_rough       = {});
 
-    /// Keeps the errors of the elements at every so manieth sample; 0: none.
+    /// Keeps the errors of the elements at one sample of so many; 0: at none.
     void
     keep_element_errors(unsigned int interval);
 
