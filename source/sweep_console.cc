@@ -90,6 +90,10 @@ namespace PlateImpact
     std::cout << out.emphasized(scene.name(), Emphasis::bold) << ": "
               << counted(plan->n_points(), "point") << " of " << names << " on "
               << counted(n_groups, "plate");
+    if (scene.may_adapt())
+      std::cout << (scene.parameters().sweep.adapt == "each point" ?
+                      ", a mesh for each point" :
+                      ", each mesh adapted for its shortest contact");
     if (n_done > 0)
       std::cout << ", " << n_done << " of them done before";
     std::cout << '\n';

@@ -339,6 +339,11 @@ namespace PlateImpact
                 {"Responses to a load", std::to_string(work.loads), ""}});
     for (const std::string &warning : sweep_warnings(rows))
       page.notice(warning);
+    if (scene.may_adapt())
+      page.paragraph(scene.parameters().sweep.adapt == "each point" ?
+                       "Every point has a mesh of its own." :
+                       "The points of a plate share the mesh that was adapted "
+                       "for the one with the shortest contact.");
     page.paragraph(
       "Models and responses are those of the computation that ended this "
       "sweep; points that share plate, mesh and load share them.");
