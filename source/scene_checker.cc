@@ -255,8 +255,9 @@ namespace PlateImpact
                         "lets the program choose the Hertz contact radius, "
                         "which is " +
                           in_words(radius) + " m and reaches beyond the plate");
-        // one of few, so that similar impactors share their load; half a per
-        // cent of the radius is less than a ten thousandth of the force
+        // one of few, so that similar impactors share their load; what that
+        // changes of the radius, half a per cent at most, is a ten thousandth
+        // of the force of the steel case
         const double thickness = parameters.plate.thickness;
         schema.set("Contact",
                    "Patch radius",
