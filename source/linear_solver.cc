@@ -55,10 +55,10 @@ namespace PlateImpact
         if (omp_set_max_active_levels != nullptr)
           omp_set_max_active_levels(0);
         cholmod_start(&common);
-        common.supernodal         = CHOLMOD_SUPERNODAL;
-        common.nmethods           = 1;
-        // METIS' nested dissection costs as much as twenty solves and makes them
-        // faster by a few per cent, if at all, up to a million unknowns
+        common.supernodal = CHOLMOD_SUPERNODAL;
+        common.nmethods   = 1;
+        // METIS' nested dissection costs as much as twenty solves and makes
+        // them faster by a few per cent, if at all, up to a million unknowns
         common.method[0].ordering = CHOLMOD_AMD;
         common.print              = 0;
       }

@@ -173,7 +173,7 @@ namespace PlateImpact
           _exit(127);
         }
       // in the middle of it: with two meshes done, of dozens
-      int        status = 0;
+      int        status  = 0;
       const auto n_lines = [&] {
         const std::string table = text(results() / "comparison.csv");
         return std::count(table.begin(), table.end(), '\n');

@@ -12,8 +12,8 @@
 namespace PlateImpact
 {
   /// The step with which the peak force keeps to time.step_tolerance in
-  /// Zener's equation: the inverse frequency of the plate's thickness shear times
-  /// a power of two, so that impactors share their steps. [s]
+  /// Zener's equation: the inverse frequency of the plate's thickness shear
+  /// times a power of two, so that impactors share their steps. [s]
   double
   chosen_time_step(const TimeParameters &time,
                    const ContactLaw     &law,
