@@ -222,21 +222,20 @@ namespace PlateImpact
                              " m wide; choose Contact/Patch radius = 0")};
           return {};
         }
-      // a force grows at most like k^{2/5}
-      const double halvings = std::log2(contact.patch_radius / radius);
-      if (contact.load_distribution != "point" &&
-          0.6 * give_per_halving(section, peak) * std::abs(halvings) < 0.005)
-        return {};
-      const double drop = drop_per_halving(parameters, section, peak);
       if (contact.load_distribution == "point")
         return {sentence("the peak force under a point load depends on the "
                          "smallest cell (",
                          result.min_cell_size,
                          " m): it drops by about ",
-                         100. * drop,
+                         100. * drop_per_halving(parameters, section, peak),
                          " % per halving; for a limit choose Contact/Load "
                          "distribution = Hertz disc")};
-      const double change = drop * halvings;
+      const double halvings = std::log2(contact.patch_radius / radius);
+      // a force grows at most like k^{2/5}
+      if (0.6 * give_per_halving(section, peak) * std::abs(halvings) < 0.005)
+        return {};
+      const double change =
+        drop_per_halving(parameters, section, peak) * halvings;
       if (std::abs(change) > 0.005)
         return {sentence("Contact/Patch radius = ",
                          contact.patch_radius,
