@@ -41,8 +41,8 @@ namespace PlateImpact
     /// measured, eta is right to 0.1 % of itself.
     constexpr double span_tolerance = 3e-5;
 
-    /// Cells times fields evaluated together, which bounds the memory.
-    constexpr double max_cells_by_fields = 1e6;
+    /// Unknowns times fields evaluated together, which bounds the memory.
+    constexpr double max_numbers = 1e8;
   } // namespace
 
 
@@ -111,9 +111,7 @@ namespace PlateImpact
       combinations.transpose() * coordinates;
 
     const Eigen::Index batch =
-      std::max<Eigen::Index>(1,
-                             max_cells_by_fields /
-                               model.mesh().n_active_cells());
+      std::max<Eigen::Index>(1, max_numbers / vectors.rows());
     if (span <= batch)
       evaluate(times, vectors * combinations, in_combinations);
     else
@@ -147,18 +145,17 @@ namespace PlateImpact
 
 
 
-  RowMajorMatrix
-  ErrorEstimator::recovered_coefficients(
+  RecoveredField
+  ErrorEstimator::recovered_field(
     const Eigen::Matrix<double, 5, 5>       &factor,
     const Eigen::Ref<const Eigen::MatrixXd> &fields) const
   {
-    const unsigned int per_cell = StressRecovery::samples_per_cell,
-                       n_cells  = model.mesh().n_active_cells();
-    RowMajorMatrix samples(per_cell * n_cells, 5 * fields.cols());
-    for (unsigned int cell = 0; cell < n_cells; ++cell)
-      samples.middleRows(per_cell * cell, per_cell) =
-        at_points(cell, factor, model.shape(cell).strains_at_samples, fields);
-    return recovery.coefficients(samples);
+    return {recovery, [this, factor, fields](const unsigned int cell) {
+              return at_points(cell,
+                               factor,
+                               model.shape(cell).strains_at_samples,
+                               fields);
+            }};
   }
 
 
@@ -171,40 +168,37 @@ namespace PlateImpact
     // Resultants s are scaled to R s, whose square is their energy: recovery is
     // linear, and R mixes moments of the same parity only.
     const Eigen::Matrix<double, 5, 5> factor = root_of_compliance * stiffness;
-    const RowMajorMatrix coefficients = recovered_coefficients(factor, fields);
-    const std::vector<Point<2>> &unit_points =
+    RecoveredField                    field  = recovered_field(factor, fields);
+    const std::vector<Point<2>>      &unit_points =
       model.element().quadrature().get_points();
     Eigen::MatrixXd e2(model.mesh().n_active_cells(), times.size());
     // energies of pairs of fields
     Eigen::MatrixXd counted_u2 =
       Eigen::MatrixXd::Zero(fields.cols(), fields.cols());
-    Eigen::MatrixXd u2 = counted_u2;
-    RowMajorMatrix  recovered;
+    Eigen::MatrixXd   u2 = counted_u2;
+    RowMajorMatrix    error;
+    std::vector<bool> vertex_is_done(model.mesh().n_vertices());
     for (const auto &cell : model.mesh().active_cell_iterators())
       {
         const unsigned int c     = cell->active_cell_index();
         const CellShape   &shape = model.shape(c);
         RowMajorMatrix     raw =
           at_points(c, factor, shape.strains_at_quadrature, fields);
-        recovery.evaluate(c,
-                          unit_points,
-                          to_real(cell, unit_points),
-                          coefficients,
-                          recovered);
-        recovered -= raw;
+        field.evaluate(c, unit_points, to_real(cell, unit_points), error);
+        error -= raw;
         for (unsigned int q = 0; q < shape.weights.size(); ++q)
           {
             raw.row(q) *= std::sqrt(shape.weights[q]);
-            recovered.row(q) *= std::sqrt(shape.weights[q]);
+            error.row(q) *= std::sqrt(shape.weights[q]);
           }
-        e2.row(c) =
-          (by_resultant(recovered) * coordinates).colwise().squaredNorm();
+        e2.row(c) = (by_resultant(error) * coordinates).colwise().squaredNorm();
         (is_counted[c] == 0. ? u2 : counted_u2)
           .selfadjointView<Eigen::Upper>()
           .rankUpdate(by_resultant(raw).transpose());
+        update_max_stress(cell, field, coordinates, vertex_is_done);
+        field.finish(c);
       }
     u2 += counted_u2;
-    update_max_stress(coefficients, coordinates);
 
     samples += times.size();
     for (std::size_t n = 0; n < times.size(); ++n)
@@ -249,34 +243,34 @@ namespace PlateImpact
 
 
   void
-  ErrorEstimator::update_max_stress(const RowMajorMatrix  &coefficients,
-                                    const Eigen::MatrixXd &coordinates)
+  ErrorEstimator::update_max_stress(
+    const Triangulation<2>::active_cell_iterator &cell,
+    RecoveredField                               &field,
+    const Eigen::MatrixXd                        &coordinates,
+    std::vector<bool>                            &vertex_is_done)
   {
     const Eigen::Matrix3d unscaled =
       root_of_compliance.topLeftCorner<3, 3>().inverse();
-    // at a vertex all cells recover the same
-    std::vector<bool> is_done(model.mesh().n_vertices());
-    RowMajorMatrix    recovered;
-    for (const auto &cell : model.mesh().active_cell_iterators())
-      for (const unsigned int v : cell->vertex_indices())
-        {
-          if (is_done[cell->vertex_index(v)])
-            continue;
-          is_done[cell->vertex_index(v)] = true;
-          recovery.evaluate(cell->active_cell_index(),
-                            {GeometryInfo<2>::unit_cell_vertex(v)},
-                            {cell->vertex(v)},
-                            coefficients,
-                            recovered);
-          const Eigen::MatrixXd moments =
-            unscaled * by_resultant(recovered).topRows<3>() * coordinates;
-          for (Eigen::Index n = 0; n < moments.cols(); ++n)
-            max_stress =
-              std::max(max_stress,
-                       model.section().surface_von_mises_stress(moments(0, n),
-                                                                moments(1, n),
-                                                                moments(2, n)));
-        }
+    RowMajorMatrix recovered;
+    for (const unsigned int v : cell->vertex_indices())
+      {
+        // all cells recover the same there
+        if (vertex_is_done[cell->vertex_index(v)])
+          continue;
+        vertex_is_done[cell->vertex_index(v)] = true;
+        field.evaluate(cell->active_cell_index(),
+                       {GeometryInfo<2>::unit_cell_vertex(v)},
+                       {cell->vertex(v)},
+                       recovered);
+        const Eigen::MatrixXd moments =
+          unscaled * by_resultant(recovered).topRows<3>() * coordinates;
+        for (Eigen::Index n = 0; n < moments.cols(); ++n)
+          max_stress =
+            std::max(max_stress,
+                     model.section().surface_von_mises_stress(moments(0, n),
+                                                              moments(1, n),
+                                                              moments(2, n)));
+      }
   }
 
 
@@ -309,19 +303,15 @@ namespace PlateImpact
     const Eigen::VectorXd       &unknowns,
     const std::vector<Point<2>> &unit_points) const
   {
-    const RowMajorMatrix coefficients =
-      recovered_coefficients(stiffness, unknowns);
+    RecoveredField  field = recovered_field(stiffness, unknowns);
     Eigen::MatrixXd result(5 * unit_points.size(),
                            model.mesh().n_active_cells());
     RowMajorMatrix  values;
     for (const auto &cell : model.mesh().active_cell_iterators())
       {
         const unsigned int c = cell->active_cell_index();
-        recovery.evaluate(c,
-                          unit_points,
-                          to_real(cell, unit_points),
-                          coefficients,
-                          values);
+        field.evaluate(c, unit_points, to_real(cell, unit_points), values);
+        field.finish(c);
         result.col(c) = by_resultant(values);
       }
     return result;

@@ -1,5 +1,6 @@
 #include "plate_impact/linear_solver.h"
 
+#include "plate_impact/blas.h"
 #include "plate_impact/exceptions.h"
 
 #include <Amesos.h>
@@ -13,14 +14,6 @@
 #include <sstream>
 #include <stdexcept>
 #include <unistd.h>
-
-// Present when the BLAS is OpenBLAS and when CHOLMOD was built with OpenMP.
-// Their threads, four in CHOLMOD whatever the machine has, cost more than they
-// bring.
-extern "C" void
-openblas_set_num_threads(int) __attribute__((weak));
-extern "C" void
-omp_set_max_active_levels(int) __attribute__((weak));
 
 namespace PlateImpact
 {
@@ -50,10 +43,7 @@ namespace PlateImpact
     public:
       CholmodSolver()
       {
-        if (openblas_set_num_threads != nullptr)
-          openblas_set_num_threads(1);
-        if (omp_set_max_active_levels != nullptr)
-          omp_set_max_active_levels(0);
+        prepare_blas();
         cholmod_start(&common);
         common.supernodal = CHOLMOD_SUPERNODAL;
         common.nmethods   = 1;

@@ -10,6 +10,7 @@
 #include "plate_impact/plate_mesh.h"
 #include "plate_impact/support.h"
 
+#include <Epetra_CrsGraph.h>
 #include <Epetra_Map.h>
 #include <Epetra_SerialComm.h>
 
@@ -61,38 +62,37 @@ namespace PlateImpact
 
 
 
-    /// A matrix with the entries of a sparsity pattern, all zero.
+    /// A matrix, all zero, with those entries of a sparsity pattern that are
+    /// not excluded.
+    /// @param is_entry  whether a row and column of the pattern have one
+    template <typename IsEntry>
     std::unique_ptr<Epetra_CrsMatrix>
-    make_matrix(const DynamicSparsityPattern &pattern)
+    make_matrix(const DynamicSparsityPattern &pattern, const IsEntry &is_entry)
     {
       const int               n = pattern.n_rows();
       const Epetra_SerialComm communicator;
       const Epetra_Map        map(n, 0, communicator);
-      std::vector<int>        row_lengths(n);
+      std::vector<int>        row_lengths(n), columns;
       for (int row = 0; row < n; ++row)
-        row_lengths[row] = pattern.row_length(row);
+        for (unsigned int i = 0; i < pattern.row_length(row); ++i)
+          row_lengths[row] += is_entry(row, pattern.column_number(row, i));
 
-      // as local indices of a known column map, which need no search
-      auto                matrix = std::make_unique<Epetra_CrsMatrix>(Copy,
-                                                       map,
-                                                       map,
-                                                       row_lengths.data(),
-                                                       /*StaticProfile=*/true);
-      std::vector<int>    columns;
-      std::vector<double> zeros;
+      // local indices of a known column map need no search, and a matrix whose
+      // graph is complete takes its values at once
+      Epetra_CrsGraph graph(Copy, map, map, row_lengths.data(), true);
       for (int row = 0; row < n; ++row)
         {
-          columns.resize(row_lengths[row]);
-          for (int entry = 0; entry < row_lengths[row]; ++entry)
-            columns[entry] = pattern.column_number(row, entry);
-          zeros.assign(columns.size(), 0.);
-          matrix->InsertMyValues(row,
-                                 columns.size(),
-                                 zeros.data(),
-                                 columns.data());
+          columns.clear();
+          for (unsigned int i = 0; i < pattern.row_length(row); ++i)
+            if (const int column = pattern.column_number(row, i);
+                is_entry(row, column))
+              columns.push_back(column);
+          graph.InsertMyIndices(row, columns.size(), columns.data());
         }
+      graph.FillComplete();
+      graph.OptimizeStorage();
+      auto matrix = std::make_unique<Epetra_CrsMatrix>(Copy, graph);
       matrix->FillComplete();
-      matrix->OptimizeStorage();
       return matrix;
     }
   } // namespace
@@ -151,16 +151,22 @@ namespace PlateImpact
     for (types::global_dof_index dof = 0; dof < dof_handler.n_dofs(); ++dof)
       if (!constraints.is_constrained(dof))
         unknown_of_dof[dof] = n_free++;
+    component_of_unknown.resize(n_free);
 
     std::vector<types::global_dof_index> dofs(n_cell_dofs);
     first_contribution.push_back(0);
     for (const auto &cell : dof_handler.active_cell_iterators())
       {
         cell->get_dof_indices(dofs);
-        for (const auto dof : dofs)
+        for (unsigned int i = 0; i < dofs.size(); ++i)
           {
+            const types::global_dof_index dof = dofs[i];
             if (!constraints.is_constrained(dof))
-              contributions.push_back({unknown_of_dof[dof], 1.});
+              {
+                contributions.push_back({unknown_of_dof[dof], 1.});
+                component_of_unknown[unknown_of_dof[dof]] =
+                  cell->get_fe().system_to_component_index(i).first;
+              }
             else
               for (const auto &[master, weight] :
                    *constraints.get_constraint_entries(dof))
@@ -191,21 +197,31 @@ namespace PlateImpact
 
 
 
-  std::vector<int>
-  PlateModel::resolve_constraints(const unsigned int cell,
-                                  const CellMatrix  &matrix,
-                                  Eigen::MatrixXd   &result) const
+  std::vector<types::global_dof_index>
+  PlateModel::unknowns_of(const unsigned int cell) const
   {
-    const auto        first = first_contribution.begin() + n_cell_dofs * cell;
-    const std::size_t begin = first[0], end = first[n_cell_dofs];
-    std::vector<int>  unknowns;
-    for (std::size_t k = begin; k < end; ++k)
+    const auto first = first_contribution.begin() + n_cell_dofs * cell;
+    std::vector<types::global_dof_index> unknowns;
+    for (std::size_t k = first[0]; k < first[n_cell_dofs]; ++k)
       unknowns.push_back(contributions[k].unknown);
     std::sort(unknowns.begin(), unknowns.end());
     unknowns.erase(std::unique(unknowns.begin(), unknowns.end()),
                    unknowns.end());
+    return unknowns;
+  }
 
-    std::vector<int> position, dof; // of contributions
+
+
+  void
+  PlateModel::resolve_constraints(
+    const unsigned int                          cell,
+    const std::vector<types::global_dof_index> &unknowns,
+    const CellMatrix                           &matrix,
+    Eigen::MatrixXd                            &result) const
+  {
+    const auto        first = first_contribution.begin() + n_cell_dofs * cell;
+    const std::size_t begin = first[0];
+    std::vector<int>  position, dof; // of contributions
     for (int i = 0; i < n_cell_dofs; ++i)
       for (std::size_t k = first[i]; k < first[i + 1]; ++k)
         {
@@ -220,7 +236,6 @@ namespace PlateImpact
       for (std::size_t k = 0; k < dof.size(); ++k)
         result(position[k], position[l]) += contributions[begin + k].weight *
           contributions[begin + l].weight * matrix(dof[k], dof[l]);
-    return unknowns;
   }
 
 
@@ -228,6 +243,22 @@ namespace PlateImpact
   void
   PlateModel::assemble()
   {
+    DynamicSparsityPattern pattern(n_free, n_free);
+    for (unsigned int cell = 0; cell < shape_of_cell.size(); ++cell)
+      {
+        const auto unknowns = unknowns_of(cell);
+        for (const types::global_dof_index row : unknowns)
+          pattern.add_entries(row,
+                              unknowns.begin(),
+                              unknowns.end(),
+                              /*indices_are_sorted=*/true);
+      }
+    K = make_matrix(pattern, [](int, int) { return true; });
+    // inertia couples no component with another
+    M = make_matrix(pattern, [this](const int row, const int column) {
+      return component_of_unknown[row] == component_of_unknown[column];
+    });
+
     // congruent cells share their matrices
     std::vector<CellMatrix> K_of_shape, M_of_shape;
     for (const CellShape &shape : shapes)
@@ -237,57 +268,41 @@ namespace PlateImpact
         M_of_shape.push_back(multiplicity *
                              plate_element.mass(shape, plate_section));
       }
-    K = assembled(K_of_shape, DoFTools::always);
-    M = assembled(M_of_shape, DoFTools::nonzero); // no component with another
+    for (unsigned int cell = 0; cell < shape_of_cell.size(); ++cell)
+      {
+        add_cell_matrix(cell, K_of_shape[shape_of_cell[cell]], *K);
+        add_cell_matrix(cell, M_of_shape[shape_of_cell[cell]], *M);
+      }
   }
 
 
 
-  std::unique_ptr<Epetra_CrsMatrix>
-  PlateModel::assembled(const std::vector<CellMatrix> &matrix_of_shape,
-                        const DoFTools::Coupling       coupling) const
+  void
+  PlateModel::add_cell_matrix(const unsigned int cell,
+                              const CellMatrix  &matrix,
+                              Epetra_CrsMatrix  &sum) const
   {
-    const auto for_each_row = [&](const auto &function) {
-      Eigen::MatrixXd     A;
-      std::vector<int>    columns;
-      std::vector<double> values;
-      for (unsigned int cell = 0; cell < shape_of_cell.size(); ++cell)
-        {
-          const std::vector<int> unknowns =
-            resolve_constraints(cell, matrix_of_shape[shape_of_cell[cell]], A);
-          // symmetric, so that a column is a row
-          for (Eigen::Index j = 0; j < A.cols(); ++j)
+    const auto      unknowns = unknowns_of(cell);
+    Eigen::MatrixXd A;
+    resolve_constraints(cell, unknowns, matrix, A);
+    // symmetric, so that a column is a row
+    std::vector<int>    columns;
+    std::vector<double> values;
+    for (Eigen::Index j = 0; j < A.cols(); ++j)
+      {
+        columns.clear();
+        values.clear();
+        for (Eigen::Index i = 0; i < A.rows(); ++i)
+          if (A(i, j) != 0.)
             {
-              columns.clear();
-              values.clear();
-              for (Eigen::Index i = 0; i < A.rows(); ++i)
-                if (coupling == DoFTools::always || A(i, j) != 0.)
-                  {
-                    columns.push_back(unknowns[i]);
-                    values.push_back(A(i, j));
-                  }
-              function(unknowns[j], columns, values);
+              columns.push_back(unknowns[i]);
+              values.push_back(A(i, j));
             }
-        }
-    };
-
-    DynamicSparsityPattern               pattern(n_free, n_free);
-    std::vector<types::global_dof_index> indices;
-    for_each_row([&](const int row, auto &columns, auto &) {
-      indices.assign(columns.begin(), columns.end());
-      pattern.add_entries(row,
-                          indices.begin(),
-                          indices.end(),
-                          /*indices_are_sorted=*/true);
-    });
-    auto matrix = make_matrix(pattern);
-    for_each_row([&](const int row, auto &columns, auto &values) {
-      matrix->SumIntoMyValues(row,
-                              columns.size(),
-                              values.data(),
-                              columns.data());
-    });
-    return matrix;
+        sum.SumIntoMyValues(unknowns[j],
+                            columns.size(),
+                            values.data(),
+                            columns.data());
+      }
   }
 
 

@@ -1,6 +1,5 @@
 #include "plate_impact/stress_recovery.h"
 
-#include <deal.II/base/geometry_info.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/mapping_q1.h>
 #include <deal.II/grid/grid_tools.h>
@@ -10,6 +9,7 @@
 #include <Eigen/QR>
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 namespace PlateImpact
@@ -18,15 +18,11 @@ namespace PlateImpact
 
   namespace
   {
-    using Terms = Eigen::Matrix<double, 1, StressRecovery::n_terms>;
-
-    /// Eq. 10 at a point relative to the patch.
-    Terms
-    polynomial(const Point<2> &centre, const double size, const Point<2> &point)
+    /// Eq. 10 in the coordinates of a patch.
+    StressRecovery::Terms
+    terms(const double x, const double y)
     {
-      const double x = (point[0] - centre[0]) / size,
-                   y = (point[1] - centre[1]) / size;
-      Terms P;
+      StressRecovery::Terms P;
       P << 1., x, y, x * x, x * y, y * y, x * x * y, x * y * y;
       return P;
     }
@@ -191,26 +187,37 @@ namespace PlateImpact
 
 
   bool
-  StressRecovery::fit(Patch &patch) const
+  StressRecovery::make_fit(Patch &patch)
   {
-    Eigen::MatrixXd P(patch.images.size() * samples_per_cell, n_terms);
+    Eigen::MatrixXd   P(patch.images.size() * samples_per_cell, n_terms);
+    std::vector<long> positions;
     for (unsigned int i = 0; i < patch.images.size(); ++i)
       for (unsigned int g = 0; g < samples_per_cell; ++g)
-        P.row(samples_per_cell * i + g) =
-          polynomial(patch.centre,
-                     patch.size,
-                     sample_point(patch.images[i], g));
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
-    decomposition.setThreshold(1e-6);
-    decomposition.compute(P);
-    patch.fit = decomposition.pseudoInverse();
-    return decomposition.rank() == n_terms;
+        {
+          const auto position =
+            (sample_point(patch.images[i], g) - patch.centre) / patch.size;
+          P.row(samples_per_cell * i + g) = terms(position[0], position[1]);
+          for (unsigned int d = 0; d < 2; ++d)
+            positions.push_back(std::lround(position[d] / 1e-9));
+        }
+    const auto [known, is_new] = fits.try_emplace(positions);
+    Fit &fit                   = known->second;
+    if (is_new)
+      {
+        Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
+        decomposition.setThreshold(1e-6);
+        decomposition.compute(P);
+        fit = {std::make_shared<Eigen::MatrixXd>(decomposition.pseudoInverse()),
+               decomposition.rank() == n_terms};
+      }
+    patch.fit = fit.matrix;
+    return fit.is_determined;
   }
 
 
 
   StressRecovery::Patch
-  StressRecovery::make_patch(const unsigned int vertex) const
+  StressRecovery::make_patch(const unsigned int vertex)
   {
     Patch patch;
     patch.centre = mesh.get_vertices()[vertex];
@@ -227,7 +234,7 @@ namespace PlateImpact
             patch.size =
               std::max(patch.size,
                        patch.centre.distance(sample_point(image, g)));
-        const bool            is_determined = fit(patch);
+        const bool            is_determined = make_fit(patch);
         const std::set<Image> larger        = grown(images);
         if (is_determined || larger.size() == images.size())
           return patch;
@@ -237,62 +244,68 @@ namespace PlateImpact
 
 
 
-  RowMajorMatrix
-  StressRecovery::coefficients(const RowMajorMatrix &samples) const
+  unsigned int
+  StressRecovery::n_cells() const
   {
-    const Eigen::Index n_fields = samples.cols() / n_resultants;
-    RowMajorMatrix     result(n_terms * patches.size(), samples.cols());
-    RowMajorMatrix     patch_samples;
-    for (unsigned int p = 0; p < patches.size(); ++p)
-      {
-        const Patch &patch = patches[p];
-        patch_samples.resize(patch.fit.cols(), samples.cols());
-        for (unsigned int i = 0; i < patch.images.size(); ++i)
-          {
-            const Image &image = patch.images[i];
-            auto         rows =
-              patch_samples.middleRows<samples_per_cell>(samples_per_cell * i);
-            rows = samples.middleRows<samples_per_cell>(samples_per_cell *
-                                                        image.cell);
-            for (unsigned int k = 0; k < n_resultants; ++k)
-              if (parity(k, image.mirrored_x, image.mirrored_y) < 0.)
-                rows.middleCols(n_fields * k, n_fields) *= -1.;
-          }
-        result.middleRows<n_terms>(n_terms * p).noalias() =
-          patch.fit * patch_samples;
-      }
-    return result;
+    return vertices_of_cell.size();
+  }
+
+
+
+  unsigned int
+  StressRecovery::n_patches() const
+  {
+    return patches.size();
+  }
+
+
+
+  const std::vector<unsigned int> &
+  StressRecovery::patches_at(const unsigned int cell,
+                             const unsigned int corner) const
+  {
+    return patches_of_vertex[vertices_of_cell[cell][corner]];
+  }
+
+
+
+  const std::vector<StressRecovery::Image> &
+  StressRecovery::images(const unsigned int patch) const
+  {
+    return patches[patch].images;
+  }
+
+
+
+  StressRecovery::Terms
+  StressRecovery::polynomial(const unsigned int patch,
+                             const Point<2>    &point) const
+  {
+    const auto position = (point - patches[patch].centre) / patches[patch].size;
+    return terms(position[0], position[1]);
   }
 
 
 
   void
-  StressRecovery::evaluate(const unsigned int           cell,
-                           const std::vector<Point<2>> &unit_points,
-                           const std::vector<Point<2>> &points,
-                           const RowMajorMatrix        &coefficients,
-                           RowMajorMatrix              &values) const
+  StressRecovery::fit(const unsigned int                 patch,
+                      const std::vector<RowMajorMatrix> &samples,
+                      RowMajorMatrix                    &coefficients) const
   {
-    const unsigned int n_points = unit_points.size();
-    values.setZero(n_points, coefficients.cols());
-    Eigen::VectorXd blend(n_points);
-    Eigen::MatrixXd weights(n_points, n_terms);
-    for (unsigned int v = 0; v < 4; ++v)
+    const Eigen::MatrixXd    &fit       = *patches[patch].fit;
+    const std::vector<Image> &images    = patches[patch].images;
+    const Eigen::Index        n_columns = samples[images.front().cell].cols(),
+                       n_fields         = n_columns / n_resultants;
+    RowMajorMatrix patch_samples(fit.cols(), n_columns);
+    for (unsigned int i = 0; i < images.size(); ++i)
       {
-        for (unsigned int q = 0; q < n_points; ++q)
-          blend[q] =
-            GeometryInfo<2>::d_linear_shape_function(unit_points[q], v);
-        if (blend.isZero(0.))
-          continue;
-        const auto &used = patches_of_vertex[vertices_of_cell[cell][v]];
-        for (const unsigned int p : used)
-          {
-            for (unsigned int q = 0; q < n_points; ++q)
-              weights.row(q) = blend[q] / used.size() *
-                polynomial(patches[p].centre, patches[p].size, points[q]);
-            values.noalias() +=
-              weights * coefficients.middleRows<n_terms>(n_terms * p);
-          }
+        auto rows =
+          patch_samples.middleRows<samples_per_cell>(samples_per_cell * i);
+        rows = samples[images[i].cell];
+        for (unsigned int k = 0; k < n_resultants; ++k)
+          if (parity(k, images[i].mirrored_x, images[i].mirrored_y) < 0.)
+            rows.middleCols(n_fields * k, n_fields) *= -1.;
       }
+    coefficients.noalias() = fit * patch_samples;
   }
 } // namespace PlateImpact

@@ -2,7 +2,7 @@
 #include <deal.II/fe/mapping_q1.h>
 
 #include "plate_impact/error_estimator.h"
-#include "plate_impact/stress_recovery.h"
+#include "plate_impact/recovered_field.h"
 #include "test_plate.h"
 
 #include <cmath>
@@ -20,16 +20,19 @@ namespace PlateImpact
     double
     recovery_error(const Triangulation<2> &mesh, const ResultantField &field)
     {
-      const MappingQ1<2> mapping;
-      const QGauss<2>    gauss(2);
-      RowMajorMatrix     samples(4 * mesh.n_active_cells(), 5);
+      const MappingQ1<2>          mapping;
+      const QGauss<2>             gauss(2);
+      std::vector<RowMajorMatrix> samples(mesh.n_active_cells(),
+                                          RowMajorMatrix(4, 5));
       for (const auto &cell : mesh.active_cell_iterators())
         for (unsigned int g = 0; g < 4; ++g)
-          samples.row(4 * cell->active_cell_index() + g) =
+          samples[cell->active_cell_index()].row(g) =
             field(mapping.transform_unit_to_real_cell(cell, gauss.point(g)));
 
       const StressRecovery  recovery(mesh);
-      const RowMajorMatrix  coefficients = recovery.coefficients(samples);
+      RecoveredField        recovered(recovery, [&](const unsigned int cell) {
+        return samples[cell];
+      });
       std::vector<Point<2>> unit_points;
       for (const double x : {0., 0.3, 0.5, 1.})
         for (const double y : {0., 0.5, 0.8, 1.})
@@ -41,11 +44,11 @@ namespace PlateImpact
           std::vector<Point<2>> points;
           for (const Point<2> &unit : unit_points)
             points.push_back(mapping.transform_unit_to_real_cell(cell, unit));
-          recovery.evaluate(cell->active_cell_index(),
-                            unit_points,
-                            points,
-                            coefficients,
-                            values);
+          recovered.evaluate(cell->active_cell_index(),
+                             unit_points,
+                             points,
+                             values);
+          recovered.finish(cell->active_cell_index());
           for (unsigned int q = 0; q < points.size(); ++q)
             {
               const Resultants exact = field(points[q]);

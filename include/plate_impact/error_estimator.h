@@ -4,6 +4,7 @@
 #include <deal.II/base/point.h>
 
 #include "plate_impact/plate_model.h"
+#include "plate_impact/recovered_field.h"
 #include "plate_impact/stress_recovery.h"
 
 #include <Eigen/Core>
@@ -120,11 +121,11 @@ namespace PlateImpact
               const Eigen::Matrix<double, 5, 5>       &factor,
               const CellOperator                      &strains,
               const Eigen::Ref<const Eigen::MatrixXd> &fields) const;
-    /// Patches recovered from a factor times the strains of n fields.
-    RowMajorMatrix
-    recovered_coefficients(
-      const Eigen::Matrix<double, 5, 5>       &factor,
-      const Eigen::Ref<const Eigen::MatrixXd> &fields) const;
+    /// Resultants of n fields times a factor, recovered.
+    /// @param fields  must outlive the result
+    RecoveredField
+    recovered_field(const Eigen::Matrix<double, 5, 5>       &factor,
+                    const Eigen::Ref<const Eigen::MatrixXd> &fields) const;
     /// Takes states as combinations of fields.
     void
     evaluate(const std::vector<double>               &times,
@@ -135,9 +136,13 @@ namespace PlateImpact
               const Eigen::VectorXd &e2,
               double                 counted_u2,
               double                 u2);
+    /// At the vertices of a cell, for states that are combinations of fields.
     void
-    update_max_stress(const RowMajorMatrix  &coefficients,
-                      const Eigen::MatrixXd &coordinates);
+    update_max_stress(
+      const dealii::Triangulation<2>::active_cell_iterator &cell,
+      RecoveredField                                       &field,
+      const Eigen::MatrixXd                                &coordinates,
+      std::vector<bool>                                    &vertex_is_done);
 
     const PlateModel                 &model;
     const double                      target;

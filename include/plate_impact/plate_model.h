@@ -110,18 +110,23 @@ namespace PlateImpact
     void
     find_shapes();
 
-    /// A cell's matrix in terms of its free unknowns.
-    /// @return the unknowns, in ascending order
-    std::vector<int>
-    resolve_constraints(unsigned int      cell,
-                        const CellMatrix &matrix,
-                        Eigen::MatrixXd  &result) const;
+    /// Free unknowns of a cell, in ascending order.
+    std::vector<dealii::types::global_dof_index>
+    unknowns_of(unsigned int cell) const;
 
-    /// The sum of symmetric cell matrices.
-    /// @param coupling  `always` or, without entries that are zero, `nonzero`
-    std::unique_ptr<Epetra_CrsMatrix>
-    assembled(const std::vector<CellMatrix> &matrix_of_shape,
-              dealii::DoFTools::Coupling     coupling) const;
+    /// A cell's matrix in terms of its free unknowns.
+    void
+    resolve_constraints(
+      unsigned int                                        cell,
+      const std::vector<dealii::types::global_dof_index> &unknowns,
+      const CellMatrix                                   &matrix,
+      Eigen::MatrixXd                                    &result) const;
+
+    /// Adds a symmetric matrix of a cell.
+    void
+    add_cell_matrix(unsigned int      cell,
+                    const CellMatrix &matrix,
+                    Epetra_CrsMatrix &sum) const;
 
     const PlateElement               &plate_element;
     const PlateSection                plate_section;
@@ -132,6 +137,7 @@ namespace PlateImpact
     bool             holds_deflection = false;
     unsigned int     n_free           = 0;
     std::vector<int> unknown_of_dof; ///< -1 for constrained ones
+    std::vector<int> component_of_unknown;
 
     /// Nodal value i of cell c is the sum of contributions
     /// first_contribution[27 c + i] ... first_contribution[27 c + i + 1] - 1.
