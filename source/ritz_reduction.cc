@@ -201,8 +201,9 @@ namespace PlateImpact
     const double distance = frequency(half_octave) * time.end_time;
     const double n_first =
       std::max(16., (needs_fields ? 0.32 : 0.25) * distance);
-    // beyond half as many solves as steps the steps themselves are cheaper
-    const double n_most = std::max(16., 0.5 * time.end_time / time.time_step);
+    // once the vectors have cost as many solves as the steps would, the steps
+    // are made after all: never more than twice the work of the better way
+    const double n_most = std::max(16., time.end_time / time.time_step);
     std::deque<Trial> trials; // the last ones
     for (double n = n_first; n <= n_most; n = 1.12 * n)
       {

@@ -70,7 +70,8 @@ namespace PlateImpact
     void
     append();
     /// Removes what round-off has left of earlier vectors in the candidate.
-    void
+    /// @return norm_of_candidate() after that
+    double
     orthogonalize();
     double
     norm_of_candidate() const;
