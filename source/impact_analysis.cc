@@ -266,8 +266,9 @@ namespace PlateImpact
         if (is_snapshot(step, n_steps))
           result.snapshots.push_back(
             {stepper.state().time,
-             reduced ? reduced->vectors() * stepper.displacement() :
-                       stepper.displacement()});
+             reduced ?
+               Eigen::VectorXd(reduced->unknowns(stepper.displacement())) :
+               stepper.displacement()});
         const bool is_sample =
           has_estimator && (step % interval == 0 || step == n_steps);
         if (has_report)

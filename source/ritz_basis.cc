@@ -180,17 +180,55 @@ namespace PlateImpact
 
   namespace
   {
-    /// y = A x for a symmetric tridiagonal matrix.
-    void
-    multiply_tridiagonal(const Eigen::VectorXd &diagonal,
-                         const Eigen::VectorXd &beside,
-                         const Eigen::VectorXd &x,
-                         Eigen::VectorXd       &y)
+    /// The pivot that elimination of all other rows, from the first on, leaves
+    /// of the last.
+    double
+    last_pivot(const TridiagonalMatrix &A)
     {
-      const Eigen::Index n = beside.size();
-      y                    = diagonal.cwiseProduct(x);
-      y.head(n) += beside.cwiseProduct(x.tail(n));
-      y.tail(n) += beside.cwiseProduct(x.head(n));
+      double pivot = A.diagonal[0];
+      for (Eigen::Index i = 0; i < A.beside.size(); ++i)
+        pivot = A.diagonal[i + 1] - A.beside[i] * A.beside[i] / pivot;
+      return pivot;
+    }
+
+
+
+    /// T of the first n vectors, continued by a uniform string.
+    TridiagonalMatrix
+    continued_mass(const RitzBasis   &basis,
+                   const unsigned int n,
+                   unsigned int       n_beyond)
+    {
+      if (basis.is_complete() && n == basis.n_vectors())
+        n_beyond = 0;
+      const TridiagonalMatrix T       = {basis.mass_diagonal().head(n),
+                                         basis.mass_subdiagonal().head(n - 1)};
+      const double            uniform = 0.25 / basis.shift();
+      TridiagonalMatrix       result  = {
+               Eigen::VectorXd::Constant(n + n_beyond, 2. * uniform),
+               Eigen::VectorXd::Constant(n + n_beyond - 1, uniform)};
+      result.diagonal.head(n)   = T.diagonal;
+      result.beside.head(n - 1) = T.beside;
+      if (n_beyond > 0)
+        {
+          // Elimination leaves pivots above `uniform` all along the uniform
+          // string, in T as in K, if the first is at least that: the coupling
+          // leaves 2 uniform - coupling^2 / pivot.
+          const TridiagonalMatrix K = {1. / basis.shift() - T.diagonal.array(),
+                                       T.beside};
+          const double pivot        = std::min(last_pivot(T), last_pivot(K));
+          result.beside[n - 1]      = std::sqrt(uniform * std::max(0., pivot));
+        }
+      return result;
+    }
+
+
+
+    /// K + sigma M = I.
+    TridiagonalMatrix
+    stiffness_to(const TridiagonalMatrix &mass, const double sigma)
+    {
+      return {1. - sigma * mass.diagonal.array(), -sigma * mass.beside};
     }
 
 
@@ -199,16 +237,15 @@ namespace PlateImpact
     /// eigenvalues lie beyond what vectors that are orthogonal to 1e-9 may
     /// change.
     double
-    first_of_inverse(const Eigen::VectorXd &diagonal,
-                     const Eigen::VectorXd &beside)
+    first_of_inverse(const TridiagonalMatrix &K)
     {
       const double round_off = 1e-9;
       double       pivot     = 0.;
-      for (Eigen::Index i = diagonal.size() - 1; i >= 0; --i)
+      for (Eigen::Index i = K.diagonal.size() - 1; i >= 0; --i)
         {
           const double eliminated =
-            i < beside.size() ? beside[i] * beside[i] / pivot : 0.;
-          pivot = diagonal[i] - round_off - eliminated;
+            i < K.beside.size() ? K.beside[i] * K.beside[i] / pivot : 0.;
+          pivot = K.diagonal[i] - round_off - eliminated;
           if (pivot <= 0.)
             return std::numeric_limits<double>::infinity();
         }
@@ -218,18 +255,19 @@ namespace PlateImpact
 
 
 
-  RitzPlate::RitzPlate(const RitzBasis &basis, const unsigned int n)
+  RitzPlate::RitzPlate(const RitzBasis   &basis,
+                       const unsigned int n,
+                       const unsigned int n_beyond)
     : basis(basis)
-    , u(basis.load() * Eigen::VectorXd::Unit(n, 0))
-    , mass(basis.mass_diagonal().head(n))
-    , mass_beside(basis.mass_subdiagonal().head(n - 1))
-    , stiffness(1. - basis.shift() * mass.array())
-    , stiffness_beside(-basis.shift() * mass_beside)
-    , compliance(basis.is_free() ? std::numeric_limits<double>::infinity() :
-                                   1.001 * u[0] * u[0] *
-                     first_of_inverse(stiffness, stiffness_beside))
-    , inverse_pivots(n)
-    , factor(n)
+    , n(n)
+    , mass(continued_mass(basis, n, n_beyond))
+    , stiffness(stiffness_to(mass, basis.shift()))
+    , u(basis.load() * Eigen::VectorXd::Unit(mass.diagonal.size(), 0))
+    , compliance(basis.is_free() ?
+                   std::numeric_limits<double>::infinity() :
+                   1.001 * u[0] * u[0] * first_of_inverse(stiffness))
+    , inverse_pivots(u.size())
+    , factor(u.size())
   {}
 
 
@@ -246,7 +284,10 @@ namespace PlateImpact
   RitzPlate::multiply_stiffness(const Eigen::VectorXd &x,
                                 Eigen::VectorXd       &y) const
   {
-    multiply_tridiagonal(stiffness, stiffness_beside, x, y);
+    const Eigen::Index n_beside = stiffness.beside.size();
+    y                           = stiffness.diagonal.cwiseProduct(x);
+    y.head(n_beside) += stiffness.beside.cwiseProduct(x.tail(n_beside));
+    y.tail(n_beside) += stiffness.beside.cwiseProduct(x.head(n_beside));
   }
 
 
@@ -254,13 +295,13 @@ namespace PlateImpact
   void
   RitzPlate::factorize(const double c)
   {
-    inverse_pivots[0] = 1. / (stiffness[0] + c * mass[0]);
-    for (Eigen::Index i = 1; i < mass.size(); ++i)
+    const Eigen::VectorXd diagonal = stiffness.diagonal + c * mass.diagonal,
+                          beside   = stiffness.beside + c * mass.beside;
+    inverse_pivots[0]              = 1. / diagonal[0];
+    for (Eigen::Index i = 1; i < diagonal.size(); ++i)
       {
-        const double beside = stiffness_beside[i - 1] + c * mass_beside[i - 1];
-        factor[i]           = beside * inverse_pivots[i - 1];
-        inverse_pivots[i] =
-          1. / (stiffness[i] + c * mass[i] - factor[i] * beside);
+        factor[i]         = beside[i - 1] * inverse_pivots[i - 1];
+        inverse_pivots[i] = 1. / (diagonal[i] - factor[i] * beside[i - 1]);
       }
   }
 
@@ -269,7 +310,7 @@ namespace PlateImpact
   void
   RitzPlate::solve(const Eigen::VectorXd &b, Eigen::VectorXd &x)
   {
-    const Eigen::Index n = mass.size();
+    const Eigen::Index n = u.size();
     x                    = b;
     for (Eigen::Index i = 1; i < n; ++i)
       x[i] -= factor[i] * x[i - 1];
@@ -288,9 +329,25 @@ namespace PlateImpact
 
 
 
+  unsigned int
+  RitzPlate::n_vectors() const
+  {
+    return n;
+  }
+
+
+
   Eigen::Ref<const Eigen::MatrixXd>
   RitzPlate::vectors() const
   {
-    return basis.vectors().leftCols(mass.size());
+    return basis.vectors().leftCols(n);
+  }
+
+
+
+  Eigen::MatrixXd
+  RitzPlate::unknowns(const Eigen::Ref<const Eigen::MatrixXd> &states) const
+  {
+    return vectors() * states.topRows(n);
   }
 } // namespace PlateImpact

@@ -16,32 +16,33 @@ namespace PlateImpact
     /// Share of the vectors added last in the displacements, in the norm of
     /// K + sigma M, below which fields are right: measured, eta is then that
     /// of the mesh to better than 1 % of itself.
-    constexpr double field_tolerance = 5e-3;
+    constexpr double field_tolerance = 1e-3;
+
+
+
+    /// Vectors assumed beyond those of a basis. More of them change little.
+    constexpr unsigned int length_of_string = 300;
 
 
 
     /// An impact on the plate in a basis.
     struct Trial
     {
-      std::vector<double> forces; ///< after every step
+      unsigned int        n_vectors; ///< of the basis
+      std::vector<double> forces;    ///< after every step
 
       /// Sums over time of the squares of every coordinate.
       Eigen::VectorXd squares;
 
-      Eigen::Index
-      size() const
-      {
-        return squares.size();
-      }
-
-      /// Norm of the displacements in the vectors from `first`, relative to
+      /// Norm of the state in what lies beyond the first vectors, relative to
       /// that in all.
       double
       share_beyond(const Eigen::Index first) const
       {
         const double all = squares.sum();
-        return all > 0. ? std::sqrt(squares.tail(size() - first).sum() / all) :
-                          0.;
+        return all > 0. ?
+          std::sqrt(squares.tail(squares.size() - first).sum() / all) :
+          0.;
       }
     };
 
@@ -55,6 +56,7 @@ namespace PlateImpact
       TimeStepper        stepper(time, plate, law, integration, impactor);
       const unsigned int interval = std::max(1u, stepper.n_steps() / 100);
       Trial              result;
+      result.n_vectors = plate.n_vectors();
       result.forces.reserve(stepper.n_steps());
       result.squares.setZero(plate.load().size());
       for (unsigned int step = 1; step <= stepper.n_steps(); ++step)
@@ -93,15 +95,15 @@ namespace PlateImpact
     /// square over the contact relative to the peak. Once waves no longer come
     /// back from the end of the string of vectors, the errors of different
     /// bases are uncorrelated ringing: differences are |a - b|^2 = e_a^2 +
-    /// e_b^2, and three of them tell the error of each. Below half of the last
-    /// difference the estimate is not trusted.
+    /// e_b^2, and three of them tell the error of each. An estimate below what
+    /// two equal errors would differ by is not trusted.
     double
     estimated_error(const std::vector<double> &first,
                     const std::vector<double> &second,
                     const std::vector<double> &third)
     {
       const double of_last = squared_difference(second, third);
-      return std::sqrt(std::max(0.25 * of_last,
+      return std::sqrt(std::max(0.5 * of_last,
                                 0.5 *
                                   (squared_difference(first, third) + of_last -
                                    squared_difference(first, second))));
@@ -186,30 +188,30 @@ namespace PlateImpact
                         const Impactor           &impactor)
   {
     // The fewer vectors the smaller sigma is, for waves to run along them until
-    // the end time T; but the more for the ripple of the force. Measured for
-    // 0.5 to 21 contact times, this is about the best for both, within an
-    // octave. Rounded, so that impactors share bases.
-    const double contact_time = 2. * zener_peak(law, impactor, section).time;
+    // the end time T; but below this number what is joined to their end shows
+    // in the force. Measured for 0.5 to 21 contact times, and rounded, so that
+    // impactors share bases.
+    const double contact_time =
+      std::min(time.end_time, 2. * zener_peak(law, impactor, section).time);
     const double duration =
-      std::pow(contact_time, 0.4) * std::pow(time.end_time, 0.6);
+      std::pow(contact_time, 0.6) * std::pow(time.end_time, 0.4);
     const int half_octave =
-      std::lround(2. * std::log2(40. * std::acos(-1.) / duration));
+      std::lround(2. * std::log2(12. * std::acos(-1.) / duration));
 
-    // Waves run along the string of vectors at this speed; a force is right
-    // when they cannot come back from its end until the end time. Fields may
+    // Waves run along the vectors at this speed; a force is right when those
+    // that the end reflects cannot be back before the end time. Fields may
     // follow with the third basis, the first that is judged.
     const double distance = frequency(half_octave) * time.end_time;
-    const double n_first =
-      std::max(16., (needs_fields ? 0.32 : 0.25) * distance);
+    const double n_first  = std::max(12., 0.24 * distance);
     // once the vectors have cost as many solves as the steps would, the steps
     // are made after all: never more than twice the work of the better way
-    const double n_most = std::max(16., time.end_time / time.time_step);
+    const double      n_most = std::max(16., time.end_time / time.time_step);
     std::deque<Trial> trials; // the last ones
-    for (double n = n_first; n <= n_most; n = 1.12 * n)
+    for (double n = n_first; n <= n_most; n *= 1.15)
       {
         const unsigned int n_wanted = static_cast<unsigned int>(n);
         RitzPlate         &reduced  = reduced_plate(half_octave, n_wanted);
-        if (reduced.load().size() < n_wanted)
+        if (reduced.n_vectors() < n_wanted)
           return &reduced; // there are no more
         try
           {
@@ -230,7 +232,7 @@ namespace PlateImpact
                             trials[1].forces,
                             latest.forces) <= time.ritz_tolerance &&
             (!needs_fields ||
-             latest.share_beyond(trials[1].size()) <= field_tolerance))
+             latest.share_beyond(trials[1].n_vectors) <= field_tolerance))
           return &reduced;
         trials.pop_front();
       }
@@ -247,7 +249,10 @@ namespace PlateImpact
       bases.try_emplace(half_octave, plate, omega * omega).first->second;
     basis.grow(n);
     return reduced_plates
-      .try_emplace({half_octave, n}, basis, std::min(n, basis.n_vectors()))
+      .try_emplace({half_octave, n},
+                   basis,
+                   std::min(n, basis.n_vectors()),
+                   length_of_string)
       .first->second;
   }
 

@@ -33,11 +33,13 @@ namespace PlateImpact
       return;
     const auto waiting = states.leftCols(times.size());
     if (reduced != nullptr)
-      estimator.add_samples(times, reduced->vectors(), waiting);
+      estimator.add_samples(times,
+                            reduced->vectors(),
+                            waiting.topRows(reduced->n_vectors()));
     else
       estimator.add_samples(times, waiting);
     if (kelly != nullptr && reduced != nullptr)
-      kelly->add_samples(times, reduced->vectors() * waiting);
+      kelly->add_samples(times, reduced->unknowns(waiting));
     else if (kelly != nullptr)
       kelly->add_samples(times, waiting);
     times.clear();
@@ -92,7 +94,7 @@ namespace PlateImpact
     for (std::size_t i = 0; i < film.size(); ++i)
       coordinates.col(i) = film[i].unknowns;
     // one product of matrices instead of many with a vector
-    const Eigen::MatrixXd unknowns = reduced->vectors() * coordinates;
+    const Eigen::MatrixXd unknowns = reduced->unknowns(coordinates);
     std::vector<Snapshot> result;
     for (std::size_t i = 0; i < film.size(); ++i)
       result.push_back({film[i].time, unknowns.col(i)});
@@ -108,6 +110,6 @@ namespace PlateImpact
       return {};
     if (reduced == nullptr)
       return peak;
-    return Snapshot{peak.time, reduced->vectors() * peak.unknowns};
+    return Snapshot{peak.time, reduced->unknowns(peak.unknowns)};
   }
 } // namespace PlateImpact

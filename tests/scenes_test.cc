@@ -255,11 +255,14 @@ namespace PlateImpact
     {
       ASSERT_EQ(run(main_scene,
                     "--set 'Time/Time step=2e-6' "
+                    "--set 'Time/Ritz tolerance=1e-9' "
                     "--set 'Adaptivity/Maximum cycles=2'"),
                 0)
         << err;
-      EXPECT_EQ(last_cycle()["work"]["ritz_vectors"], 0);
-      EXPECT_EQ(last_cycle()["work"]["linear_solves"], 40);
+      EXPECT_GT(last_cycle()["work"]["ritz_vectors"], 16);
+      EXPECT_LE(last_cycle()["work"]["ritz_vectors"], 40);
+      EXPECT_EQ(last_cycle()["work"]["linear_solves"].get<int>(),
+                40 + last_cycle()["work"]["ritz_vectors"].get<int>());
       expect_near(last_cycle()["peak_force"], 1305.4, 2e-3);
     }
   } // namespace

@@ -90,14 +90,34 @@ namespace PlateImpact
   };
 
 
+  /// A symmetric matrix of three diagonals.
+  struct TridiagonalMatrix
+  {
+    Eigen::VectorXd diagonal, beside;
+  };
+
+
   /// The plate in the first vectors of a basis: M = T and K = I - sigma T are
-  /// tridiagonal, a product or a solve costs a few operations per vector.
+  /// tridiagonal, a product or a solve costs a few operations per vector. A
+  /// string, in other words, that is struck at its first vector.
+  ///
+  /// Waves would come back from its end. Vectors beyond the first can be
+  /// assumed in place of computed: away from the load the coefficients of T are
+  /// about those of a continuous spectrum from 0 to infinity, 1/(2 sigma) and
+  /// 1/(4 sigma) all along, and a uniform string of these joined to the end
+  /// takes the waves up (the terminator of the recursion method: Haydock, Heine
+  /// & Kelly 1972, doi:10.1088/0022-3719/5/20/004). What lies in it has no
+  /// displacements on the plate. The joint is such that K and M stay positive.
   class RitzPlate : public SemidiscretePlate
   {
   public:
-    /// @param basis  must outlive the plate
-    /// @param n      vectors used, at most basis.n_vectors()
-    RitzPlate(const RitzBasis &basis, unsigned int n);
+    /// @param basis     must outlive the plate
+    /// @param n         vectors used, at most basis.n_vectors()
+    /// @param n_beyond  length of the uniform string; none is joined to all
+    ///                  vectors of a complete basis
+    RitzPlate(const RitzBasis &basis,
+              unsigned int     n,
+              unsigned int     n_beyond = 0);
 
     const Eigen::VectorXd &
     load() const override;
@@ -111,17 +131,25 @@ namespace PlateImpact
     double
     static_compliance() const override;
 
+    unsigned int
+    n_vectors() const;
+
     /// Unknowns of the mesh by the vectors used.
     Eigen::Ref<const Eigen::MatrixXd>
     vectors() const;
 
+    /// Unknowns of the mesh in states of this plate, a column each.
+    Eigen::MatrixXd
+    unknowns(const Eigen::Ref<const Eigen::MatrixXd> &states) const;
+
   private:
-    const RitzBasis      &basis;
-    const Eigen::VectorXd u;
-    const Eigen::VectorXd mass, mass_beside;           ///< diagonals of T [s^2]
-    const Eigen::VectorXd stiffness, stiffness_beside; ///< of I - sigma T
-    const double          compliance;
-    Eigen::VectorXd       inverse_pivots, factor; ///< of K + c M
+    const RitzBasis        &basis;
+    const unsigned int      n;
+    const TridiagonalMatrix mass;      ///< T [s^2], with what is joined to it
+    const TridiagonalMatrix stiffness; ///< I - sigma T
+    const Eigen::VectorXd   u;
+    const double            compliance;
+    Eigen::VectorXd         inverse_pivots, factor; ///< of K + c M
   };
 } // namespace PlateImpact
 

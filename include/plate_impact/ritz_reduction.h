@@ -37,8 +37,7 @@ namespace PlateImpact
 
     /// @param parameters  with the load and the times of this reduction
     /// @return the reduced plate, which belongs to the reduction; null when it
-    ///         takes more solves than half of the steps, so that stepping on
-    ///         the mesh is the cheaper way
+    ///         takes more solves than steps, which are then made on the mesh
     RitzPlate *
     settle(const Parameters &parameters, const ContactIntegration &integration);
 
