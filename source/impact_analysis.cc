@@ -189,10 +189,11 @@ namespace PlateImpact
     RitzReduction  reduction(mesh_plate,
                             plate_model->section(),
                             parameters.time,
+                            *contact_integration,
                             has_estimator);
     RitzPlate     *reduced = nullptr;
     if (parameters.time.integrator == "Ritz vectors")
-      reduced = reduction.settle(parameters, *contact_integration);
+      reduced = reduction.settle(parameters);
     TimeStepper stepper(parameters.time,
                         reduced != nullptr ?
                           static_cast<SemidiscretePlate &>(*reduced) :

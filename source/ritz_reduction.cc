@@ -13,61 +13,10 @@ namespace PlateImpact
 {
   namespace
   {
-    /// Share of the vectors added last in the displacements, in the norm of
-    /// K + sigma M, below which fields are right: measured, eta is then that
-    /// of the mesh to better than 1 % of itself.
+    /// Share of what lies beyond the basis before in the displacements, in the
+    /// norm of K + sigma M, below which fields are right: measured, eta is then
+    /// that of the mesh to better than 1 % of itself.
     constexpr double field_tolerance = 1e-3;
-
-
-
-    /// Vectors assumed beyond those of a basis. More of them change little.
-    constexpr unsigned int length_of_string = 300;
-
-
-
-    /// An impact on the plate in a basis.
-    struct Trial
-    {
-      unsigned int        n_vectors; ///< of the basis
-      std::vector<double> forces;    ///< after every step
-
-      /// Sums over time of the squares of every coordinate.
-      Eigen::VectorXd squares;
-
-      /// Norm of the state in what lies beyond the first vectors, relative to
-      /// that in all.
-      double
-      share_beyond(const Eigen::Index first) const
-      {
-        const double all = squares.sum();
-        return all > 0. ?
-          std::sqrt(squares.tail(squares.size() - first).sum() / all) :
-          0.;
-      }
-    };
-
-    Trial
-    try_impact(RitzPlate                &plate,
-               const TimeParameters     &time,
-               const ContactLaw         &law,
-               const ContactIntegration &integration,
-               const Impactor           &impactor)
-    {
-      TimeStepper        stepper(time, plate, law, integration, impactor);
-      const unsigned int interval = std::max(1u, stepper.n_steps() / 100);
-      Trial              result;
-      result.n_vectors = plate.n_vectors();
-      result.forces.reserve(stepper.n_steps());
-      result.squares.setZero(plate.load().size());
-      for (unsigned int step = 1; step <= stepper.n_steps(); ++step)
-        {
-          stepper.advance();
-          result.forces.push_back(stepper.state().force);
-          if (step % interval == 0)
-            result.squares += stepper.displacement().cwiseAbs2();
-        }
-      return result;
-    }
 
 
 
@@ -146,21 +95,72 @@ namespace PlateImpact
 
 
 
-  RitzReduction::RitzReduction(MeshPlate            &plate,
-                               const PlateSection   &section,
-                               const TimeParameters &time,
-                               const bool            needs_fields)
+  RitzReduction::RitzReduction(MeshPlate                &plate,
+                               const PlateSection       &section,
+                               const TimeParameters     &time,
+                               const ContactIntegration &integration,
+                               const bool                needs_fields)
     : plate(plate)
     , section(section)
     , time(time)
+    , integration(integration)
     , needs_fields(needs_fields)
   {}
 
 
 
+  std::vector<double>
+  RitzReduction::forces(RitzPlate        &reduced,
+                        const ContactLaw &law,
+                        const Impactor   &impactor)
+  {
+    const NewmarkScheme scheme(time);
+    const auto          of_all_steps = [&](const ContactHistory &history) {
+      std::vector<double> result;
+      result.reserve(scheme.n_steps);
+      for (std::size_t step = 1; step < history.states().size(); ++step)
+        result.push_back(history.states()[step].force);
+      return result;
+    };
+    if (!scheme.conserves_energy())
+      {
+        TimeStepper stepper(time, reduced, law, integration, impactor);
+        return of_all_steps(history_to_end(stepper));
+      }
+    // one response serves all impactors
+    return of_all_steps(
+      responses.try_emplace(&reduced, scheme, reduced, integration)
+        .first->second.impact(law, impactor)
+        .history);
+  }
+
+
+
+  double
+  RitzReduction::share_beyond(const unsigned int first,
+                              RitzPlate         &reduced,
+                              const ContactLaw  &law,
+                              const Impactor    &impactor) const
+  {
+    TimeStepper        stepper(time, reduced, law, integration, impactor);
+    const unsigned int interval = std::max(1u, stepper.n_steps() / 100);
+    const Eigen::Index n_beyond = reduced.load().size() - first;
+    double             beyond = 0., all = 0.;
+    for (unsigned int step = 1; step <= stepper.n_steps(); ++step)
+      {
+        stepper.advance();
+        if (step % interval != 0)
+          continue;
+        beyond += stepper.displacement().tail(n_beyond).squaredNorm();
+        all += stepper.displacement().squaredNorm();
+      }
+    return all > 0. ? std::sqrt(beyond / all) : 0.;
+  }
+
+
+
   RitzPlate *
-  RitzReduction::settle(const Parameters         &parameters,
-                        const ContactIntegration &integration)
+  RitzReduction::settle(const Parameters &parameters)
   {
     Parameters                rounded  = parameters;
     const ImpactorParameters &impactor = rounded.impactor =
@@ -174,18 +174,15 @@ namespace PlateImpact
     const auto [known, is_new] =
       settled.try_emplace({parameters.contact.law, numbers});
     if (is_new)
-      known->second = settle(*make_contact_law(rounded),
-                             integration,
-                             make_impactor(impactor));
+      known->second =
+        settle(*make_contact_law(rounded), make_impactor(impactor));
     return known->second;
   }
 
 
 
   RitzPlate *
-  RitzReduction::settle(const ContactLaw         &law,
-                        const ContactIntegration &integration,
-                        const Impactor           &impactor)
+  RitzReduction::settle(const ContactLaw &law, const Impactor &impactor)
   {
     // The fewer vectors the smaller sigma is, for waves to run along them until
     // the end time T; but below this number what is joined to their end shows
@@ -205,8 +202,9 @@ namespace PlateImpact
     const double n_first  = std::max(12., 0.24 * distance);
     // once the vectors have cost as many solves as the steps would, the steps
     // are made after all: never more than twice the work of the better way
-    const double      n_most = std::max(16., time.end_time / time.time_step);
-    std::deque<Trial> trials; // the last ones
+    const double n_most = std::max(16., time.end_time / time.time_step);
+    std::deque<std::vector<double>> histories; // the last three
+    unsigned int                    n_before = 0;
     for (double n = n_first; n <= n_most; n *= 1.15)
       {
         const unsigned int n_wanted = static_cast<unsigned int>(n);
@@ -215,26 +213,25 @@ namespace PlateImpact
           return &reduced; // there are no more
         try
           {
-            trials.push_back(
-              try_impact(reduced, time, law, integration, impactor));
+            histories.push_back(forces(reduced, law, impactor));
+            // The force is a scalar product of displacements with the load,
+            // and settles before they do.
+            if (histories.size() == 3 &&
+                estimated_error(histories[0], histories[1], histories[2]) <=
+                  time.ritz_tolerance &&
+                (!needs_fields ||
+                 share_beyond(n_before, reduced, law, impactor) <=
+                   field_tolerance))
+              return &reduced;
           }
         catch (const ComputationError &)
           {
             // if it is not the reduction that fails, the mesh will tell
             return nullptr;
           }
-        if (trials.size() < 3)
-          continue;
-        // The force is a scalar product of displacements with the load, and
-        // settles before they do.
-        const Trial &latest = trials[2];
-        if (estimated_error(trials[0].forces,
-                            trials[1].forces,
-                            latest.forces) <= time.ritz_tolerance &&
-            (!needs_fields ||
-             latest.share_beyond(trials[1].n_vectors) <= field_tolerance))
-          return &reduced;
-        trials.pop_front();
+        if (histories.size() == 3)
+          histories.pop_front();
+        n_before = n_wanted;
       }
     return nullptr;
   }
@@ -248,11 +245,13 @@ namespace PlateImpact
     RitzBasis   &basis =
       bases.try_emplace(half_octave, plate, omega * omega).first->second;
     basis.grow(n);
+    // a longer string changes little
+    const unsigned int n_beyond = std::min(500., 7. * omega * time.end_time);
     return reduced_plates
       .try_emplace({half_octave, n},
                    basis,
                    std::min(n, basis.n_vectors()),
-                   length_of_string)
+                   n_beyond)
       .first->second;
   }
 

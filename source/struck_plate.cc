@@ -123,8 +123,9 @@ namespace PlateImpact
           load.reduction.emplace(*plate,
                                  plate_model.section(),
                                  parameters.time,
+                                 *load.integration,
                                  parameters.needs_estimator());
-        reduced = load.reduction->settle(parameters, *load.integration);
+        reduced = load.reduction->settle(parameters);
       }
     SemidiscretePlate &stepped =
       reduced != nullptr ? static_cast<SemidiscretePlate &>(*reduced) : *plate;

@@ -53,16 +53,16 @@ namespace PlateImpact
       {
         Parameters struck        = parameters;
         struck.impactor.velocity = velocity;
-        return reduction.settle(struck,
-                                *make_contact_integration(
-                                  struck.contact.integration));
+        return reduction.settle(struck);
       }
 
       const Parameters                                parameters;
       const std::unique_ptr<dealii::Triangulation<2>> mesh;
       const PlateElement                              element;
       const std::unique_ptr<PlateModel>               model;
-      MeshPlate                                       plate;
+      const std::unique_ptr<const ContactIntegration> integration =
+        make_contact_integration("energy conserving");
+      MeshPlate plate;
     };
 
 
@@ -149,6 +149,7 @@ namespace PlateImpact
           RitzReduction reduction(target.plate,
                                   target.model->section(),
                                   target.parameters.time,
+                                  *target.integration,
                                   /*needs_fields=*/false);
           RitzPlate    *reduced = target.settle(reduction, velocity);
           ASSERT_NE(reduced, nullptr);
@@ -169,6 +170,7 @@ namespace PlateImpact
         return RitzReduction(target.plate,
                              target.model->section(),
                              target.parameters.time,
+                             *target.integration,
                              /*needs_fields=*/true);
       };
       RitzReduction shared = fresh();
@@ -261,17 +263,17 @@ namespace PlateImpact
       RitzReduction reduction(target.plate,
                               target.model->section(),
                               target.parameters.time,
+                              *target.integration,
                               /*needs_fields=*/true);
       RitzPlate    *reduced = target.settle(reduction, 1.);
       ASSERT_NE(reduced, nullptr);
-      const auto law         = make_contact_law(target.parameters);
-      const auto integration = make_contact_integration("energy conserving");
-      const auto estimate    = [&](SemidiscretePlate &plate) {
+      const auto law      = make_contact_law(target.parameters);
+      const auto estimate = [&](SemidiscretePlate &plate) {
         ErrorEstimator      estimator(*target.model, 0.05);
         TimeStepper         stepper(target.parameters.time,
                             plate,
                             *law,
-                            *integration,
+                            *target.integration,
                             make_impactor(target.parameters.impactor));
         std::vector<double> times;
         Eigen::MatrixXd     states(plate.load().size(), 0);

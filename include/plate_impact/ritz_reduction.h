@@ -5,6 +5,7 @@
 #include "plate_impact/contact_solver.h"
 #include "plate_impact/impactor.h"
 #include "plate_impact/parameters.h"
+#include "plate_impact/plate_response.h"
 #include "plate_impact/plate_section.h"
 #include "plate_impact/ritz_basis.h"
 
@@ -13,6 +14,7 @@
 #include <string>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 namespace PlateImpact
 {
@@ -29,17 +31,20 @@ namespace PlateImpact
   {
   public:
     /// @param plate         must outlive the reduction, which factorizes it
+    /// @param integration   must outlive the reduction
     /// @param needs_fields  whether more than the force is to be right
-    RitzReduction(MeshPlate            &plate,
-                  const PlateSection   &section,
-                  const TimeParameters &time,
-                  bool                  needs_fields);
+    RitzReduction(MeshPlate                &plate,
+                  const PlateSection       &section,
+                  const TimeParameters     &time,
+                  const ContactIntegration &integration,
+                  bool                      needs_fields);
 
-    /// @param parameters  with the load and the times of this reduction
+    /// @param parameters  with the load, the times and the integration of this
+    ///                    reduction
     /// @return the reduced plate, which belongs to the reduction; null when it
     ///         takes more solves than steps, which are then made on the mesh
     RitzPlate *
-    settle(const Parameters &parameters, const ContactIntegration &integration);
+    settle(const Parameters &parameters);
 
     /// Vectors computed so far, a solve each.
     unsigned int
@@ -47,16 +52,25 @@ namespace PlateImpact
 
   private:
     RitzPlate *
-    settle(const ContactLaw         &law,
-           const ContactIntegration &integration,
-           const Impactor           &impactor);
+    settle(const ContactLaw &law, const Impactor &impactor);
+    /// After every step.
+    std::vector<double>
+    forces(RitzPlate &reduced, const ContactLaw &law, const Impactor &impactor);
+    /// Norm over all times of what coordinates from the first on hold of the
+    /// displacements, relative to that of all.
+    double
+    share_beyond(unsigned int      first,
+                 RitzPlate        &reduced,
+                 const ContactLaw &law,
+                 const Impactor   &impactor) const;
     RitzPlate &
     reduced_plate(int half_octave, unsigned int n);
 
-    MeshPlate           &plate;
-    const PlateSection  &section;
-    const TimeParameters time;
-    const bool           needs_fields;
+    MeshPlate                &plate;
+    const PlateSection       &section;
+    const TimeParameters      time;
+    const ContactIntegration &integration;
+    const bool                needs_fields;
 
     /// By what of the law and the impactor may differ, in round numbers.
     std::map<std::tuple<std::string, std::array<double, 6>>, RitzPlate *>
@@ -64,6 +78,8 @@ namespace PlateImpact
     /// By 2 log2 of the root of the shift [1/s], and by the number of vectors.
     std::map<int, RitzBasis>                          bases;
     std::map<std::pair<int, unsigned int>, RitzPlate> reduced_plates;
+    /// All that the force depends on.
+    std::map<const RitzPlate *, PlateResponse> responses;
   };
 } // namespace PlateImpact
 
