@@ -127,11 +127,17 @@ namespace PlateImpact
         TimeStepper stepper(time, reduced, law, integration, impactor);
         return of_all_steps(history_to_end(stepper));
       }
-    // one response serves all impactors
-    return of_all_steps(
-      responses.try_emplace(&reduced, scheme, reduced, integration)
-        .first->second.impact(law, impactor)
-        .history);
+    return of_all_steps(response(reduced).impact(law, impactor).history);
+  }
+
+
+
+  const PlateResponse &
+  RitzReduction::response(RitzPlate &reduced)
+  {
+    return responses
+      .try_emplace(&reduced, NewmarkScheme(time), reduced, integration)
+      .first->second;
   }
 
 
@@ -181,8 +187,9 @@ namespace PlateImpact
 
 
 
-  RitzPlate *
-  RitzReduction::settle(const ContactLaw &law, const Impactor &impactor)
+  int
+  RitzReduction::half_octave(const ContactLaw &law,
+                             const Impactor   &impactor) const
   {
     // The fewer vectors the smaller sigma is, for waves to run along them until
     // the end time T; but below this number what is joined to their end shows
@@ -192,13 +199,19 @@ namespace PlateImpact
       std::min(time.end_time, 2. * zener_peak(law, impactor, section).time);
     const double duration =
       std::pow(contact_time, 0.6) * std::pow(time.end_time, 0.4);
-    const int half_octave =
-      std::lround(2. * std::log2(12. * std::acos(-1.) / duration));
+    return std::lround(2. * std::log2(12. * std::acos(-1.) / duration));
+  }
 
+
+
+  RitzPlate *
+  RitzReduction::settle(const ContactLaw &law, const Impactor &impactor)
+  {
     // Waves run along the vectors at this speed; a force is right when those
     // that the end reflects cannot be back before the end time. Fields may
     // follow with the third basis, the first that is judged.
-    const double distance = frequency(half_octave) * time.end_time;
+    const int    octave   = half_octave(law, impactor);
+    const double distance = frequency(octave) * time.end_time;
     const double n_first  = std::max(12., 0.24 * distance);
     // once the vectors have cost as many solves as the steps would, the steps
     // are made after all: never more than twice the work of the better way
@@ -208,7 +221,7 @@ namespace PlateImpact
     for (double n = n_first; n <= n_most; n *= 1.15)
       {
         const unsigned int n_wanted = static_cast<unsigned int>(n);
-        RitzPlate         &reduced  = reduced_plate(half_octave, n_wanted);
+        RitzPlate         &reduced  = reduced_plate(octave, n_wanted);
         if (reduced.n_vectors() < n_wanted)
           return &reduced; // there are no more
         try

@@ -136,8 +136,10 @@ namespace PlateImpact
     if (!scheme.conserves_energy())
       return step_to_end(
         {parameters.time, stepped, *law, *load.integration, impactor});
-    return load.responses
-      .try_emplace(&stepped, scheme, stepped, *load.integration)
-      .first->second.impact(*law, impactor);
+    if (reduced != nullptr)
+      return load.reduction->response(*reduced).impact(*law, impactor);
+    if (!load.response_of_mesh)
+      load.response_of_mesh.emplace(scheme, *plate, *load.integration);
+    return load.response_of_mesh->impact(*law, impactor);
   }
 } // namespace PlateImpact

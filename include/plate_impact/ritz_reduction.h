@@ -46,6 +46,11 @@ namespace PlateImpact
     RitzPlate *
     settle(const Parameters &parameters);
 
+    /// The response of a plate that settle() has returned, kept for the next
+    /// impactor; for schemes that conserve energy.
+    const PlateResponse &
+    response(RitzPlate &reduced);
+
     /// Vectors computed so far, a solve each.
     unsigned int
     n_vectors() const;
@@ -53,6 +58,9 @@ namespace PlateImpact
   private:
     RitzPlate *
     settle(const ContactLaw &law, const Impactor &impactor);
+    /// Twice the logarithm to base 2 of the root of the shift [1/s].
+    int
+    half_octave(const ContactLaw &law, const Impactor &impactor) const;
     /// After every step.
     std::vector<double>
     forces(RitzPlate &reduced, const ContactLaw &law, const Impactor &impactor);
@@ -75,11 +83,10 @@ namespace PlateImpact
     /// By what of the law and the impactor may differ, in round numbers.
     std::map<std::tuple<std::string, std::array<double, 6>>, RitzPlate *>
       settled;
-    /// By 2 log2 of the root of the shift [1/s], and by the number of vectors.
+    /// By the half octave of the shift, and by the number of vectors.
     std::map<int, RitzBasis>                          bases;
     std::map<std::pair<int, unsigned int>, RitzPlate> reduced_plates;
-    /// All that the force depends on.
-    std::map<const RitzPlate *, PlateResponse> responses;
+    std::map<const RitzPlate *, PlateResponse>        responses;
   };
 } // namespace PlateImpact
 

@@ -60,8 +60,7 @@ namespace PlateImpact
       Eigen::VectorXd                           u;
       std::unique_ptr<const ContactIntegration> integration;
       std::optional<RitzReduction>              reduction;
-      /// of the mesh and of reduced plates
-      std::map<const SemidiscretePlate *, PlateResponse> responses;
+      std::optional<PlateResponse>              response_of_mesh;
     };
 
     /// The load of an impact, now that of the plate as well.
