@@ -20,6 +20,11 @@ namespace PlateImpact
 
 
 
+    /// Numbers in the vectors: 1.6 GB.
+    constexpr double most_numbers = 2e8;
+
+
+
     /// Mean square over the contact of the difference of two histories, in
     /// units of the square of the peak of the second.
     double
@@ -213,9 +218,11 @@ namespace PlateImpact
     const int    octave   = half_octave(law, impactor);
     const double distance = frequency(octave) * time.end_time;
     const double n_first  = std::max(12., 0.24 * distance);
-    // once the vectors have cost as many solves as the steps would, the steps
-    // are made after all: never more than twice the work of the better way
-    const double n_most = std::max(16., time.end_time / time.time_step);
+    // once the vectors have cost as many solves as the steps would, or fill the
+    // memory, the steps are made after all
+    const double n_most =
+      std::min(std::max(16., time.end_time / time.time_step),
+               most_numbers / plate.load().size());
     std::deque<std::vector<double>> histories; // the last three
     unsigned int                    n_before = 0;
     for (double n = n_first; n <= n_most; n *= 1.15)
