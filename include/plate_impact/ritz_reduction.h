@@ -22,8 +22,8 @@ namespace PlateImpact
   /// gets the first basis of a growing sequence with which the error of its
   /// force history, as the last three bases tell it, is below
   /// `time.ritz_tolerance` of the peak, as a root mean square over the contact,
-  /// and, where fields are asked for, displacements hardly use the vectors
-  /// added last. The number is found with an impactor of round numbers nearby,
+  /// and, where fields are asked for, displacements hardly use what lies beyond
+  /// the basis before. The number is found with an impactor of round numbers nearby,
   /// so that similar impactors share it and what one gets depends on nothing
   /// but plate, load, time and itself; vectors that another one has asked for
   /// before are not computed again.
