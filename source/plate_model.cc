@@ -110,7 +110,7 @@ namespace PlateImpact
   {
     dof_handler.distribute_dofs(element.finite_element());
     constrain(plate);
-    number_unknowns();
+    unknowns.reinit(dof_handler, constraints);
     find_shapes();
   }
 
@@ -145,40 +145,6 @@ namespace PlateImpact
 
 
   void
-  PlateModel::number_unknowns()
-  {
-    unknown_of_dof.assign(dof_handler.n_dofs(), -1);
-    for (types::global_dof_index dof = 0; dof < dof_handler.n_dofs(); ++dof)
-      if (!constraints.is_constrained(dof))
-        unknown_of_dof[dof] = n_free++;
-    component_of_unknown.resize(n_free);
-
-    std::vector<types::global_dof_index> dofs(n_cell_dofs);
-    first_contribution.push_back(0);
-    for (const auto &cell : dof_handler.active_cell_iterators())
-      {
-        cell->get_dof_indices(dofs);
-        for (unsigned int i = 0; i < dofs.size(); ++i)
-          {
-            const types::global_dof_index dof = dofs[i];
-            if (!constraints.is_constrained(dof))
-              {
-                contributions.push_back({unknown_of_dof[dof], 1.});
-                component_of_unknown[unknown_of_dof[dof]] =
-                  cell->get_fe().system_to_component_index(i).first;
-              }
-            else
-              for (const auto &[master, weight] :
-                   *constraints.get_constraint_entries(dof))
-                contributions.push_back({unknown_of_dof[master], weight});
-            first_contribution.push_back(contributions.size());
-          }
-      }
-  }
-
-
-
-  void
   PlateModel::find_shapes()
   {
     const auto  &mesh      = dof_handler.get_triangulation();
@@ -197,66 +163,23 @@ namespace PlateImpact
 
 
 
-  std::vector<types::global_dof_index>
-  PlateModel::unknowns_of(const unsigned int cell) const
-  {
-    const auto first = first_contribution.begin() + n_cell_dofs * cell;
-    std::vector<types::global_dof_index> unknowns;
-    for (std::size_t k = first[0]; k < first[n_cell_dofs]; ++k)
-      unknowns.push_back(contributions[k].unknown);
-    std::sort(unknowns.begin(), unknowns.end());
-    unknowns.erase(std::unique(unknowns.begin(), unknowns.end()),
-                   unknowns.end());
-    return unknowns;
-  }
-
-
-
-  void
-  PlateModel::resolve_constraints(
-    const unsigned int                          cell,
-    const std::vector<types::global_dof_index> &unknowns,
-    const CellMatrix                           &matrix,
-    Eigen::MatrixXd                            &result) const
-  {
-    const auto        first = first_contribution.begin() + n_cell_dofs * cell;
-    const std::size_t begin = first[0];
-    std::vector<int>  position, dof; // of contributions
-    for (int i = 0; i < n_cell_dofs; ++i)
-      for (std::size_t k = first[i]; k < first[i + 1]; ++k)
-        {
-          dof.push_back(i);
-          position.push_back(std::lower_bound(unknowns.begin(),
-                                              unknowns.end(),
-                                              contributions[k].unknown) -
-                             unknowns.begin());
-        }
-    result.setZero(unknowns.size(), unknowns.size());
-    for (std::size_t l = 0; l < dof.size(); ++l)
-      for (std::size_t k = 0; k < dof.size(); ++k)
-        result(position[k], position[l]) += contributions[begin + k].weight *
-          contributions[begin + l].weight * matrix(dof[k], dof[l]);
-  }
-
-
-
   void
   PlateModel::assemble()
   {
-    DynamicSparsityPattern pattern(n_free, n_free);
+    DynamicSparsityPattern pattern(n_unknowns(), n_unknowns());
     for (unsigned int cell = 0; cell < shape_of_cell.size(); ++cell)
       {
-        const auto unknowns = unknowns_of(cell);
-        for (const types::global_dof_index row : unknowns)
+        const auto of_cell = unknowns.of_cell(cell);
+        for (const types::global_dof_index row : of_cell)
           pattern.add_entries(row,
-                              unknowns.begin(),
-                              unknowns.end(),
+                              of_cell.begin(),
+                              of_cell.end(),
                               /*indices_are_sorted=*/true);
       }
     K = make_matrix(pattern, [](int, int) { return true; });
     // inertia couples no component with another
     M = make_matrix(pattern, [this](const int row, const int column) {
-      return component_of_unknown[row] == component_of_unknown[column];
+      return unknowns.component(row) == unknowns.component(column);
     });
 
     // congruent cells share their matrices
@@ -282,9 +205,9 @@ namespace PlateImpact
                               const CellMatrix  &matrix,
                               Epetra_CrsMatrix  &sum) const
   {
-    const auto      unknowns = unknowns_of(cell);
+    const auto      of_cell = unknowns.of_cell(cell);
     Eigen::MatrixXd A;
-    resolve_constraints(cell, unknowns, matrix, A);
+    unknowns.resolve_constraints(cell, of_cell, matrix, A);
     // symmetric, so that a column is a row
     std::vector<int>    columns;
     std::vector<double> values;
@@ -295,10 +218,10 @@ namespace PlateImpact
         for (Eigen::Index i = 0; i < A.rows(); ++i)
           if (A(i, j) != 0.)
             {
-              columns.push_back(unknowns[i]);
+              columns.push_back(of_cell[i]);
               values.push_back(A(i, j));
             }
-        sum.SumIntoMyValues(unknowns[j],
+        sum.SumIntoMyValues(of_cell[j],
                             columns.size(),
                             values.data(),
                             columns.data());
@@ -310,7 +233,7 @@ namespace PlateImpact
   unsigned int
   PlateModel::n_unknowns() const
   {
-    return n_free;
+    return unknowns.size();
   }
 
 
@@ -334,15 +257,13 @@ namespace PlateImpact
   Eigen::VectorXd
   PlateModel::load(const std::vector<LoadPoint> &points) const
   {
-    Eigen::VectorXd    u  = Eigen::VectorXd::Zero(n_free);
+    Eigen::VectorXd    u  = Eigen::VectorXd::Zero(n_unknowns());
     const FESystem<2> &fe = plate_element.finite_element();
     std::vector<bool>  is_found(points.size(), false);
     unsigned int       n_found = 0;
 
     for (const auto &cell : mesh().active_cell_iterators())
       {
-        const auto first =
-          first_contribution.begin() + n_cell_dofs * cell->active_cell_index();
         const auto box = cell->bounding_box();
         for (std::size_t p = 0; p < points.size(); ++p)
           if (!is_found[p] && box.point_inside(points[p].point, 1e-9))
@@ -358,9 +279,10 @@ namespace PlateImpact
                   const int i = fe.component_to_system_index(deflection, node);
                   const double value =
                     fe.base_element(0).shape_value(node, *unit);
-                  for (std::size_t k = first[i]; k < first[i + 1]; ++k)
-                    u[contributions[k].unknown] +=
-                      points[p].weight * value * contributions[k].weight;
+                  unknowns.add_force(cell->active_cell_index(),
+                                     i,
+                                     points[p].weight * value,
+                                     u);
                 }
             }
         if (n_found == points.size())
@@ -376,39 +298,25 @@ namespace PlateImpact
   {
     Vector<double> values(dof_handler.n_dofs());
     VectorTools::interpolate(dof_handler, field, values);
-    Eigen::VectorXd unknowns(n_free);
-    for (types::global_dof_index dof = 0; dof < values.size(); ++dof)
-      if (unknown_of_dof[dof] >= 0)
-        unknowns[unknown_of_dof[dof]] = values[dof];
-    return unknowns;
+    return unknowns.of_nodal_values(values);
   }
 
 
 
   void
   PlateModel::cell_values(const unsigned int                       cell,
-                          const Eigen::Ref<const Eigen::MatrixXd> &unknowns,
+                          const Eigen::Ref<const Eigen::MatrixXd> &vectors,
                           Eigen::MatrixXd                         &values) const
   {
-    values.setZero(n_cell_dofs, unknowns.cols());
-    const auto first = first_contribution.begin() + n_cell_dofs * cell;
-    for (int i = 0; i < n_cell_dofs; ++i)
-      for (std::size_t k = first[i]; k < first[i + 1]; ++k)
-        values.row(i) +=
-          contributions[k].weight * unknowns.row(contributions[k].unknown);
+    unknowns.cell_values(cell, vectors, values);
   }
 
 
 
   Vector<double>
-  PlateModel::nodal_values(const Eigen::VectorXd &unknowns) const
+  PlateModel::nodal_values(const Eigen::VectorXd &vector) const
   {
-    Vector<double> values(dof_handler.n_dofs());
-    for (types::global_dof_index dof = 0; dof < values.size(); ++dof)
-      if (unknown_of_dof[dof] >= 0)
-        values[dof] = unknowns[unknown_of_dof[dof]];
-    constraints.distribute(values);
-    return values;
+    return unknowns.nodal_values(vector);
   }
 
 

@@ -3,10 +3,10 @@
 
 #include <deal.II/base/function.h>
 #include <deal.II/dofs/dof_handler.h>
-#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/vector.h>
 
+#include "plate_impact/free_unknowns.h"
 #include "plate_impact/load_patch.h"
 #include "plate_impact/plate_element.h"
 #include "plate_impact/plate_section.h"
@@ -65,11 +65,11 @@ namespace PlateImpact
 
     /// Values of a cell's 27 nodal quantities, constraints resolved.
     /// @param cell      active cell index
-    /// @param unknowns  n_unknowns() x n
-    /// @param values    set to n_cell_dofs x n
+    /// @param vectors  n_unknowns() x n
+    /// @param values   set to n_cell_dofs x n
     void
     cell_values(unsigned int                             cell,
-                const Eigen::Ref<const Eigen::MatrixXd> &unknowns,
+                const Eigen::Ref<const Eigen::MatrixXd> &vectors,
                 Eigen::MatrixXd                         &values) const;
 
     const CellShape &
@@ -77,7 +77,7 @@ namespace PlateImpact
 
     /// The same for all nodes, by degree of freedom of dofs().
     dealii::Vector<double>
-    nodal_values(const Eigen::VectorXd &unknowns) const;
+    nodal_values(const Eigen::VectorXd &vector) const;
 
     const dealii::DoFHandler<2> &
     dofs() const;
@@ -97,30 +97,10 @@ namespace PlateImpact
     section() const;
 
   private:
-    struct Contribution
-    {
-      int    unknown;
-      double weight;
-    };
-
     void
     constrain(const PlateParameters &plate);
     void
-    number_unknowns();
-    void
     find_shapes();
-
-    /// Free unknowns of a cell, in ascending order.
-    std::vector<dealii::types::global_dof_index>
-    unknowns_of(unsigned int cell) const;
-
-    /// A cell's matrix in terms of its free unknowns.
-    void
-    resolve_constraints(
-      unsigned int                                        cell,
-      const std::vector<dealii::types::global_dof_index> &unknowns,
-      const CellMatrix                                   &matrix,
-      Eigen::MatrixXd                                    &result) const;
 
     /// Adds a symmetric matrix of a cell.
     void
@@ -134,15 +114,8 @@ namespace PlateImpact
     dealii::DoFHandler<2>             dof_handler;
     dealii::AffineConstraints<double> constraints;
 
-    bool             holds_deflection = false;
-    unsigned int     n_free           = 0;
-    std::vector<int> unknown_of_dof; ///< -1 for constrained ones
-    std::vector<int> component_of_unknown;
-
-    /// Nodal value i of cell c is the sum of contributions
-    /// first_contribution[27 c + i] ... first_contribution[27 c + i + 1] - 1.
-    std::vector<std::size_t>  first_contribution;
-    std::vector<Contribution> contributions;
+    bool         holds_deflection = false;
+    FreeUnknowns unknowns;
 
     std::vector<unsigned int> shape_of_cell;
     std::vector<CellShape>    shapes;
