@@ -32,26 +32,20 @@ namespace PlateImpact
 
 
     /// Adapts to the target, which is halved as often as it is met already or
-    /// gives no new mesh. A smaller target is the same as larger errors.
-    /// @param tightening  of the scene's target; doubled with every halving
+    /// gives no new mesh.
     /// @return why there is no new mesh; empty when there is one
     std::optional<std::string>
     adapt_further(ImpactAnalysis    &analysis,
                   const CycleResult &result,
-                  const double       target,
-                  double            &tightening)
+                  double            &target)
     {
       std::optional<std::string> end = "mesh unchanged";
       for (unsigned int halvings = 0; halvings < 8; ++halvings)
         {
-          CycleResult seen;
-          seen.error = result.error;
-          seen.error->eta *= tightening;
-          for (double &xi : seen.error->element_errors)
-            xi *= tightening;
-          if (seen.error->eta > target && !(end = analysis.adapt(seen)))
+          if (result.error->eta > target &&
+              !(end = analysis.adapt(result, target)))
             return {};
-          tightening *= 2.;
+          target *= 0.5;
         }
       return end;
     }
@@ -94,11 +88,11 @@ namespace PlateImpact
     const Parameters parameters = parameters_of("hanging nodes", "MITC9");
     const double     target     = parameters.adaptivity.target_error;
     ImpactAnalysis   analysis(parameters, progress);
-    double           tightening = 1.;
-    CycleResult      coarse     = analysis.compute_cycle();
+    double           tightened = target;
+    CycleResult      coarse    = analysis.compute_cycle();
     while (coarse.error->eta > 0.1 * target &&
            coarse.cells < enough_reference_cells &&
-           !adapt_further(analysis, coarse, target, tightening))
+           !adapt_further(analysis, coarse, tightened))
       coarse = analysis.compute_cycle();
     analysis.refine_everywhere();
     const CycleResult fine = analysis.compute_cycle();
@@ -166,7 +160,7 @@ namespace PlateImpact
     const Parameters parameters = parameters_of(curve.strategy, curve.element);
     const ComparisonParameters &comparison = parameters.comparison;
     const double                target     = parameters.adaptivity.target_error;
-    double                      seconds = 0., tightening = 1.;
+    double                      seconds = 0., tightened = target;
     Timer                       timer;
     const auto                  is_spent = [&] {
       return !curve.meshes.empty() &&
@@ -192,7 +186,7 @@ namespace PlateImpact
               std::to_string(result.cells) + " cells",
             result.cells,
             mesh_picture(analysis.mesh(), result),
-            {{"element error ξ′", true, result.error->element_errors}}};
+            {{"element error ξ′", true, result.over_limit->elements}}};
         curve.warnings = analysis.warnings();
         if (listener)
           listener(curve);
@@ -207,8 +201,7 @@ namespace PlateImpact
           }
         if (cycle == comparison.maximum_cycles)
           break;
-        if (const auto end =
-              adapt_further(analysis, result, target, tightening))
+        if (const auto end = adapt_further(analysis, result, tightened))
           {
             curve.end = *end;
             return;

@@ -128,7 +128,7 @@ namespace PlateImpact
     if (result.error)
       {
         eta = 100. * result.error->eta;
-        xi  = result.error->max_element_error();
+        xi  = result.over_limit->max_element();
       }
     if (result.history)
       {
@@ -167,10 +167,9 @@ namespace PlateImpact
                     << " % (target " << formatted("%.6g", 100. * target)
                     << " %)";
         if (last.error && last.error->eta <= target &&
-            outcome != "target reached" &&
-            last.error->max_element_error() >= 1.)
+            outcome != "target reached" && last.over_limit->max_element() >= 1.)
           std::cout << ", largest xi' "
-                    << formatted("%.3g", last.error->max_element_error())
+                    << formatted("%.3g", last.over_limit->max_element())
                     << " (limit 1)";
         if (last.cells_at_minimum_size > 0)
           std::cout << " (cells at the minimum size that keep xi' >= 1: "

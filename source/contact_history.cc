@@ -57,6 +57,17 @@ namespace PlateImpact
 
 
 
+  double
+  ContactHistory::rise_time() const
+  {
+    const ContactState *touch = &peak();
+    while (touch != history.data() && touch->indentation > 0.)
+      --touch;
+    return peak().time - touch->time;
+  }
+
+
+
   std::optional<double>
   ContactHistory::first_contact_end() const
   {

@@ -152,10 +152,12 @@ namespace PlateImpact
                                       samples.begin()]);
         for (Eigen::Index row = 0; row < w.rows(); ++row)
           deflection.push_back(quantized(w(row, i) / unit));
-        for (const float xi : result.error->kept_element_errors[chosen[i]])
-          cell_errors.push_back(xi > 0.f ?
-                                  quantized(1e4 * std::log10(xi)) :
-                                  std::numeric_limits<std::int16_t>::min());
+        for (const float error : result.error->kept_element_errors[chosen[i]])
+          cell_errors.push_back(
+            error > 0.f ?
+              quantized(1e4 *
+                        std::log10(error / result.over_limit->element_limit)) :
+              std::numeric_limits<std::int16_t>::min());
       }
     return {{"cells", n_cells},
             {"nodesPerCell", nodes_per_cell},

@@ -47,29 +47,19 @@ namespace PlateImpact
 
 
 
-  double
-  ErrorEstimate::max_element_error() const
-  {
-    return *std::max_element(element_errors.begin(), element_errors.end());
-  }
-
-
-
   ErrorEstimator::ErrorEstimator(
     const PlateModel                            &model,
-    const double                                 target_error,
     const std::vector<unsigned int>             &singular_cells,
     const std::function<bool(const Point<2> &)> &is_rough)
     : model(model)
-    , target(target_error)
     , stiffness(model.section().stiffness())
     , root_of_compliance(model.section().root_of_compliance())
     , recovery(model.mesh(), is_rough)
     , is_counted(Eigen::VectorXd::Ones(model.mesh().n_active_cells()))
     , norm_integrals(Norms::Zero())
     , last_norms(Norms::Zero())
-    , xi_integral(Eigen::VectorXd::Zero(model.mesh().n_active_cells()))
-    , last_xi(xi_integral)
+    , relative_integral(Eigen::VectorXd::Zero(model.mesh().n_active_cells()))
+    , last_relative(relative_integral)
   {
     for (const unsigned int cell : singular_cells)
       is_counted[cell] = 0.;
@@ -223,21 +213,20 @@ namespace PlateImpact
     const Norms  norms =
       Norms(counted_e2, counted_e2 + counted_u2, e2.sum(), e2.sum() + u2)
         .cwiseSqrt();
-    const double    e_m = target * norms[3] / std::sqrt(double(e2.size()));
-    Eigen::VectorXd xi  = Eigen::VectorXd::Zero(e2.size());
-    if (e_m > 0.)
-      xi = e2.cwiseSqrt() / e_m;
+    Eigen::VectorXd relative = Eigen::VectorXd::Zero(e2.size());
+    if (norms[1] > 0.)
+      relative = e2.cwiseSqrt() / norms[1];
 
     const double half_step = 0.5 * (time - last_time);
     norm_integrals += half_step * (last_norms + norms);
-    xi_integral += half_step * (last_xi + xi);
-    last_time  = time;
-    last_norms = norms;
-    last_xi    = xi;
+    relative_integral += half_step * (last_relative + relative);
+    last_time     = time;
+    last_norms    = norms;
+    last_relative = relative;
     sample_times.push_back(time);
     sample_errors.push_back(norms[1] > 0. ? norms[0] / norms[1] : 0.);
     if (interval_of_kept > 0 && sample_times.size() % interval_of_kept == 0)
-      kept_element_errors.push_back(xi.cast<float>());
+      kept_element_errors.push_back(relative.cast<float>());
   }
 
 
@@ -285,10 +274,11 @@ namespace PlateImpact
         result.eta_of_all_cells = norm_integrals[2] / norm_integrals[3];
       }
     result.n_singular_cells = std::lround(is_counted.size() - is_counted.sum());
-    result.element_errors.assign(xi_integral.size(), 0.);
+    result.element_errors.assign(relative_integral.size(), 0.);
     if (last_time > 0.)
       Eigen::Map<Eigen::VectorXd>(result.element_errors.data(),
-                                  xi_integral.size()) = xi_integral / last_time;
+                                  relative_integral.size()) =
+        relative_integral / last_time;
     result.max_effective_stress = max_stress;
     result.sample_times         = sample_times;
     result.sample_errors        = sample_errors;

@@ -41,7 +41,7 @@ namespace PlateImpact
 
   bool
   GradedRefinement::adapt(Triangulation<2> &mesh,
-                          const ErrorEstimate &,
+                          const ErrorOverLimit &,
                           std::vector<std::string> &) const
   {
     // below that, cells far from the contact are at the minimum size as well

@@ -93,21 +93,22 @@ namespace PlateImpact
 
 
   std::optional<std::string>
-  ImpactAnalysis::adapt(const CycleResult &result)
+  ImpactAnalysis::adapt(const CycleResult &result, const double target_error)
   {
     const AdaptivityParameters &adaptivity = parameters.adaptivity;
     const std::string           too_many   = "maximum cells";
+    const ErrorOverLimit        over_limit =
+      error_over_limit(*result.error, target_error);
     // before there is a mesh that does not fit into the memory
-    if (adaptation->n_wanted_cells(*triangulation, *result.error) >
+    if (adaptation->n_wanted_cells(*triangulation, over_limit) >
         adaptivity.maximum_cells)
       return too_many;
     StageClock clock;
     // whoever keeps the last mesh needs its model: adapt a copy
     auto adapted = std::make_unique<Triangulation<2>>();
     adapted->copy_triangulation(*triangulation);
-    if (!adaptation->adapt(*adapted, *result.error, adaptation_warnings))
-      return result.error->eta <= adaptivity.target_error ? "target reached" :
-                                                            "mesh unchanged";
+    if (!adaptation->adapt(*adapted, over_limit, adaptation_warnings))
+      return over_limit.overall <= 1. ? "target reached" : "mesh unchanged";
     if (adapted->n_active_cells() > adaptivity.maximum_cells)
       return too_many;
     seconds_for_mesh = 0.;
@@ -185,31 +186,35 @@ namespace PlateImpact
                            parameters.discretization.linear_solver));
     clock.charge(result.seconds.assembly);
 
-    const Impactor impactor = make_impactor(parameters.impactor);
-    RitzReduction  reduction(mesh_plate,
+    RitzReduction reduction(mesh_plate,
                             plate_model->section(),
                             parameters.time,
                             *contact_integration,
                             has_estimator);
-    RitzPlate     *reduced = nullptr;
-    if (parameters.time.integrator == "Ritz vectors")
-      reduced = reduction.settle(parameters);
-    TimeStepper stepper(parameters.time,
-                        reduced != nullptr ?
-                          static_cast<SemidiscretePlate &>(*reduced) :
-                          mesh_plate,
-                        *law,
-                        *contact_integration,
-                        impactor);
-    clock.charge(result.seconds.stepping);
-    step_to_end(stepper, reduced, result, clock);
-    if (reduced != nullptr)
-      result.time_error = estimated_time_error(*result.history,
-                                               parameters.time,
-                                               *reduced,
-                                               *law,
-                                               *contact_integration,
-                                               impactor);
+    RitzPlate    *reduced = nullptr;
+    if (parameters.time.integrator == "Ritz vectors" &&
+        result.degrees_of_freedom < too_many_for_vectors)
+      {
+        reduced = reduction.settle(parameters);
+        if (reduced == nullptr)
+          too_many_for_vectors = result.degrees_of_freedom / 2;
+      }
+    SemidiscretePlate &plate    = reduced != nullptr ?
+         static_cast<SemidiscretePlate &>(*reduced) :
+         mesh_plate;
+    const Impactor     impactor = make_impactor(parameters.impactor);
+    unsigned int       n_solves = 0; // of the plate that is stepped
+    {
+      TimeStepper stepper(parameters.time,
+                          plate,
+                          *law,
+                          *contact_integration,
+                          impactor);
+      clock.charge(result.seconds.stepping);
+      step_to_end(stepper, reduced, result, clock);
+      n_solves += stepper.n_linear_solves();
+    }
+    judge_steps(plate, reduced != nullptr, impactor, result, n_solves);
     clock.charge(result.seconds.stepping);
     // a basis or a stepper factorizes when it needs to
     const double factorizing = mesh_plate.factorization_seconds();
@@ -218,8 +223,42 @@ namespace PlateImpact
 
     result.work.factorizations = mesh_plate.n_factorizations();
     result.work.ritz_vectors   = reduction.n_vectors();
-    result.work.linear_solves  = reduction.n_vectors() +
-      (reduced != nullptr ? 0 : stepper.n_linear_solves());
+    result.work.linear_solves =
+      reduction.n_vectors() + (reduced != nullptr ? 0 : n_solves);
+  }
+
+
+
+  void
+  ImpactAnalysis::judge_steps(SemidiscretePlate &plate,
+                              const bool         is_reduced,
+                              const Impactor    &impactor,
+                              CycleResult       &result,
+                              unsigned int      &n_solves) const
+  {
+    // A single contact changes in proportion. On the mesh, where a second
+    // transient costs as much as the first, only the peak is asked for.
+    const ContactHistory &history = *result.history;
+    if (history.n_contacts() > 1 &&
+        (is_reduced || history.peak().time > *history.first_contact_end()))
+      result.sensitivity =
+        sensitivity_to_velocity(history, impactor, [&](const Impactor &other) {
+          TimeStepper    stepper(parameters.time,
+                              plate,
+                              *law,
+                              *contact_integration,
+                              other);
+          ContactHistory struck = history_to_end(stepper);
+          n_solves += stepper.n_linear_solves();
+          return struck;
+        });
+    result.time_error = estimated_time_error(history,
+                                             parameters.time,
+                                             plate,
+                                             *law,
+                                             *contact_integration,
+                                             impactor,
+                                             n_solves);
   }
 
 
@@ -231,11 +270,9 @@ namespace PlateImpact
                               StageClock      &clock)
   {
     if (has_estimator)
-      error_estimator =
-        std::make_unique<ErrorEstimator>(*plate_model,
-                                         parameters.adaptivity.target_error,
-                                         singular_cells(),
-                                         line_load());
+      error_estimator = std::make_unique<ErrorEstimator>(*plate_model,
+                                                         singular_cells(),
+                                                         line_load());
     kelly.reset();
     if (has_estimator && parameters.adaptivity.indicator == "Kelly")
       kelly = std::make_unique<KellyIndicator>(*plate_model);
@@ -338,10 +375,12 @@ namespace PlateImpact
   {
     result.error = error_estimator->estimate();
     if (kelly)
-      kelly->distribute(*result.error, parameters.adaptivity.target_error);
+      kelly->distribute(*result.error);
+    result.over_limit =
+      error_over_limit(*result.error, parameters.adaptivity.target_error);
     result.work.estimator_samples = error_estimator->n_samples();
     for (const auto &cell : triangulation->active_cell_iterators())
-      if (result.error->element_errors[cell->active_cell_index()] >= 1.)
+      if (result.over_limit->elements[cell->active_cell_index()] >= 1.)
         {
           ++result.cells_above_limit;
           if (is_smallest(cell, parameters.adaptivity))
@@ -357,7 +396,7 @@ namespace PlateImpact
   {
     if (adaptation == nullptr)
       return "single mesh";
-    if (result.error->eta <= parameters.adaptivity.target_error &&
+    if (result.over_limit->overall <= 1. &&
         result.cells_above_limit == result.cells_at_minimum_size)
       return "target reached";
     if (result.cycle == parameters.adaptivity.maximum_cycles)

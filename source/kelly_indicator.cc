@@ -93,14 +93,12 @@ namespace PlateImpact
 
 
   void
-  KellyIndicator::distribute(ErrorEstimate &estimate,
-                             const double   target_error) const
+  KellyIndicator::distribute(ErrorEstimate &estimate) const
   {
     if (last_time <= 0.)
       return;
-    const double scale = estimate.eta / target_error *
-      std::sqrt(double(shares_integral.size())) / last_time;
     for (unsigned int cell = 0; cell < estimate.element_errors.size(); ++cell)
-      estimate.element_errors[cell] = scale * shares_integral[cell];
+      estimate.element_errors[cell] =
+        estimate.eta * shares_integral[cell] / last_time;
   }
 } // namespace PlateImpact

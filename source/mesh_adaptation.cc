@@ -33,24 +33,29 @@ namespace PlateImpact
 
 
 
-    /// Level that brings a cell to its target size.
+    /// Level that brings a cell to its target size, as far as the smallest and
+    /// the largest size allow it; of these the largest comes first.
     int
     wanted_level(const Triangulation<2>::active_cell_iterator &cell,
                  const double                                  target_size,
-                 const double                                  smallest_size,
-                 const double                                  margin)
+                 const AdaptivityParameters                   &adaptivity)
     {
       const double h      = cell_size(cell);
       const auto   levels = [](const double ratio) {
         return std::ceil(std::log2(ratio) - tolerance);
       };
+      const double margin     = coarsening_margin(adaptivity.size_exponent);
       const double refinement = levels(h / target_size);
       const double coarsening = std::min(0., levels(margin * h / target_size));
-      const double allowed =
-        std::max(0., std::floor(std::log2(h / smallest_size) + tolerance));
+      const double most =
+        std::max(0.,
+                 std::floor(std::log2(h / adaptivity.minimum_cell_size) +
+                            tolerance));
+      const double least = levels(h / adaptivity.maximum_cell_size);
       const double change =
-        refinement > 0. ? std::min(refinement, allowed) : coarsening;
-      return std::max(0, cell->level() + static_cast<int>(change));
+        std::max(refinement > 0. ? std::min(refinement, most) : coarsening,
+                 least);
+      return static_cast<int>(std::max(0., cell->level() + change));
     }
 
 
@@ -117,19 +122,16 @@ namespace PlateImpact
 
   std::vector<double>
   target_sizes(const Triangulation<2>     &mesh,
-               const ErrorEstimate        &estimate,
+               const ErrorOverLimit       &error,
                const AdaptivityParameters &adaptivity)
   {
-    const double        largest = adaptivity.maximum_cell_size;
     std::vector<double> sizes(mesh.n_active_cells());
     for (const auto &cell : mesh.active_cell_iterators())
       {
-        const unsigned int c  = cell->active_cell_index();
-        const double       xi = estimate.element_errors[c];
-        sizes[c] =
-          std::clamp(cell_size(cell) / std::pow(xi, adaptivity.size_exponent),
-                     std::min(adaptivity.minimum_cell_size, largest),
-                     largest);
+        const unsigned int c = cell->active_cell_index();
+        // infinite without an error
+        sizes[c] = cell_size(cell) /
+          std::pow(error.elements[c], adaptivity.size_exponent);
       }
     return sizes;
   }
@@ -137,13 +139,27 @@ namespace PlateImpact
 
 
   double
-  n_cells_of_sizes(const Triangulation<2>    &mesh,
-                   const std::vector<double> &sizes)
+  allowed_size(const double size, const AdaptivityParameters &adaptivity)
+  {
+    const double largest = adaptivity.maximum_cell_size;
+    return std::clamp(size,
+                      std::min(adaptivity.minimum_cell_size, largest),
+                      largest);
+  }
+
+
+
+  double
+  n_cells_of_sizes(const Triangulation<2>     &mesh,
+                   const std::vector<double>  &sizes,
+                   const AdaptivityParameters &adaptivity)
   {
     double n_cells = 0.;
     for (const auto &cell : mesh.active_cell_iterators())
       n_cells +=
-        std::pow(cell_size(cell) / sizes[cell->active_cell_index()], 2);
+        std::pow(cell_size(cell) /
+                   allowed_size(sizes[cell->active_cell_index()], adaptivity),
+                 2);
     return n_cells;
   }
 
@@ -173,7 +189,7 @@ namespace PlateImpact
 
   double
   MeshAdaptation::n_wanted_cells(const Triangulation<2> &mesh,
-                                 const ErrorEstimate &) const
+                                 const ErrorOverLimit &) const
   {
     return 4. * mesh.n_active_cells();
   }
@@ -188,19 +204,18 @@ namespace PlateImpact
 
 
   bool
-  HangingNodeAdaptation::adapt(Triangulation<2>    &mesh,
-                               const ErrorEstimate &estimate,
+  HangingNodeAdaptation::adapt(Triangulation<2>     &mesh,
+                               const ErrorOverLimit &error,
                                std::vector<std::string> &) const
   {
     const std::vector<CellId> before = sorted_cells(mesh);
-    const std::vector<double> sizes  = target_sizes(mesh, estimate, adaptivity);
+    const std::vector<double> sizes  = target_sizes(mesh, error, adaptivity);
     mesh.clear_user_data();
     for (const auto &cell : mesh.active_cell_iterators())
       set_level(cell,
                 wanted_level(cell,
                              sizes[cell->active_cell_index()],
-                             adaptivity.minimum_cell_size,
-                             coarsening_margin(adaptivity.size_exponent)));
+                             adaptivity));
 
     // One level at a time. Cells refined for the sake of their neighbours want
     // to be coarsened again; prepare_coarsening_and_refinement() takes such
@@ -220,9 +235,11 @@ namespace PlateImpact
 
   double
   HangingNodeAdaptation::n_wanted_cells(const Triangulation<2> &mesh,
-                                        const ErrorEstimate    &estimate) const
+                                        const ErrorOverLimit   &error) const
   {
-    return n_cells_of_sizes(mesh, target_sizes(mesh, estimate, adaptivity));
+    return n_cells_of_sizes(mesh,
+                            target_sizes(mesh, error, adaptivity),
+                            adaptivity);
   }
 
 
@@ -235,7 +252,7 @@ namespace PlateImpact
 
   bool
   UniformRefinement::adapt(Triangulation<2> &mesh,
-                           const ErrorEstimate &,
+                           const ErrorOverLimit &,
                            std::vector<std::string> &) const
   {
     if (is_smallest(mesh.begin_active(), adaptivity))

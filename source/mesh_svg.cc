@@ -92,7 +92,7 @@ namespace PlateImpact
             out << (v == 0 ? "" : " ") << left + scale * cell->vertex(v)[0]
                 << ',' << bottom - scale * cell->vertex(v)[1];
           const std::string fill = result.error ?
-            colour(result.error->element_errors[cell->active_cell_index()]) :
+            colour(result.over_limit->elements[cell->active_cell_index()]) :
             "none";
           out << "\" fill=\"" << fill << "\"/>\n";
         }

@@ -24,7 +24,7 @@ namespace PlateImpact
     void
     write_element_errors(std::ostream               &out,
                          const Triangulation<2>     &mesh,
-                         const ErrorEstimate        &error,
+                         const ErrorOverLimit       &error,
                          const AdaptivityParameters &adaptivity)
     {
       const std::vector<double> sizes = target_sizes(mesh, error, adaptivity);
@@ -34,8 +34,8 @@ namespace PlateImpact
         {
           const unsigned int c = cell->active_cell_index();
           out << c << ',' << cell->center()[0] << ',' << cell->center()[1]
-              << ',' << cell_size(cell) << ',' << error.element_errors[c] << ','
-              << sizes[c] << '\n';
+              << ',' << cell_size(cell) << ',' << error.elements[c] << ','
+              << allowed_size(sizes[c], adaptivity) << '\n';
         }
     }
 
@@ -58,7 +58,7 @@ namespace PlateImpact
               cycle["discretization_error_of_all_cells"] =
                 result.error->eta_of_all_cells;
             }
-          cycle["max_element_error"]     = result.error->max_element_error();
+          cycle["max_element_error"]     = result.over_limit->max_element();
           cycle["cells_above_limit"]     = result.cells_above_limit;
           cycle["cells_at_minimum_size"] = result.cells_at_minimum_size;
         }
@@ -70,6 +70,8 @@ namespace PlateImpact
           cycle["time_of_peak_force"]   = peak.time;
           if (result.time_error)
             cycle["time_error"] = *result.time_error;
+          if (result.sensitivity)
+            cycle["sensitivity"] = result.sensitivity->factor;
           if (const auto end = history.first_contact_end())
             cycle["first_contact_end"] = *end;
           cycle["number_of_contacts"] = history.n_contacts();
@@ -155,7 +157,7 @@ namespace PlateImpact
                            [&](std::ostream &out) {
                              write_element_errors(out,
                                                   mesh,
-                                                  *result.error,
+                                                  *result.over_limit,
                                                   scene.parameters.adaptivity);
                            });
     if (scene.parameters.output.write_meshes)
@@ -198,8 +200,8 @@ namespace PlateImpact
 
     std::vector<std::pair<double, std::string>> record;
     Vector<double>                              fields(dof_handler.n_dofs());
-    Vector<float> element_errors(result.error->element_errors.begin(),
-                                 result.error->element_errors.end());
+    Vector<float> element_errors(result.over_limit->elements.begin(),
+                                 result.over_limit->elements.end());
     std::vector<types::global_dof_index> dofs(fields_element.n_dofs_per_cell());
     Eigen::MatrixXd                      values;
     for (const Snapshot &snapshot : result.snapshots)

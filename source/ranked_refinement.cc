@@ -15,10 +15,10 @@ namespace PlateImpact
     /// coarsened.
     bool
     is_settled(const Triangulation<2>::active_cell_iterator &cell,
-               const ErrorEstimate                          &estimate,
+               const ErrorOverLimit                         &error,
                const AdaptivityParameters                   &adaptivity)
     {
-      return estimate.element_errors[cell->active_cell_index()] >= 1. &&
+      return error.elements[cell->active_cell_index()] >= 1. &&
         is_smallest(cell, adaptivity);
     }
 
@@ -28,13 +28,12 @@ namespace PlateImpact
     /// under a point load.
     Vector<double>
     criteria(const Triangulation<2>     &mesh,
-             const ErrorEstimate        &estimate,
+             const ErrorOverLimit       &error,
              const AdaptivityParameters &adaptivity)
     {
-      Vector<double> result(estimate.element_errors.begin(),
-                            estimate.element_errors.end());
+      Vector<double> result(error.elements.begin(), error.elements.end());
       for (const auto &cell : mesh.active_cell_iterators())
-        if (is_settled(cell, estimate, adaptivity))
+        if (is_settled(cell, error, adaptivity))
           result[cell->active_cell_index()] = 0.;
       return result;
     }
@@ -44,7 +43,7 @@ namespace PlateImpact
     /// Refines and coarsens as flagged, no cell below the minimum size.
     bool
     execute(Triangulation<2>           &mesh,
-            const ErrorEstimate        &estimate,
+            const ErrorOverLimit       &error,
             const AdaptivityParameters &adaptivity)
     {
       const std::vector<CellId> before = sorted_cells(mesh);
@@ -52,7 +51,7 @@ namespace PlateImpact
         {
           if (is_smallest(cell, adaptivity))
             cell->clear_refine_flag();
-          if (is_settled(cell, estimate, adaptivity))
+          if (is_settled(cell, error, adaptivity))
             cell->clear_coarsen_flag();
         }
       mesh.execute_coarsening_and_refinement();
@@ -69,18 +68,18 @@ namespace PlateImpact
 
 
   bool
-  FixedFraction::adapt(Triangulation<2>    &mesh,
-                       const ErrorEstimate &estimate,
+  FixedFraction::adapt(Triangulation<2>     &mesh,
+                       const ErrorOverLimit &error,
                        std::vector<std::string> &) const
   {
     GridRefinement::refine_and_coarsen_fixed_fraction(
       mesh,
-      criteria(mesh, estimate, adaptivity),
+      criteria(mesh, error, adaptivity),
       adaptivity.refined_share_of_error,
       adaptivity.coarsened_share_of_error,
       std::numeric_limits<unsigned int>::max(),
       VectorTools::L2_norm);
-    return execute(mesh, estimate, adaptivity);
+    return execute(mesh, error, adaptivity);
   }
 
 
@@ -92,15 +91,15 @@ namespace PlateImpact
 
 
   bool
-  FixedNumber::adapt(Triangulation<2>    &mesh,
-                     const ErrorEstimate &estimate,
+  FixedNumber::adapt(Triangulation<2>     &mesh,
+                     const ErrorOverLimit &error,
                      std::vector<std::string> &) const
   {
     GridRefinement::refine_and_coarsen_fixed_number(
       mesh,
-      criteria(mesh, estimate, adaptivity),
+      criteria(mesh, error, adaptivity),
       adaptivity.refined_share_of_cells,
       adaptivity.coarsened_share_of_cells);
-    return execute(mesh, estimate, adaptivity);
+    return execute(mesh, error, adaptivity);
   }
 } // namespace PlateImpact

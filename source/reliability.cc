@@ -1,6 +1,7 @@
 #include "plate_impact/reliability.h"
 
 #include "plate_impact/impactor.h"
+#include "plate_impact/newmark_scheme.h"
 #include "plate_impact/plate_mesh.h"
 #include "plate_impact/zener.h"
 
@@ -90,8 +91,11 @@ namespace PlateImpact
     {
       std::vector<std::string> warnings;
       const TimeParameters    &time = parameters.time;
-      const double contact_time = result.history->first_contact_end().value_or(
-        std::max(expected_contact_time, result.history->peak().time));
+      const ContactState      &peak = result.history->peak(),
+                         &last      = result.history->states().back();
+      const double rise_time        = peak.force > 0. && peak.time < last.time ?
+               result.history->rise_time() :
+               std::max(0.5 * expected_contact_time, peak.time);
       if (result.time_error && *result.time_error > 1e-3)
         warnings.push_back(
           sentence("Time/Time step = ",
@@ -99,20 +103,21 @@ namespace PlateImpact
                    " s leaves an error of about ",
                    100. * *result.time_error,
                    " % in the peak force; for 0.1 % choose at most ",
-                   time.time_step * std::sqrt(1e-3 / *result.time_error),
+                   time.time_step *
+                     std::pow(1e-3 / *result.time_error,
+                              1. / NewmarkScheme(time).order()),
                    " s, or 0"));
-      else if (time.time_step > (result.time_error ? 0.1 : 0.02) * contact_time)
-        warnings.push_back(
-          sentence("Time/Time step = ",
-                   time.time_step,
-                   " s resolves a contact of ",
-                   contact_time,
-                   " s, and the waves that it sends out, coarsely; for a peak "
-                   "force to 0.1 % choose at most ",
-                   0.02 * contact_time,
-                   " s, or 0"));
-      const ContactState &last = result.history->states().back();
-      if (result.history->peak().time == last.time)
+      else if (!result.time_error && time.time_step > 0.04 * rise_time)
+        warnings.push_back(sentence(
+          "Time/Time step = ",
+          time.time_step,
+          " s resolves the rise to the peak force, ",
+          rise_time,
+          " s, and the waves that the contact sends out, coarsely; for "
+          "a peak force to 0.1 % choose at most ",
+          0.04 * rise_time,
+          " s, or 0"));
+      if (peak.time == last.time)
         warnings.push_back(
           sentence("the force still grows at Time/End time = ",
                    time.end_time,
@@ -128,6 +133,15 @@ namespace PlateImpact
                    "time = ",
                    time.end_time,
                    " s: another contact follows, which may be harder"));
+      if (result.sensitivity && result.sensitivity->unpredictable_from)
+        warnings.push_back(
+          sentence("from t = ",
+                   *result.sensitivity->unpredictable_from,
+                   " s on, the force cannot be predicted: a velocity larger by "
+                   "a millionth changes it by more than 0.1 % of its peak",
+                   peak.time < *result.sensitivity->unpredictable_from ?
+                     "; the peak force is known, it comes before" :
+                     "; the peak force comes after that"));
       const double drift = result.history->relative_energy_drift();
       if (drift > 1e-3)
         warnings.push_back(

@@ -24,8 +24,21 @@ namespace PlateImpact
     /// Cells grow to their target size over this.
     constexpr double coarsening_margin = 1.6;
 
+    /// Sizes are rounded to so many an octave: the last digits, in which
+    /// processors differ, would change Gmsh's whole mesh.
+    constexpr double sizes_per_octave = 64.;
+
     /// Ratio of sizes within which Gmsh's cells scatter.
     constexpr double scatter = 1.25;
+
+
+
+    double
+    rounded(const double size)
+    {
+      return std::exp2(std::round(sizes_per_octave * std::log2(size)) /
+                       sizes_per_octave);
+    }
 
 
 
@@ -148,18 +161,18 @@ namespace PlateImpact
 
   std::vector<double>
   Remeshing::wanted_sizes(const Triangulation<2> &mesh,
-                          const ErrorEstimate    &estimate) const
+                          const ErrorOverLimit   &error) const
   {
-    std::vector<double> sizes = target_sizes(mesh, estimate, adaptivity);
+    std::vector<double> sizes = target_sizes(mesh, error, adaptivity);
     for (const auto &cell : mesh.active_cell_iterators())
       {
         double      &size    = sizes[cell->active_cell_index()];
         const double present = cell_size(cell);
         size                 = size < present ?
                           std::max(refinement_margin * size,
-                   std::min(adaptivity.minimum_cell_size, size)) :
+                   std::min(adaptivity.minimum_cell_size, present)) :
                           std::max(size / coarsening_margin, present);
-        size                 = std::min(size, adaptivity.maximum_cell_size);
+        size                 = allowed_size(rounded(size), adaptivity);
       }
     return sizes;
   }
@@ -168,16 +181,16 @@ namespace PlateImpact
 
   bool
   Remeshing::is_worth_it(const Triangulation<2>    &mesh,
-                         const ErrorEstimate       &estimate,
+                         const ErrorOverLimit      &error,
                          const std::vector<double> &sizes) const
   {
-    const double limit = estimate.eta > adaptivity.target_error ? 1. : scatter;
+    const double limit = error.overall > 1. ? 1. : scatter;
     for (const auto &cell : mesh.active_cell_iterators())
       if (cell_size(cell) / sizes[cell->active_cell_index()] *
             refinement_margin >
           limit)
         return true;
-    return n_cells_of_sizes(mesh, sizes) <
+    return n_cells_of_sizes(mesh, sizes, adaptivity) <
       mesh.n_active_cells() / (scatter * scatter);
   }
 
@@ -203,11 +216,11 @@ namespace PlateImpact
 
   bool
   Remeshing::adapt(Triangulation<2>         &mesh,
-                   const ErrorEstimate      &estimate,
+                   const ErrorOverLimit     &error,
                    std::vector<std::string> &warnings) const
   {
-    const std::vector<double> sizes = wanted_sizes(mesh, estimate);
-    if (!is_worth_it(mesh, estimate, sizes))
+    const std::vector<double> sizes = wanted_sizes(mesh, error);
+    if (!is_worth_it(mesh, error, sizes))
       return false;
     const std::vector<PlanePoint> domain = corners(mesh);
     rebuild(mesh,
@@ -220,8 +233,10 @@ namespace PlateImpact
 
   double
   Remeshing::n_wanted_cells(const Triangulation<2> &mesh,
-                            const ErrorEstimate    &estimate) const
+                            const ErrorOverLimit   &error) const
   {
-    return n_cells_of_sizes(mesh, target_sizes(mesh, estimate, adaptivity));
+    return n_cells_of_sizes(mesh,
+                            target_sizes(mesh, error, adaptivity),
+                            adaptivity);
   }
 } // namespace PlateImpact

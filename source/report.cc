@@ -300,7 +300,7 @@ namespace PlateImpact
         mesh.svg = mesh_picture(model.mesh(), result);
         if (result.error)
           mesh.fields.push_back(
-            {"element error ξ′", true, result.error->element_errors});
+            {"element error ξ′", true, result.over_limit->elements});
         if (estimator != nullptr && result.peak_state)
           for (const CellField &field :
                resultant_fields(*result.peak_state, model, *estimator))

@@ -9,6 +9,20 @@
 
 namespace PlateImpact
 {
+  namespace
+  {
+    /// Vectors coupled to those before by less than this, in the units of
+    /// K + sigma M, move with 1e-4 of them at 30 times the frequency of the
+    /// shift, where nothing is left of a contact force.
+    constexpr double least_coupling = 1e-7;
+
+    /// Share of vectors before in a candidate, in exact arithmetic 0, from
+    /// which what is left of it is round-off as well.
+    constexpr double most_overlap = 0.1;
+  } // namespace
+
+
+
   RitzBasis::RitzBasis(MeshPlate &plate, const double sigma)
     : plate(plate)
     , sigma(sigma)
@@ -56,23 +70,29 @@ namespace PlateImpact
           M_last - diagonal[n - 1] * A_last - subdiagonal[n - 2] * A_before;
       }
     const double norm = orthogonalize();
-    // of what was orthogonal before: nothing but round-off
-    const double removed =
-      std::hypot(n > 0 ? diagonal[n - 1] : 0., n > 1 ? subdiagonal[n - 2] : 0.);
-    if (norm <= 1e-10 * removed || n == Q.rows())
+    if (n == Q.rows() || (n > 0 && norm * sigma <= least_coupling))
       {
         complete = true;
         return;
       }
-    if (n == 0)
-      load_norm = norm;
-    else
-      subdiagonal[n - 1] = norm;
     Q.col(n) = candidate / norm;
     A_before.swap(A_last);
     A_last = A_candidate / norm;
     plate.multiply_mass(Q.col(n), M_last);
     diagonal[n] = Q.col(n).dot(M_last);
+    // T is positive, whatever round-off makes of it
+    const double pivot =
+      n == 0 ? diagonal[0] : diagonal[n] - norm * norm / last_pivot;
+    if (!(pivot > 0.))
+      {
+        complete = true;
+        return;
+      }
+    last_pivot = pivot;
+    if (n == 0)
+      load_norm = norm;
+    else
+      subdiagonal[n - 1] = norm;
     ++n;
   }
 
@@ -97,7 +117,8 @@ namespace PlateImpact
       return norm;
     candidate -= Q.leftCols(n) * overlap;
     plate.multiply_effective_stiffness(candidate, A_candidate);
-    return norm_of_candidate();
+    const double left = norm_of_candidate();
+    return overlap.norm() < most_overlap * left ? left : 0.;
   }
 
 

@@ -185,9 +185,32 @@ namespace PlateImpact
     const auto [known, is_new] =
       settled.try_emplace({parameters.contact.law, numbers});
     if (is_new)
-      known->second =
-        settle(*make_contact_law(rounded), make_impactor(impactor));
+      {
+        const auto     law    = make_contact_law(rounded);
+        const Impactor struck = make_impactor(impactor);
+        if (!steps_are_fewer(*law, struck, parameters.plate))
+          known->second = settle(*law, struck);
+      }
     return known->second;
+  }
+
+
+
+  bool
+  RitzReduction::steps_are_fewer(const ContactLaw      &law,
+                                 const Impactor        &impactor,
+                                 const PlateParameters &dimensions) const
+  {
+    // Before waves come back from an edge the string that is joined to the
+    // vectors stands for the plate. Then a wave of frequency omega that is
+    // followed over T takes T (sigma + omega^2)^{3/2} / (2 omega sigma) of
+    // them (the density of the zeros of orthogonal polynomials), 1.3 T omega
+    // at the best sigma; those of a contact go up to some 5 pi / contact_time.
+    const double contact_time = 2. * zener_peak(law, impactor, section).time;
+    const double echo =
+      std::min(dimensions.side_lengths[0], dimensions.side_lengths[1]) /
+      contact_wave(section, contact_time).group_speed;
+    return time.end_time > echo && contact_time < 20. * time.time_step;
   }
 
 
@@ -217,15 +240,18 @@ namespace PlateImpact
     // follow with the third basis, the first that is judged.
     const int    octave   = half_octave(law, impactor);
     const double distance = frequency(octave) * time.end_time;
-    const double n_first  = std::max(12., 0.24 * distance);
+    const double n_first = std::max(12., 0.24 * distance), growth = 1.15;
     // once the vectors have cost as many solves as the steps would, or fill the
     // memory, the steps are made after all
     const double n_most =
       std::min(std::max(16., time.end_time / time.time_step),
                most_numbers / plate.load().size());
+    const double n_unknowns = plate.load().size();
+    if (n_most < std::min(n_first * growth * growth, n_unknowns))
+      return nullptr;
     std::deque<std::vector<double>> histories; // the last three
     unsigned int                    n_before = 0;
-    for (double n = n_first; n <= n_most; n *= 1.15)
+    for (double n = n_first; n <= n_most; n *= growth)
       {
         const unsigned int n_wanted = static_cast<unsigned int>(n);
         RitzPlate         &reduced  = reduced_plate(octave, n_wanted);

@@ -27,7 +27,8 @@ namespace PlateImpact
           output.write_cycle(result, analysis.model(), analysis.estimator());
           std::optional<std::string> end = analysis.outcome(result);
           if (!end)
-            end = analysis.adapt(result);
+            end =
+              analysis.adapt(result, scene.parameters.adaptivity.target_error);
           console.cycle(result);
           if (!end)
             continue;

@@ -37,12 +37,12 @@ namespace PlateImpact
 
     /// Computes on one mesh after another to the last.
     CycleResult
-    run_cycles(ImpactAnalysis &analysis)
+    run_cycles(ImpactAnalysis &analysis, const double target_error)
     {
       while (true)
         {
           CycleResult result = analysis.compute_cycle();
-          if (analysis.outcome(result) || analysis.adapt(result))
+          if (analysis.outcome(result) || analysis.adapt(result, target_error))
             return result;
         }
     }
@@ -211,7 +211,8 @@ namespace PlateImpact
                                  point.parameters.discretization.initial_cells);
     const SweepPoint  worst = worst_point(group);
     ImpactAnalysis    analysis(worst.parameters);
-    const CycleResult last = run_cycles(analysis);
+    const CycleResult last =
+      run_cycles(analysis, worst.parameters.adaptivity.target_error);
     done.meshes += last.cycle - 1;
     if (last.error->eta > worst.parameters.adaptivity.target_error)
       {
@@ -259,7 +260,7 @@ namespace PlateImpact
     with_estimator.output.write_report  = true;
     with_estimator.output.field_samples = 0;
     ImpactAnalysis analysis(with_estimator, {}, std::move(mesh));
-    CycleResult    last = run_cycles(analysis);
+    CycleResult last = run_cycles(analysis, parameters.adaptivity.target_error);
     if (is_adaptive(parameters))
       {
         done.meshes += last.cycle;

@@ -27,14 +27,14 @@ namespace PlateImpact
 
 
 
-    ErrorEstimate
+    ErrorOverLimit
     errors(const Triangulation<2>                        &mesh,
            const std::function<double(const Point<2> &)> &xi)
     {
-      ErrorEstimate estimate;
+      ErrorOverLimit error;
       for (const auto &cell : mesh.active_cell_iterators())
-        estimate.element_errors.push_back(xi(cell->center()));
-      return estimate;
+        error.elements.push_back(xi(cell->center()));
+      return error;
     }
 
 
@@ -44,13 +44,13 @@ namespace PlateImpact
     bool
     adapt(const AdaptivityParameters &parameters,
           Triangulation<2>           &mesh,
-          const ErrorEstimate        &estimate,
+          const ErrorOverLimit       &error,
           const double                contact_half_length = 0.)
     {
       std::vector<std::string> warnings;
       const bool               is_changed =
         make_mesh_adaptation(parameters, contact_half_length)
-          ->adapt(mesh, estimate, warnings);
+          ->adapt(mesh, error, warnings);
       EXPECT_TRUE(warnings.empty()) << warnings.front();
       return is_changed;
     }
@@ -131,8 +131,9 @@ namespace PlateImpact
 
     TEST(MeshAdaptation, NeverBelowTheMinimumSizeNorAboveTheInitialOne)
     {
-      const auto mesh       = unit_square(3);
-      const auto parameters = adaptivity("hanging nodes", 0.1);
+      const auto mesh              = unit_square(3);
+      auto       parameters        = adaptivity("hanging nodes", 0.1);
+      parameters.maximum_cell_size = 1. / 3.;
       adapt(parameters, *mesh, errors(*mesh, [](const Point<2> &) {
               return 1e9;
             }));
@@ -142,6 +143,36 @@ namespace PlateImpact
               return 0.;
             }));
       EXPECT_EQ(mesh->n_active_cells(), 9u);
+    }
+
+
+
+    TEST(MeshAdaptation, CellsReturnToTheInitialSizeOnceTheErrorAllowsIt)
+    {
+      const auto mesh              = unit_square(3);
+      auto       parameters        = adaptivity("hanging nodes");
+      parameters.maximum_cell_size = 1. / 3.;
+      mesh->refine_global(1);
+      const auto everywhere = [&mesh](const double xi) {
+        return errors(*mesh, [xi](const Point<2> &) { return xi; });
+      };
+      // coarsened, the error of a cell grows by 2^3
+      EXPECT_FALSE(adapt(parameters, *mesh, everywhere(0.13)));
+      EXPECT_TRUE(adapt(parameters, *mesh, everywhere(0.12)));
+      EXPECT_EQ(mesh->n_active_cells(), 9u);
+    }
+
+
+
+    TEST(MeshAdaptation, CellsAboveTheMaximumSizeAreRefinedWhateverTheirError)
+    {
+      const auto mesh              = unit_square(2);
+      auto       parameters        = adaptivity("hanging nodes");
+      parameters.maximum_cell_size = 0.2;
+      EXPECT_TRUE(adapt(parameters, *mesh, errors(*mesh, [](const Point<2> &) {
+                          return 1e-3;
+                        })));
+      EXPECT_EQ(mesh->n_active_cells(), 64u);
     }
 
 
@@ -214,9 +245,9 @@ namespace PlateImpact
     {
       for (const double half_length : {0., 0.3})
         {
-          const auto          mesh       = unit_square(4);
-          const auto          parameters = adaptivity("graded", 0.01);
-          const ErrorEstimate none;
+          const auto           mesh       = unit_square(4);
+          const auto           parameters = adaptivity("graded", 0.01);
+          const ErrorOverLimit none;
           for (const double theta : {1., 0.5, 0.25})
             {
               EXPECT_TRUE(adapt(parameters, *mesh, none, half_length));

@@ -250,7 +250,7 @@ namespace PlateImpact
         << err;
       for (const std::string part : {"of its thickness",
                                      "locks",
-                                     "coarsely",
+                                     "leaves an error of about",
                                      "do not resolve",
                                      "still moves"})
         EXPECT_NE(err.find(part), std::string::npos) << part << '\n' << err;

@@ -2,6 +2,7 @@
 #include <deal.II/fe/mapping_q1.h>
 
 #include "plate_impact/error_estimator.h"
+#include "plate_impact/error_over_limit.h"
 #include "plate_impact/recovered_field.h"
 #include "test_plate.h"
 
@@ -210,11 +211,12 @@ namespace PlateImpact
         {
           const PlateElement element(name);
           const PlateModel   model(mesh, element, unit_plate("free", 0.1), 1.);
-          ErrorEstimator     estimator(model, 0.05);
+          ErrorEstimator     estimator(model);
           estimator.add_samples({1.}, model.interpolate(field));
           const ErrorEstimate estimate = estimator.estimate();
           EXPECT_LT(estimate.eta, 1e-10) << name;
-          EXPECT_LT(estimate.max_element_error(), 1e-8) << name;
+          for (const double error : estimate.element_errors)
+            EXPECT_LT(error, 1e-10) << name;
         }
     }
 
@@ -245,10 +247,43 @@ namespace PlateImpact
       const auto         mesh = unit_square(2);
       const PlateElement element("heterosis");
       const PlateModel   model(*mesh, element, unit_plate("clamped", 0.1), 1.);
-      ErrorEstimator     estimator(model, 0.05);
+      ErrorEstimator     estimator(model);
       estimator.add_samples({1.}, Eigen::VectorXd::Zero(model.n_unknowns()));
       EXPECT_EQ(estimator.estimate().eta, 0.);
-      EXPECT_EQ(estimator.estimate().max_element_error(), 0.);
+      for (const double error : estimator.estimate().element_errors)
+        EXPECT_EQ(error, 0.);
+    }
+
+
+
+    TEST(ErrorEstimator, ElementsAreRelativeToTheNormOfTheCellsThatCount)
+    {
+      // most of the energy and of the error is in the first cell
+      const auto         mesh = unit_square(4);
+      const PlateElement element("MITC9");
+      const PlateModel   model(*mesh, element, unit_plate("free", 0.1), 1.);
+      ErrorEstimator     estimator(model, /*singular_cells=*/{0});
+      estimator
+        .add_samples({1.}, model.interpolate(Field([](const Point<2> &p) {
+          return Field::Values{
+            {std::exp(-8. * p.norm_square()), std::sin(9. * p[0]) / 9., 0.}};
+        })));
+      const ErrorEstimate estimate = estimator.estimate();
+      ASSERT_EQ(estimate.n_singular_cells, 1u);
+      EXPECT_GT(estimate.eta_of_all_cells, 1.2 * estimate.eta);
+      double sum = 0.;
+      for (std::size_t cell = 1; cell < estimate.element_errors.size(); ++cell)
+        sum += std::pow(estimate.element_errors[cell], 2);
+      // the plate is at rest at t = 0, which halves the mean over time
+      EXPECT_NEAR(std::sqrt(sum), 0.5 * estimate.eta, 1e-12);
+
+      // cells at their limit together make the target
+      const ErrorOverLimit over_limit = error_over_limit(estimate, 0.05);
+      EXPECT_NEAR(over_limit.element_limit * std::sqrt(15.), 0.05, 1e-15);
+      EXPECT_NEAR(over_limit.elements[0] * over_limit.element_limit,
+                  estimate.element_errors[0],
+                  1e-15);
+      EXPECT_NEAR(over_limit.overall, estimate.eta / 0.05, 1e-15);
     }
 
 
@@ -263,12 +298,12 @@ namespace PlateImpact
       const Eigen::VectorXd z = model.interpolate(Field([](const Point<2> &p) {
         return Field::Values{{std::sin(3. * p[0]), p[1] * p[1] * p[1], 0.}};
       }));
-      ErrorEstimator        once(model, 0.05), often(model, 0.05);
+      ErrorEstimator        once(model), often(model);
       once.add_samples({2.}, z);
       for (unsigned int n = 1; n <= 40; ++n)
         often.add_samples({0.1 * n}, (n + 1) * z);
       EXPECT_NEAR(often.estimate().eta / once.estimate().eta, 1., 1e-12);
-      // xi is constant but at t = 0, where it is 0: half an interval is lost
+      // eta_i is constant but at t = 0, where it is 0: half an interval is lost
       EXPECT_NEAR(once.estimate().element_errors[4] /
                     often.estimate().element_errors[4],
                   0.5 / (1. - 0.5 / 40.),
@@ -334,7 +369,7 @@ namespace PlateImpact
                        return std::cos(numbers::PI * p[0]) *
                          std::cos(numbers::PI * p[1]);
                      })));
-      ErrorEstimator estimator(model, 0.05);
+      ErrorEstimator estimator(model);
       estimator.add_samples({1.}, z);
       const ErrorEstimate estimate = estimator.estimate();
 
@@ -369,15 +404,14 @@ namespace PlateImpact
           total_e2 += e2[c];
         }
 
-      // xi' of one sample is half of ||e||_i / e_m: invert to ||e||_i
+      // eta_i of one sample is half of ||e||_i / ||u||: invert to ||e||_i
       const double true_eta = std::sqrt(total_e2 / (total_e2 + total_u2));
       Effectivity  result{estimate.eta / true_eta, 1e9, 0.};
       const double u = std::sqrt(total_u2 / (1. - estimate.eta * estimate.eta));
       for (unsigned int c = 0; c < e2.size(); ++c)
         {
-          const double e_m = 0.05 * u / std::sqrt(double(e2.size()));
           const double ratio =
-            2. * estimate.element_errors[c] * e_m / std::sqrt(e2[c]);
+            2. * estimate.element_errors[c] * u / std::sqrt(e2[c]);
           result.smallest_of_cells = std::min(result.smallest_of_cells, ratio);
           result.largest_of_cells  = std::max(result.largest_of_cells, ratio);
         }

@@ -185,18 +185,18 @@ namespace PlateImpact
 
     /// Errors as large as a size field with cells of `fine` at the impact asks
     /// for.
-    ErrorEstimate
+    ErrorOverLimit
     errors(const Triangulation<2> &mesh, const double fine)
     {
-      ErrorEstimate estimate;
-      estimate.eta = 0.1;
+      ErrorOverLimit error;
+      error.overall = 2.;
       for (const auto &cell : mesh.active_cell_iterators())
         {
           const double ratio =
             cell_size(cell) / (fine + 0.3 * cell->center().norm());
-          estimate.element_errors.push_back(ratio * ratio);
+          error.elements.push_back(ratio * ratio);
         }
-      return estimate;
+      return error;
     }
 
 
@@ -311,12 +311,30 @@ namespace PlateImpact
       unsigned int    n_meshes = 0;
       for (bool is_changed = true; is_changed && n_meshes < 10; ++n_meshes)
         {
-          ErrorEstimate estimate = errors(*mesh, 0.004);
-          estimate.eta           = 0.04;
+          ErrorOverLimit error = errors(*mesh, 0.004);
+          error.overall        = 0.8;
           std::vector<std::string> warnings;
-          is_changed = remeshing.adapt(*mesh, estimate, warnings);
+          is_changed = remeshing.adapt(*mesh, error, warnings);
         }
       EXPECT_LT(n_meshes, 5u);
+    }
+
+
+
+    TEST(Remeshing, CellsGrowToTheLargestSizeWhereThereIsNoError)
+    {
+      const auto      mesh = quadrant();
+      const Remeshing remeshing(adaptivity(), 0.);
+      remesh_with(remeshing, *mesh, 0.01);
+      ErrorOverLimit error;
+      error.elements.assign(mesh->n_active_cells(), 1e-4);
+      std::vector<std::string> warnings;
+      EXPECT_TRUE(remeshing.adapt(*mesh, error, warnings));
+      // 24 are 0.02 large where sides have an even number of them
+      EXPECT_LT(mesh->n_active_cells(), 30u);
+      // and stays so
+      error.elements.assign(mesh->n_active_cells(), 1e-4);
+      EXPECT_FALSE(remeshing.adapt(*mesh, error, warnings));
     }
   } // namespace
 } // namespace PlateImpact

@@ -69,13 +69,13 @@ namespace PlateImpact
     adaptivity.size_exponent     = 1.;
     adaptivity.minimum_cell_size = 0.;
     adaptivity.maximum_cell_size = std::numeric_limits<double>::max();
-    ErrorEstimate estimate;
-    estimate.eta = 1.;
+    ErrorOverLimit error;
+    error.overall = 20.;
     for (const auto &cell : mesh.active_cell_iterators())
-      estimate.element_errors.push_back(
-        cell_size(cell) / (fine + growth * cell->center().norm()));
+      error.elements.push_back(cell_size(cell) /
+                               (fine + growth * cell->center().norm()));
     std::vector<std::string> warnings;
-    make_mesh_adaptation(adaptivity)->adapt(mesh, estimate, warnings);
+    make_mesh_adaptation(adaptivity)->adapt(mesh, error, warnings);
     EXPECT_TRUE(warnings.empty()) << warnings.front();
   }
 

@@ -53,6 +53,10 @@ namespace PlateImpact
     double
     peak_of_curve() const;
 
+    /// From the last state without contact before the peak to it. [s]
+    double
+    rise_time() const;
+
     /// Time at which the first contact ends, from a linear interpolation of the
     /// indentation between steps; empty when it lasts to the end of the history
     /// or when there is none. [s]

@@ -3,6 +3,8 @@
 
 #include "plate_impact/contact_history.h"
 #include "plate_impact/error_estimator.h"
+#include "plate_impact/error_over_limit.h"
+#include "plate_impact/sensitivity.h"
 
 #include <Eigen/Core>
 
@@ -49,8 +51,9 @@ namespace PlateImpact
     unsigned int cells = 0, degrees_of_freedom = 0;
     double       min_cell_size = 0.; ///< [m]
 
-    std::optional<ErrorEstimate> error;
-    unsigned int                 cells_above_limit = 0; ///< xi' >= 1
+    std::optional<ErrorEstimate>  error;
+    std::optional<ErrorOverLimit> over_limit; ///< of the scene's target
+    unsigned int                  cells_above_limit = 0; ///< xi' >= 1
     unsigned int cells_at_minimum_size = 0; ///< of these, not to be refined
 
     std::optional<ContactHistory> history;
@@ -58,7 +61,8 @@ namespace PlateImpact
     double                        impulse = 0.;    ///< [N s]
     std::optional<double>         separation_time; ///< no contact since [s]
     std::optional<double> time_error; ///< of the peak force, relative to it
-    std::vector<Snapshot> snapshots;
+    std::optional<Sensitivity> sensitivity; ///< of several contacts
+    std::vector<Snapshot>      snapshots;
 
     /// For the report: the state of the largest force, and states evenly over
     /// the samples of the estimator, those of error->kept_element_errors.

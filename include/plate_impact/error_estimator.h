@@ -25,7 +25,10 @@ namespace PlateImpact
 
     unsigned int n_singular_cells = 0;
 
-    std::vector<double> element_errors; ///< xi' of Table 1
+    /// Errors of the cells relative to the whole, the mean over time of
+    /// ||e||_i / (||u||^2 + ||e||^2)^{1/2}; the denominator leaves out the
+    /// singular cells.
+    std::vector<double> element_errors;
 
     /// Largest von Mises stress at the faces of the plate over vertices and
     /// samples, from recovered resultants. [Pa]
@@ -35,11 +38,8 @@ namespace PlateImpact
     /// singular cells; eta is its mean with the denominator as weight.
     std::vector<double> sample_times, sample_errors;
 
-    /// xi_i(t) at the samples that were to be kept.
+    /// The same without the mean, at the samples that were to be kept.
     std::vector<Eigen::VectorXf> kept_element_errors;
-
-    double
-    max_element_error() const;
   };
 
 
@@ -47,11 +47,11 @@ namespace PlateImpact
   /// paper, after Dutta & Ramakrishnan, Engng Comput 14, 1997, 135-158):
   ///   ||e||_i^2 = int_i (sigma* - sigma)^T D^-1 (sigma* - sigma),
   ///   eta       = int ||e|| dt / int (||u||^2 + ||e||^2)^{1/2} dt,
-  ///   xi'_i     = 1/T int ||e||_i / e_m dt,
-  ///   e_m       = target (||u||^2 + ||e||^2)^{1/2} / n^{1/2},
+  ///   eta_i     = 1/T int ||e||_i / (||u||^2 + ||e||^2)^{1/2} dt,
   /// with sigma* recovered by patches (StressRecovery), and time integrals by
-  /// the trapezoidal rule over samples. While the plate is at rest e_m is 0 and
-  /// xi_i is taken as 0 (the paper's table has 0/0 at t = 0).
+  /// the trapezoidal rule over samples. While the plate is at rest eta_i is
+  /// taken as 0 (the paper's table has 0/0 at t = 0). What a cell may have of
+  /// the error is for the adaptation to say (element_errors_over_limit()).
   ///
   /// Under a point load the energy of the exact error is infinite around the
   /// load, on every mesh: there is nothing to estimate, and nearer than about
@@ -69,7 +69,6 @@ namespace PlateImpact
     /// @param is_rough        as in StressRecovery
     ErrorEstimator(
       const PlateModel                                    &model,
-      double                                               target_error,
       const std::vector<unsigned int>                     &singular_cells = {},
       const std::function<bool(const dealii::Point<2> &)> &is_rough       = {});
 
@@ -145,7 +144,6 @@ namespace PlateImpact
       std::vector<bool>                                    &vertex_is_done);
 
     const PlateModel                 &model;
-    const double                      target;
     const Eigen::Matrix<double, 5, 5> stiffness, root_of_compliance;
     const StressRecovery              recovery;
     Eigen::VectorXd is_counted; ///< 0 for singular cells, else 1
@@ -154,7 +152,7 @@ namespace PlateImpact
     /// integrals so far, and integrands at the last time
     double          last_time = 0.;
     Norms           norm_integrals, last_norms;
-    Eigen::VectorXd xi_integral, last_xi;
+    Eigen::VectorXd relative_integral, last_relative; ///< ||e||_i by norm
     double          max_stress = 0.;
 
     unsigned int                 interval_of_kept = 0;

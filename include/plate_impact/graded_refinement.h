@@ -18,7 +18,7 @@ namespace PlateImpact
 
     bool
     adapt(dealii::Triangulation<2> &mesh,
-          const ErrorEstimate      &estimate,
+          const ErrorOverLimit     &error,
           std::vector<std::string> &warnings) const override;
 
   private:

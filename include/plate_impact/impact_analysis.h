@@ -18,6 +18,7 @@
 #include "plate_impact/time_stepper.h"
 
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -58,7 +59,7 @@ namespace PlateImpact
     /// same again or has too many cells.
     /// @return why the loop ends instead; empty when the mesh has changed
     std::optional<std::string>
-    adapt(const CycleResult &result);
+    adapt(const CycleResult &result, double target_error);
 
     /// Halves every cell, whatever the strategy and the minimum cell size.
     void
@@ -88,6 +89,14 @@ namespace PlateImpact
                 const RitzPlate *reduced,
                 CycleResult     &result,
                 StageClock      &clock);
+    /// What the history answers to another step and another velocity.
+    /// @param n_solves  of the plate, counted on
+    void
+    judge_steps(SemidiscretePlate &plate,
+                bool               is_reduced,
+                const Impactor    &impactor,
+                CycleResult       &result,
+                unsigned int      &n_solves) const;
     bool
     is_snapshot(unsigned int step, unsigned int n_steps) const;
     /// Cells nearer to a point load than half the thickness.
@@ -112,6 +121,9 @@ namespace PlateImpact
     double                   seconds_for_mesh = 0.; ///< to make the present one
     unsigned int             cycle            = 0;
     std::vector<std::string> adaptation_warnings;
+    /// Unknowns from which Ritz vectors were more than steps.
+    unsigned int too_many_for_vectors =
+      std::numeric_limits<unsigned int>::max();
 
     /// of the cycle; the estimator refers to the model, the model to the mesh
     std::unique_ptr<PlateModel>     plate_model;

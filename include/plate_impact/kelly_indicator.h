@@ -29,11 +29,11 @@ namespace PlateImpact
     add_samples(const std::vector<double> &times,
                 const Eigen::MatrixXd     &unknowns);
 
-    /// Replaces xi' of the elements by
-    ///   xi'_i = eta / target n^{1/2} 1/T int eta_i / (sum eta_j^2)^{1/2} dt,
-    /// which has the mean square of an error eta spread as the jumps are.
+    /// Replaces the errors of the elements by
+    ///   eta 1/T int eta_i / (sum eta_j^2)^{1/2} dt,
+    /// an overall error of eta spread as the jumps are.
     void
-    distribute(ErrorEstimate &estimate, double target_error) const;
+    distribute(ErrorEstimate &estimate) const;
 
   private:
     const PlateModel &model;

@@ -4,7 +4,7 @@
 #include <deal.II/grid/cell_id.h>
 #include <deal.II/grid/tria.h>
 
-#include "plate_impact/error_estimator.h"
+#include "plate_impact/error_over_limit.h"
 #include "plate_impact/parameters.h"
 
 #include <memory>
@@ -14,18 +14,24 @@
 namespace PlateImpact
 {
   /// Sizes that the error of each cell asks for (Table 1 of the paper),
-  /// h_new = h / xi'^phi, between the minimum and the maximum cell size. By
-  /// active index. [m]
+  /// h_new = h / xi'^phi, infinite without an error. By active index. Whether
+  /// a cell is coarsened is decided on these, its size by allowed_size(). [m]
   std::vector<double>
   target_sizes(const dealii::Triangulation<2> &mesh,
-               const ErrorEstimate            &estimate,
+               const ErrorOverLimit           &error,
                const AdaptivityParameters     &adaptivity);
 
+  /// The size nearest to one that is wanted, between the minimum and the
+  /// maximum cell size; where the minimum is the larger one, the maximum. [m]
+  double
+  allowed_size(double size, const AdaptivityParameters &adaptivity);
+
   /// About how many cells have the area of the mesh when each gives way to
-  /// cells of its target size. By active index. [m]
+  /// cells of the allowed size next to its target, by active index [m].
   double
   n_cells_of_sizes(const dealii::Triangulation<2> &mesh,
-                   const std::vector<double>      &sizes);
+                   const std::vector<double>      &sizes,
+                   const AdaptivityParameters     &adaptivity);
 
   /// Whether the minimum cell size forbids to refine a cell.
   bool
@@ -50,14 +56,14 @@ namespace PlateImpact
     /// @throws ComputationError when there is no new mesh
     virtual bool
     adapt(dealii::Triangulation<2> &mesh,
-          const ErrorEstimate      &estimate,
+          const ErrorOverLimit     &error,
           std::vector<std::string> &warnings) const = 0;
 
     /// About how many cells the mesh would have after adapt(); four times as
     /// many as now for strategies without target sizes, which halve cells.
     virtual double
     n_wanted_cells(const dealii::Triangulation<2> &mesh,
-                   const ErrorEstimate            &estimate) const;
+                   const ErrorOverLimit           &error) const;
   };
 
 
@@ -71,12 +77,12 @@ namespace PlateImpact
 
     bool
     adapt(dealii::Triangulation<2> &mesh,
-          const ErrorEstimate      &estimate,
+          const ErrorOverLimit     &error,
           std::vector<std::string> &warnings) const override;
 
     double
     n_wanted_cells(const dealii::Triangulation<2> &mesh,
-                   const ErrorEstimate            &estimate) const override;
+                   const ErrorOverLimit           &error) const override;
 
   private:
     const AdaptivityParameters adaptivity;
@@ -91,7 +97,7 @@ namespace PlateImpact
 
     bool
     adapt(dealii::Triangulation<2> &mesh,
-          const ErrorEstimate      &estimate,
+          const ErrorOverLimit     &error,
           std::vector<std::string> &warnings) const override;
 
   private:

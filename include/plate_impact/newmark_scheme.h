@@ -24,6 +24,13 @@ namespace PlateImpact
       return beta == 0.25 && gamma == 0.5;
     }
 
+    /// Of the error in the step: gamma other than 1/2 damps, to first order.
+    unsigned int
+    order() const
+    {
+      return gamma == 0.5 ? 2 : 1;
+    }
+
     const double       beta, gamma;
     const unsigned int n_steps;
     const double       dt; ///< [s]

@@ -16,7 +16,7 @@ namespace PlateImpact
 
     bool
     adapt(dealii::Triangulation<2> &mesh,
-          const ErrorEstimate      &estimate,
+          const ErrorOverLimit     &error,
           std::vector<std::string> &warnings) const override;
 
   private:
@@ -33,7 +33,7 @@ namespace PlateImpact
 
     bool
     adapt(dealii::Triangulation<2> &mesh,
-          const ErrorEstimate      &estimate,
+          const ErrorOverLimit     &error,
           std::vector<std::string> &warnings) const override;
 
   private:

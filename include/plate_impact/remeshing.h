@@ -28,20 +28,20 @@ namespace PlateImpact
 
     bool
     adapt(dealii::Triangulation<2> &mesh,
-          const ErrorEstimate      &estimate,
+          const ErrorOverLimit     &error,
           std::vector<std::string> &warnings) const override;
 
     double
     n_wanted_cells(const dealii::Triangulation<2> &mesh,
-                   const ErrorEstimate            &estimate) const override;
+                   const ErrorOverLimit           &error) const override;
 
   private:
     std::vector<double>
     wanted_sizes(const dealii::Triangulation<2> &mesh,
-                 const ErrorEstimate            &estimate) const;
+                 const ErrorOverLimit           &error) const;
     bool
     is_worth_it(const dealii::Triangulation<2> &mesh,
-                const ErrorEstimate            &estimate,
+                const ErrorOverLimit           &error,
                 const std::vector<double>      &sizes) const;
     std::vector<PlanePoint>
     corners(const dealii::Triangulation<2> &mesh) const;

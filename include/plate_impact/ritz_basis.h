@@ -41,8 +41,8 @@ namespace PlateImpact
     bool
     is_free() const;
 
-    /// Whether further vectors would be round-off: the basis then holds
-    /// every motion that the load can excite.
+    /// Whether further vectors would be round-off, or hardly coupled to these:
+    /// the basis then holds every motion that the load can excite.
     bool
     is_complete() const;
 
@@ -70,7 +70,7 @@ namespace PlateImpact
     void
     append();
     /// Removes what round-off has left of earlier vectors in the candidate.
-    /// @return norm_of_candidate() after that
+    /// @return norm_of_candidate() after that; 0 when that is round-off too
     double
     orthogonalize();
     double
@@ -81,8 +81,8 @@ namespace PlateImpact
     unsigned int    n         = 0;
     bool            complete  = false;
     bool            is_second = false; ///< next to one that had lost digits
-    double          load_norm = 0.;
-    Eigen::MatrixXd Q; ///< with room for more
+    double          load_norm = 0., last_pivot = 0.; ///< of T
+    Eigen::MatrixXd Q;                               ///< with room for more
     Eigen::VectorXd diagonal, subdiagonal;
     Eigen::VectorXd candidate, A_candidate; ///< becomes the next vector
     Eigen::VectorXd A_last, A_before;       ///< A times the last two vectors

@@ -23,10 +23,10 @@ namespace PlateImpact
   /// force history, as the last three bases tell it, is below
   /// `time.ritz_tolerance` of the peak, as a root mean square over the contact,
   /// and, where fields are asked for, displacements hardly use what lies beyond
-  /// the basis before. The number is found with an impactor of round numbers nearby,
-  /// so that similar impactors share it and what one gets depends on nothing
-  /// but plate, load, time and itself; vectors that another one has asked for
-  /// before are not computed again.
+  /// the basis before. The number is found with an impactor of round numbers
+  /// nearby, so that similar impactors share it and what one gets depends on
+  /// nothing but plate, load, time and itself; vectors that another one has
+  /// asked for before are not computed again.
   class RitzReduction
   {
   public:
@@ -58,6 +58,12 @@ namespace PlateImpact
   private:
     RitzPlate *
     settle(const ContactLaw &law, const Impactor &impactor);
+    /// Whether it is known beforehand that stepping on the mesh takes fewer
+    /// solves than vectors would.
+    bool
+    steps_are_fewer(const ContactLaw      &law,
+                    const Impactor        &impactor,
+                    const PlateParameters &dimensions) const;
     /// Twice the logarithm to base 2 of the root of the shift [1/s].
     int
     half_octave(const ContactLaw &law, const Impactor &impactor) const;

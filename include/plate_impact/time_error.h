@@ -9,6 +9,8 @@
 #include "plate_impact/plate_section.h"
 #include "plate_impact/semidiscrete_plate.h"
 
+#include <optional>
+
 namespace PlateImpact
 {
   /// The step with which the peak force keeps to time.step_tolerance in
@@ -20,21 +22,26 @@ namespace PlateImpact
                    const Impactor       &impactor,
                    const PlateSection   &section);
 
-  /// Error of the peak force by the time step, relative to it: a third of its
-  /// change when the step is doubled, since the scheme is of second order
-  /// (Richardson), and what the peak of the curve exceeds the largest step.
+  /// Error of the peak force by the time step, relative to it: its change when
+  /// the step is doubled by 2^p - 1, p the order of the scheme (Richardson),
+  /// and what the peak of the curve exceeds the largest step. The doubled step
+  /// is taken until the peak is past, on a mesh half of the solves up to there;
   /// Newmark's local error (Zienkiewicz & Xie 1991,
   /// doi:10.1002/eqe.4290200907) needs no second run but judges displacements,
-  /// not the force; on a reduced plate the run costs next to nothing.
-  /// @param history  of the scene's step
-  /// @param plate    is factorized anew
-  double
+  /// not the force.
+  /// @param history   of the scene's step
+  /// @param plate     is factorized anew
+  /// @param n_solves  of the plate, counted on
+  /// @return empty where fewer than four steps lead from first touch to the
+  ///         peak: a doubled step then says nothing
+  std::optional<double>
   estimated_time_error(const ContactHistory     &history,
                        const TimeParameters     &time,
                        SemidiscretePlate        &plate,
                        const ContactLaw         &law,
                        const ContactIntegration &integration,
-                       const Impactor           &impactor);
+                       const Impactor           &impactor,
+                       unsigned int             &n_solves);
 } // namespace PlateImpact
 
 #endif

@@ -232,7 +232,7 @@ namespace PlateImpact
     {
       Stages stages(state.range(0));
       for (auto _ : state)
-        ErrorEstimator(stages.model, 0.05);
+        ErrorEstimator(stages.model);
       count(state, stages);
     }
 
@@ -264,7 +264,7 @@ namespace PlateImpact
       for (auto _ : state)
         {
           state.PauseTiming();
-          ErrorEstimator estimator(stages.model, 0.05);
+          ErrorEstimator estimator(stages.model);
           state.ResumeTiming();
           estimator.add_samples(times, reduced.vectors(), coordinates);
         }
@@ -286,14 +286,14 @@ namespace PlateImpact
         return adaptivity;
       }());
       std::vector<std::string> warnings;
-      ErrorEstimate            estimate;
+      ErrorOverLimit           error;
       for (const auto &cell : stages.mesh->active_cell_iterators())
-        estimate.element_errors.push_back(0.02 / cell->center().norm());
+        error.elements.push_back(0.02 / cell->center().norm());
       for (auto _ : state)
         {
           dealii::Triangulation<2> mesh;
           mesh.copy_triangulation(*stages.mesh);
-          adaptation->adapt(mesh, estimate, warnings);
+          adaptation->adapt(mesh, error, warnings);
         }
       count(state, stages);
     }
