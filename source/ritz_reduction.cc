@@ -90,6 +90,7 @@ namespace PlateImpact
                    density = plate.density;
       impactor.mass =
         round_number(make_impactor(impactor).mass, density * h * h * h);
+      impactor.density        = 0.; // what counts is the mass
       impactor.radius         = round_number(impactor.radius, h);
       impactor.youngs_modulus = round_number(impactor.youngs_modulus, E);
       impactor.velocity =
@@ -176,14 +177,8 @@ namespace PlateImpact
     Parameters                rounded  = parameters;
     const ImpactorParameters &impactor = rounded.impactor =
       nearby(parameters.impactor, parameters.plate);
-    const std::array<double, 6> numbers = {{impactor.radius,
-                                            impactor.length,
-                                            impactor.youngs_modulus,
-                                            impactor.poissons_ratio,
-                                            impactor.mass,
-                                            impactor.velocity}};
     const auto [known, is_new] =
-      settled.try_emplace({parameters.contact.law, numbers});
+      settled.try_emplace({parameters.contact, impactor});
     if (is_new)
       {
         const auto     law    = make_contact_law(rounded);

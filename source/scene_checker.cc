@@ -203,7 +203,7 @@ namespace PlateImpact
                       in_words(impactor.kinetic_energy()) +
                       " J, which is beyond what can be computed with");
     if (parameters.impactor.mass == 0.)
-      schema.set("Impactor", "Mass", impactor.mass);
+      schema.choose("Impactor", "Mass", impactor.mass);
     ExpectedPeak peak;
     try
       {
@@ -221,12 +221,12 @@ namespace PlateImpact
     expected_peak = peak;
 
     if (parameters.time.time_step == 0.)
-      schema.set("Time",
-                 "Time step",
-                 chosen_time_step(parameters.time,
-                                  *make_contact_law(parameters),
-                                  impactor,
-                                  PlateSection(parameters.plate)));
+      schema.choose("Time",
+                    "Time step",
+                    chosen_time_step(parameters.time,
+                                     *make_contact_law(parameters),
+                                     impactor,
+                                     PlateSection(parameters.plate)));
     if (parameters.time.end_time / parameters.time.time_step > 1e8)
       refuse({"Time/Time step", "Time/End time"},
              "s needs more than 1e8 steps to reach End time, " +
@@ -259,23 +259,23 @@ namespace PlateImpact
         // changes of the radius, half a per cent at most, is a ten thousandth
         // of the force of the steel case
         const double thickness = parameters.plate.thickness;
-        schema.set("Contact",
-                   "Patch radius",
-                   thickness *
-                     std::exp2(
-                       std::lround(64. * std::log2(radius / thickness)) / 64.));
+        schema.choose(
+          "Contact",
+          "Patch radius",
+          thickness *
+            std::exp2(std::lround(64. * std::log2(radius / thickness)) / 64.));
       }
     const auto &cells = parameters.discretization.initial_cells;
     const auto &sides = parameters.plate.side_lengths;
     if (parameters.adaptivity.maximum_cell_size == 0.)
-      schema.set("Adaptivity",
-                 "Maximum cell size",
-                 0.5 * std::max(sides[0] / cells[0], sides[1] / cells[1]));
+      schema.choose("Adaptivity",
+                    "Maximum cell size",
+                    0.5 * std::max(sides[0] / cells[0], sides[1] / cells[1]));
     if (parameters.adaptivity.minimum_cell_size == 0.)
-      schema.set("Adaptivity",
-                 "Minimum cell size",
-                 0.25 *
-                   (has_patch ? parameters.contact.patch_radius :
-                                parameters.plate.thickness));
+      schema.choose("Adaptivity",
+                    "Minimum cell size",
+                    0.25 *
+                      (has_patch ? parameters.contact.patch_radius :
+                                   parameters.plate.thickness));
   }
 } // namespace PlateImpact

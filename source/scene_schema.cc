@@ -30,13 +30,28 @@ namespace PlateImpact
 
 
   void
-  SceneSchema::set(const std::string &section,
-                   const std::string &entry,
-                   const double       value)
+  SceneSchema::choose(const std::string &section,
+                      const std::string &entry,
+                      const double       value)
   {
+    given.try_emplace({section, entry}, this->value(section + '/' + entry));
     prm.enter_subsection(section);
     prm.set(entry, shortest(value));
     prm.leave_subsection();
+  }
+
+
+
+  void
+  SceneSchema::take_back_choices()
+  {
+    for (const auto &[place, value] : given)
+      {
+        prm.enter_subsection(place.first);
+        prm.set(place.second, value);
+        prm.leave_subsection();
+      }
+    given.clear();
   }
 
 

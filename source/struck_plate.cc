@@ -61,20 +61,13 @@ namespace PlateImpact
   StruckPlate::LoadKey
   StruckPlate::load_key(const Parameters &parameters)
   {
-    const ContactParameters    &contact = parameters.contact;
-    const TimeParameters       &time    = parameters.time;
-    const std::array<double, 7> numbers = {{contact.patch_radius,
-                                            parameters.impactor.length,
-                                            time.end_time,
-                                            time.time_step,
-                                            time.ritz_tolerance,
-                                            time.newmark_beta,
-                                            time.newmark_gamma}};
-    return {contact.load_distribution,
-            contact.integration,
-            time.integrator,
-            parameters.needs_estimator(),
-            numbers};
+    ContactParameters contact = parameters.contact;
+    contact.law.clear();
+    return {contact,
+            parameters.impactor.shape,
+            parameters.impactor.length,
+            parameters.time,
+            parameters.needs_estimator()};
   }
 
 

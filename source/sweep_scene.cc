@@ -35,12 +35,6 @@ namespace PlateImpact
 
     base_text = reader.text();
     base      = reader.parameters;
-    for (const std::string entry : {"Impactor/Mass",
-                                    "Contact/Patch radius",
-                                    "Time/Time step",
-                                    "Adaptivity/Maximum cell size",
-                                    "Adaptivity/Minimum cell size"})
-      completed[entry] = reader.schema.value(entry);
   }
 
 
@@ -89,21 +83,18 @@ namespace PlateImpact
   SweepPoint
   SweepScene::point(const std::size_t index)
   {
-    std::vector<Assignment> assignments;
-    const auto              add = [&assignments](const std::string &path,
-                                    const std::string &value,
-                                    const std::string &origin) {
-      const std::size_t slash = path.find('/');
-      assignments.push_back(
-        {path.substr(0, slash), path.substr(slash + 1), value, origin});
-    };
-    for (const auto &[path, value] : completed)
-      add(path, value, reader.schema.origin(path));
+    reader.schema.take_back_choices();
+    std::vector<Assignment>        assignments;
     const std::vector<std::string> values = sweep_plan.values(index);
     for (std::size_t i = 0; i < values.size(); ++i)
-      add(sweep_plan.entries()[i].path,
-          values[i],
-          sweep_plan.entries()[i].origin);
+      {
+        const SweptEntry &swept = sweep_plan.entries()[i];
+        const std::size_t slash = swept.path.find('/');
+        assignments.push_back({swept.path.substr(0, slash),
+                               swept.path.substr(slash + 1),
+                               values[i],
+                               swept.origin});
+      }
 
     std::vector<std::string> mistakes = reader.schema.set(assignments);
     SceneChecker             checker(reader.schema, reader.parameters);

@@ -144,13 +144,16 @@ namespace PlateImpact
 
 
 
-  double
+  std::optional<double>
   zener_loss_factor(const ContactLaw   &law,
                     const Impactor     &impactor,
                     const PlateSection &section)
   {
-    const double k = law.force(1.), m = impactor.mass;
-    const double T = std::pow(m / (k * std::sqrt(impactor.velocity)), 0.4);
+    const std::optional<double> k = law.hertz_coefficient();
+    if (!k)
+      return {};
+    const double m = impactor.mass;
+    const double T = std::pow(m / (*k * std::sqrt(impactor.velocity)), 0.4);
     return m / (impedance(section) * T);
   }
 

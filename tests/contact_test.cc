@@ -335,7 +335,7 @@ namespace PlateImpact
         for (const double velocity : {0.1, 1., 5., 20.})
           {
             const Impactor impactor{mass, 0., velocity};
-            const double   lambda = zener_loss_factor(hertz, impactor, section);
+            const double lambda = *zener_loss_factor(hertz, impactor, section);
             EXPECT_NEAR(zener_restitution(hertz, impactor, section),
                         lambda < 4. ? restitution(lambda) : 0.,
                         1e-3)
@@ -344,6 +344,42 @@ namespace PlateImpact
       EXPECT_NEAR(zener_restitution(hertz, {0.03, 0., 1.}, steel_section(100.)),
                   1.,
                   1e-4);
+    }
+
+
+
+    /// F = 2 alpha.
+    class LinearLaw : public ContactLaw
+    {
+    public:
+      double
+      force(const double alpha) const override
+      {
+        return alpha > 0. ? 2. * alpha : 0.;
+      }
+      double
+      stiffness(const double alpha) const override
+      {
+        return alpha > 0. ? 2. : 0.;
+      }
+      double
+      potential(const double alpha) const override
+      {
+        return 0.5 * alpha * force(alpha);
+      }
+      double
+      indentation(const double force) const override
+      {
+        return force > 0. ? 0.5 * force : 0.;
+      }
+    };
+
+
+
+    TEST(ZenerRestitution, LossFactorIsOfHertzianContactsOnly)
+    {
+      EXPECT_FALSE(
+        zener_loss_factor(LinearLaw(), {0.01, 0., 1.}, steel_section(0.008)));
     }
 
 
@@ -360,9 +396,9 @@ namespace PlateImpact
         std::pow(r / t, 2) * std::pow(v / std::sqrt(e_p / rho_p), 0.2) *
         std::pow(rho / rho_p, 0.6) * std::pow(e / (e + e_p), 0.4);
       const HertzLaw law(hertz_coefficient(r, 1. / e, 1. / e_p));
-      EXPECT_NEAR(zener_loss_factor(law,
-                                    {4. / 3. * pi * r * r * r * rho, 0., v},
-                                    steel_section(t)) /
+      EXPECT_NEAR(*zener_loss_factor(law,
+                                     {4. / 3. * pi * r * r * r * rho, 0., v},
+                                     steel_section(t)) /
                     expected,
                   1.,
                   1e-12);

@@ -91,8 +91,9 @@ namespace PlateImpact
     {
       const double limit =
         last_of("01", {"Adaptivity/Target error=0.01"})["peak_force"];
-      for (const auto &cycle :
-           outcome_of("01", {uniform, "Adaptivity/Maximum cycles=4"})["cycles"])
+      const auto cycles =
+        outcome_of("01", {uniform, "Adaptivity/Maximum cycles=4"})["cycles"];
+      for (const auto &cycle : cycles)
         {
           const double eta = cycle["discretization_error"],
                        factor =

@@ -16,6 +16,17 @@ namespace PlateImpact
 {
   namespace fs = std::filesystem;
 
+  /// A name that no other test of this or another process has.
+  inline std::string
+  new_scene_path()
+  {
+    static unsigned int n = 0;
+    return (fs::temp_directory_path() /
+            ("plate-impact-" + std::to_string(getpid()) + "-" +
+             std::to_string(++n) + ".prm"))
+      .string();
+  }
+
   /// The executable as a user runs it, in a directory of its own.
   class Program : public testing::Test
   {

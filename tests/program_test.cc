@@ -188,7 +188,8 @@ namespace PlateImpact
                     0)
             << err;
           EXPECT_EQ(summary()["outcome"], "maximum cells") << limit;
-          for (const auto &cycle : summary()["cycles"])
+          const auto cycles = summary()["cycles"];
+          for (const auto &cycle : cycles)
             EXPECT_LE(cycle["cells"], limit);
         }
     }

@@ -127,6 +127,32 @@ namespace PlateImpact
 
 
 
+    TEST(RitzBasis, EndsWhereNothingButRoundOffIsLeft)
+    {
+      for (const std::string thickness : {"2e-3", "2e-4", "2e-5", "2e-6"})
+        {
+          Target    target({"Discretization/Initial cells=3,3",
+                            "Contact/Patch radius=0.001",
+                            "Plate/Thickness=" + thickness});
+          RitzBasis basis(target.plate, 1.6e6);
+          basis.grow(1000);
+          EXPECT_TRUE(basis.is_complete());
+          EXPECT_GT(basis.n_vectors(), 10u);
+          // half of the unknowns, those that are symmetric about the diagonal
+          EXPECT_LE(basis.n_vectors(), 54u) << thickness;
+          // a mass is positive
+          double pivot = basis.mass_diagonal()[0];
+          for (unsigned int n = 1; n < basis.n_vectors(); ++n)
+            {
+              pivot = basis.mass_diagonal()[n] -
+                std::pow(basis.mass_subdiagonal()[n - 1], 2) / pivot;
+              EXPECT_GT(pivot, 0.) << thickness << ' ' << n;
+            }
+        }
+    }
+
+
+
     TEST(RitzReduction, ForcesAreThoseOfTheMesh)
     {
       const std::vector<std::vector<std::string>> scenes = {

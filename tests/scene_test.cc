@@ -2,6 +2,8 @@
 #include "plate_impact/exceptions.h"
 #include "plate_impact/scene.h"
 #include "plate_impact/scene_file.h"
+#include "plate_impact/scene_reader.h"
+#include "program_fixture.h"
 #include "test_plate.h"
 
 #include <filesystem>
@@ -13,15 +15,55 @@ namespace PlateImpact
 {
   namespace
   {
+    /// Whether a section compares unequal when any of its entries differs.
+    template <typename Section>
+    void
+    expect_all_compared(const std::string &name, Section Parameters::*section)
+    {
+      SceneReader    reader;
+      const Section &present = reader.parameters.*section;
+      for (const std::string &path : reader.schema.entries_of(name))
+        {
+          const Section     before = present;
+          const std::string value  = reader.schema.value(path),
+                            entry  = path.substr(name.size() + 1);
+          bool is_changed          = false;
+          for (const std::string other : {"0.47",
+                                          "0.9",
+                                          "cylinder",
+                                          "Hertz",
+                                          "Sun",
+                                          "point",
+                                          "Newmark",
+                                          "collocation",
+                                          "3",
+                                          "true"})
+            if (!is_changed && reader.schema.value(path) != other)
+              is_changed =
+                reader.schema.set({{name, entry, other, "test"}}).empty();
+          ASSERT_TRUE(is_changed) << path;
+          EXPECT_TRUE(before < present || present < before) << path;
+          reader.schema.set({{name, entry, value, "test"}});
+          EXPECT_FALSE(before < present || present < before) << path;
+        }
+    }
+
+
+
+    TEST(Parameters, SectionsCompareEveryEntry)
+    {
+      expect_all_compared("Impactor", &Parameters::impactor);
+      expect_all_compared("Contact", &Parameters::contact);
+      expect_all_compared("Time", &Parameters::time);
+    }
+
+
+
     class SceneText
     {
     public:
       explicit SceneText(const std::string &text)
-        : path(
-            (std::filesystem::temp_directory_path() /
-             ("plate-impact-" +
-              std::to_string(reinterpret_cast<std::uintptr_t>(this)) + ".prm"))
-              .string())
+        : path(new_scene_path())
       {
         std::ofstream(path) << text;
       }

@@ -268,5 +268,142 @@ namespace PlateImpact
       EXPECT_LT(last_cycle()["time_error"].get<double>(), 2e-3);
       expect_near(last_cycle()["peak_force"], 1305.4, 2e-3);
     }
+
+
+
+    /// A heavy ball on a plate of 0.2 mm: its basis is exhausted before all
+    /// unknowns are used.
+    const std::string thin_plate_and_heavy_ball =
+      " --set Plate/Thickness=2e-4 --set Impactor/Mass=0.312 --set "
+      "Impactor/Velocity=4.7568e-4 --set 'Contact/Patch radius=1e-3' --set "
+      "Contact/Law=Sun --set 'Time/End time=0.08163' --set 'Time/Time "
+      "step=2.0407e-5' --set Adaptivity/Strategy=uniform ";
+
+
+
+    TEST_F(Scenes, KernelsOfBlasDoNotMatterOnceTheSpaceIsExhausted)
+    {
+      const std::string
+        lesson = SCENES "/course/05-locking.prm",
+        exercise =
+          " --set Discretization/Element=MITC9 --set Plate/Thickness=2e-5 --set "
+          "Impactor/Velocity=6e-7 --set \"Impactor/Young's modulus=2e6\" --set "
+          "'Time/End time=5' --set 'Time/Time step=0.01'";
+      struct Case
+      {
+        std::string scene, changes;
+      };
+      const std::vector<Case> cases = {
+        {lesson, exercise},
+        {main_scene,
+         thin_plate_and_heavy_ball + "--set 'Adaptivity/Maximum cycles=2'"}};
+      for (const Case &one : cases)
+        {
+          double first = 0.;
+          for (const std::string kernels :
+               {"Prescott", "Sandybridge", "Haswell", "Zen", "SkylakeX"})
+            {
+              ASSERT_EQ(execute("run " + one.scene + " --output '" +
+                                  results().string() + "'" + one.changes,
+                                "OPENBLAS_CORETYPE=" + kernels + " "),
+                        0)
+                << kernels << ": " << err;
+              const double peak = last_cycle()["peak_force"];
+              EXPECT_NEAR(peak, first == 0. ? peak : first, 1e-7 * peak)
+                << kernels;
+              first = peak;
+            }
+        }
+    }
+
+
+
+    TEST_F(Scenes, ContactsThatCannotBePredictedAreTold)
+    {
+      // some four hundred contacts on nine cells
+      ASSERT_EQ(run(main_scene,
+                    thin_plate_and_heavy_ball +
+                      "--set 'Adaptivity/Maximum cycles=1'"),
+                0)
+        << err;
+      EXPECT_NE(err.find("cannot be predicted"), std::string::npos) << err;
+      EXPECT_GT(last_cycle()["sensitivity"], 1e3);
+      // three contacts that follow from each other
+      ASSERT_EQ(run(SCENES "/extremes/bouncing.prm"), 0) << err;
+      EXPECT_GT(last_cycle()["number_of_contacts"], 1);
+      EXPECT_LT(last_cycle()["sensitivity"], 2.);
+      EXPECT_EQ(err.find("cannot be predicted"), std::string::npos) << err;
+      // a single one changes in proportion
+      ASSERT_EQ(run(main_scene), 0) << err;
+      EXPECT_FALSE(last_cycle().contains("sensitivity"));
+    }
+
+
+
+    TEST_F(Scenes, StepsOnTheMeshAreKnownToBeFewerBeforeVectorsAreMade)
+    {
+      // some steps to the peak, fifty contacts long
+      ASSERT_EQ(run(main_scene,
+                    "--set Plate/Thickness=2e-4 --set Impactor/Radius=0.002 "
+                    "--set 'Time/End time=300e-6' --set 'Time/Time "
+                    "step=0.3e-6' --set 'Discretization/Initial cells=12,12' "
+                    "--set Adaptivity/Strategy=none"),
+                0)
+        << err;
+      EXPECT_EQ(last_cycle()["work"]["ritz_vectors"], 0);
+      // and the error of these steps is not passed over
+      const double time_error = last_cycle()["time_error"];
+      EXPECT_GT(time_error, 1e-3);
+      EXPECT_NE(err.find("leaves an error of about"), std::string::npos) << err;
+    }
+
+
+
+    TEST_F(Scenes, VectorsAreNotTriedAgainWhereTheyWereMoreThanSteps)
+    {
+      ASSERT_EQ(run(SCENES "/compare-thin-plate.prm"), 0) << err;
+      bool       were_too_many = false;
+      const auto cycles        = summary()["cycles"];
+      for (const auto &cycle : cycles)
+        {
+          const auto &work = cycle["work"];
+          if (were_too_many)
+            {
+              EXPECT_EQ(work["ritz_vectors"], 0);
+            }
+          were_too_many = were_too_many ||
+            work["linear_solves"].get<int>() > work["ritz_vectors"].get<int>();
+        }
+      EXPECT_TRUE(were_too_many);
+    }
+
+
+
+    TEST_F(Scenes, ErrorOfTheStepIsOfTheOrderOfTheScheme)
+    {
+      // on a plate that does not move
+      const auto result = [this](const std::string &step) {
+        EXPECT_EQ(run(main_scene,
+                      "--set Plate/Density=1e12 --set 'Time/Newmark gamma=0.6' "
+                      "--set 'Time/Newmark beta=0.3025' --set "
+                      "Contact/Integration=collocation --set "
+                      "Adaptivity/Strategy=none --set 'Time/Time step=" +
+                        step + "'"),
+                  0)
+          << err;
+        return last_cycle();
+      };
+      const double exact  = result("1e-9")["peak_force"];
+      const auto   coarse = result("4e-7");
+      const double error =
+        std::abs(coarse["peak_force"].get<double>() / exact - 1.);
+      EXPECT_GT(error, 1e-3);
+      EXPECT_NEAR(coarse["time_error"].get<double>() / error, 1., 0.2);
+      // and so is the advice
+      const std::string advice = "choose at most ";
+      const double      step =
+        std::stod(err.substr(err.find(advice) + advice.size()));
+      EXPECT_NEAR(step / (4e-7 * 1e-3 / error), 1., 0.2);
+    }
   } // namespace
 } // namespace PlateImpact

@@ -3,6 +3,7 @@
 #include "plate_impact/scene.h"
 #include "plate_impact/sweep_groups.h"
 #include "plate_impact/sweep_scene.h"
+#include "program_fixture.h"
 
 #include <gtest/gtest.h>
 
@@ -14,14 +15,12 @@
 
 namespace PlateImpact
 {
-  namespace fs = std::filesystem;
 
   namespace
   {
     TEST(SweepPlan, ProductChangesTheLastEntryFastest)
     {
-      const fs::path path = fs::temp_directory_path() /
-        ("plate-impact-plan-" + std::to_string(getpid()) + ".prm");
+      const fs::path path = new_scene_path();
       std::ofstream(path) << "subsection Sweep\n"
                              "set Entry 1 = Plate/Side lengths\n"
                              "set Values 1 = 0.2, 0.2; 0.3, 0.2\n"
@@ -47,8 +46,7 @@ namespace PlateImpact
 
     TEST(SweepPlan, PointsAreCompletedAsRunsAre)
     {
-      const fs::path path = fs::temp_directory_path() /
-        ("plate-impact-plan-" + std::to_string(getpid()) + ".prm");
+      const fs::path path = new_scene_path();
       std::ofstream(path) << "subsection Sweep\n"
                              "set Entry 1 = Impactor/Radius\n"
                              "set Values 1 = 0.01, -1, 0.02, 0.01\nend\n";

@@ -2,6 +2,7 @@
 #define plate_impact_contact_law_h
 
 #include <memory>
+#include <optional>
 
 namespace PlateImpact
 {
@@ -37,6 +38,13 @@ namespace PlateImpact
     /// Indentation at which the force is reached; 0 for forces up to 0. [m]
     virtual double
     indentation(double force) const = 0;
+
+    /// k of a law F = k alpha^{3/2}; empty for others. [N/m^{3/2}]
+    virtual std::optional<double>
+    hertz_coefficient() const
+    {
+      return {};
+    }
   };
 
   /// Hertz's law of two elastic bodies touching at a point, F = k alpha^{3/2}
@@ -57,6 +65,11 @@ namespace PlateImpact
     mean_force(double a, double b) const override;
     double
     indentation(double force) const override;
+    std::optional<double>
+    hertz_coefficient() const override
+    {
+      return k;
+    }
 
   private:
     const double k;

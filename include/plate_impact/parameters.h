@@ -3,6 +3,7 @@
 
 #include <array>
 #include <string>
+#include <tuple>
 #include <vector>
 
 /// The entries of a scene, one struct per section. What an entry means, its
@@ -31,6 +32,19 @@ namespace PlateImpact
     double      youngs_modulus;
     double      poissons_ratio;
     double      velocity;
+
+    auto
+    members() const
+    {
+      return std::tie(shape,
+                      radius,
+                      length,
+                      mass,
+                      density,
+                      youngs_modulus,
+                      poissons_ratio,
+                      velocity);
+    }
   };
 
   struct ContactParameters
@@ -39,6 +53,12 @@ namespace PlateImpact
     std::string load_distribution;
     double      patch_radius;
     std::string integration;
+
+    auto
+    members() const
+    {
+      return std::tie(law, load_distribution, patch_radius, integration);
+    }
   };
 
   struct DiscretizationParameters
@@ -57,6 +77,18 @@ namespace PlateImpact
     double      ritz_tolerance;
     double      newmark_beta;
     double      newmark_gamma;
+
+    auto
+    members() const
+    {
+      return std::tie(end_time,
+                      time_step,
+                      step_tolerance,
+                      integrator,
+                      ritz_tolerance,
+                      newmark_beta,
+                      newmark_gamma);
+    }
   };
 
   struct AdaptivityParameters
@@ -102,6 +134,16 @@ namespace PlateImpact
     bool                       estimate_error;
     bool                       write_histories;
   };
+
+  /// Sections are compared whole, so that a new entry is never forgotten where
+  /// something is kept for the next impact: members() lists all (tested).
+  template <typename Section>
+  auto
+  operator<(const Section &a, const Section &b)
+    -> decltype(a.members() < b.members())
+  {
+    return a.members() < b.members();
+  }
 
   struct Parameters
   {

@@ -9,10 +9,7 @@
 #include "plate_impact/plate_section.h"
 #include "plate_impact/ritz_basis.h"
 
-#include <array>
 #include <map>
-#include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -86,8 +83,8 @@ namespace PlateImpact
     const ContactIntegration &integration;
     const bool                needs_fields;
 
-    /// By what of the law and the impactor may differ, in round numbers.
-    std::map<std::tuple<std::string, std::array<double, 6>>, RitzPlate *>
+    /// By the law's section and the impactor in round numbers.
+    std::map<std::pair<ContactParameters, ImpactorParameters>, RitzPlate *>
       settled;
     /// By the half octave of the shift, and by the number of vectors.
     std::map<int, RitzBasis>                          bases;

@@ -37,9 +37,12 @@ namespace PlateImpact
 
     /// Sets an entry that the program has chosen a value for.
     void
-    set(const std::string &section,
-        const std::string &entry,
-        const double       value);
+    choose(const std::string &section, const std::string &entry, double value);
+
+    /// Gives entries that the program has chosen a value for back what they
+    /// were given.
+    void
+    take_back_choices();
 
     /// A sentence for each section of a scene that does not exist.
     std::vector<std::string>
@@ -114,7 +117,9 @@ namespace PlateImpact
     std::vector<std::pair<std::string, std::vector<Entry>>> sections;
     /// by path, of the entries that were set
     std::map<std::string, std::string> origins;
-    std::set<std::string>              refused;
+    /// what chosen entries were given, by section and entry
+    std::map<std::pair<std::string, std::string>, std::string> given;
+    std::set<std::string>                                      refused;
 
     const Entry *
     find(const std::string &section, const std::string &entry) const;

@@ -11,7 +11,6 @@
 #include "plate_impact/ritz_reduction.h"
 #include "plate_impact/semidiscrete_plate.h"
 
-#include <array>
 #include <map>
 #include <memory>
 #include <optional>
@@ -47,9 +46,11 @@ namespace PlateImpact
     n_loads() const;
 
   private:
-    /// What makes the load and the steps of an impact.
-    using LoadKey = std::
-      tuple<std::string, std::string, std::string, bool, std::array<double, 7>>;
+    /// What makes the load and the steps of an impact: of the contact all but
+    /// the law, of the impactor shape and length, the time, and whether there
+    /// is an estimator.
+    using LoadKey =
+      std::tuple<ContactParameters, std::string, double, TimeParameters, bool>;
 
     static LoadKey
     load_key(const Parameters &parameters);

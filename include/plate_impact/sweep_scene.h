@@ -6,7 +6,6 @@
 #include "plate_impact/zener.h"
 
 #include <cstddef>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -55,11 +54,10 @@ namespace PlateImpact
     point(std::size_t index);
 
   private:
-    SceneReader                        reader;
-    const SweepPlan                    sweep_plan;
-    std::string                        base_text;
-    std::optional<Parameters>          base;
-    std::map<std::string, std::string> completed; ///< values before completion
+    SceneReader               reader;
+    const SweepPlan           sweep_plan;
+    std::string               base_text;
+    std::optional<Parameters> base;
   };
 } // namespace PlateImpact
 

@@ -46,9 +46,9 @@ namespace PlateImpact
 
   /// Zener's dimensionless loss factor for a sphere under Hertz's law,
   ///   lambda = m / (8 T sqrt(D rho t)),  T = (m / (k sqrt(v)))^{2/5},
-  /// on which alone the restitution of the infinite plate depends. For a law F
-  /// = k alpha^{3/2} only.
-  double
+  /// on which alone the restitution of the infinite plate depends; empty for
+  /// other laws than F = k alpha^{3/2}.
+  std::optional<double>
   zener_loss_factor(const ContactLaw   &law,
                     const Impactor     &impactor,
                     const PlateSection &section);
