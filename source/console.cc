@@ -34,14 +34,34 @@ namespace PlateImpact
 
 
 
+    /// In the letters that every terminal has.
+    std::string
+    in_ascii(std::string unit)
+    {
+      const std::string micro = "µ";
+      if (unit.compare(0, micro.size(), micro) == 0)
+        unit.replace(0, micro.size(), "u");
+      return unit;
+    }
+
+
+
+    /// A word at the right end of a column of some width.
+    std::string
+    right(const std::size_t width, const std::string &word)
+    {
+      return std::string(width - std::min(width, word.size()), ' ') + word;
+    }
+
+
+
     /// A number, or a dash, at the right end of a column of some width.
     std::string
     column(const std::size_t            width,
            const char                  *format,
            const std::optional<double> &value)
     {
-      const std::string text = value ? formatted(format, *value) : "-";
-      return std::string(width - std::min(width, text.size()), ' ') + text;
+      return right(width, value ? formatted(format, *value) : "-");
     }
   } // namespace
 
@@ -67,7 +87,8 @@ namespace PlateImpact
   void
   Console::begin(const Scene &scene)
   {
-    target = scene.parameters.adaptivity.target_error;
+    target    = scene.parameters.adaptivity.target_error;
+    time_unit = PrefixedUnit("s", scene.parameters.time.end_time);
     if (quiet)
       return;
 #ifdef DEBUG
@@ -75,8 +96,9 @@ namespace PlateImpact
                  "CMAKE_BUILD_TYPE=Release for results\n";
 #endif
     std::cout << out.emphasized(scene.name, Emphasis::bold) << "\n"
-              << "cycle   cells unknowns   eta % max xi' peak force N    at us"
-                 "   end us  seconds"
+              << "cycle   cells unknowns   eta % max xi' peak force N"
+              << right(9, "at " + in_ascii(time_unit.name()))
+              << right(9, "end " + in_ascii(time_unit.name())) << "  seconds"
               << std::endl;
   }
 
@@ -133,9 +155,9 @@ namespace PlateImpact
     if (result.history)
       {
         peak      = result.history->peak().force;
-        peak_time = 1e6 * result.history->peak().time;
+        peak_time = time_unit(result.history->peak().time);
         if (const auto end = result.history->first_contact_end())
-          contact_end = 1e6 * *end;
+          contact_end = time_unit(*end);
       }
     std::cout << column(5, "%.0f", result.cycle)
               << column(8, "%.0f", result.cells)
@@ -180,7 +202,8 @@ namespace PlateImpact
                                                 last.history->peak().force),
                                       Emphasis::bold)
                     << " at "
-                    << formatted("%.6g us", 1e6 * last.history->peak().time);
+                    << formatted("%.6g ", time_unit(last.history->peak().time))
+                    << in_ascii(time_unit.name());
         std::cout << "\nResults     " << results << std::endl;
       }
     warn(warnings);

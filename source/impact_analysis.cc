@@ -214,6 +214,7 @@ namespace PlateImpact
       step_to_end(stepper, reduced, result, clock);
       n_solves += stepper.n_linear_solves();
     }
+    require_energy(*result.history);
     judge_steps(plate, reduced != nullptr, impactor, result, n_solves);
     clock.charge(result.seconds.stepping);
     // a basis or a stepper factorizes when it needs to
@@ -225,6 +226,22 @@ namespace PlateImpact
     result.work.ritz_vectors   = reduction.n_vectors();
     result.work.linear_solves =
       reduction.n_vectors() + (reduced != nullptr ? 0 : n_solves);
+  }
+
+
+
+  void
+  ImpactAnalysis::require_energy(const ContactHistory &history) const
+  {
+    const double drift = history.relative_energy_drift();
+    if (drift <= 1e-6 || parameters.contact.integration != "energy conserving")
+      return;
+    std::ostringstream text;
+    text << "the total energy, which the scheme keeps, changes by "
+         << 100. * drift << " %";
+    if (parameters.time.integrator == "Ritz vectors")
+      text << "; try Time/Integrator = Newmark";
+    throw ComputationError(text.str());
   }
 
 

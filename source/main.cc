@@ -13,6 +13,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <functional>
 #include <iostream>
 #include <new>
@@ -236,6 +237,9 @@ namespace
           throw InputError(
             {"there is no command '" + std::string(argv[1]) +
              "'; expected run, compare, sweep, check or defaults"});
+        if (std::count(argv, argv + argc, std::string("=")) > 0)
+          throw InputError({"'=' stands alone: a change is one word, --set "
+                            "'Section/Entry=value'"});
         throw InputError(
           {error.what() + std::string("; see plate-impact --help")});
       }

@@ -96,7 +96,7 @@ namespace PlateImpact
             "none";
           out << "\" fill=\"" << fill << "\"/>\n";
         }
-      out << "</g>\n" << std::defaultfloat;
+      out << "</g>\n" << std::defaultfloat << std::setprecision(8);
     }
   } // namespace
 
@@ -126,7 +126,7 @@ namespace PlateImpact
         << result.cycle << ": " << result.cells << " cells";
     if (result.error)
       out << std::setprecision(3) << ", eta = " << 100. * result.error->eta
-          << " %";
+          << std::setprecision(8) << " %";
     out << ". Impact at the lower left corner.</text>\n";
     write_cells(out, mesh, result, scale, margin, header + margin + height);
     if (result.error)

@@ -12,6 +12,9 @@
 #include "plate_impact/plate_model.h"
 #include "plate_impact/version.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace PlateImpact
@@ -37,6 +40,24 @@ namespace PlateImpact
               << ',' << cell_size(cell) << ',' << error.elements[c] << ','
               << allowed_size(sizes[c], adaptivity) << '\n';
         }
+    }
+
+
+
+    /// A VTU file holds floats.
+    void
+    require_finite(const Vector<double> &fields, const double time)
+    {
+      // false for what is not a number, too
+      const auto fits = [](const double value) {
+        return std::abs(value) < std::numeric_limits<float>::max();
+      };
+      if (std::all_of(fields.begin(), fields.end(), fits))
+        return;
+      std::ostringstream text;
+      text << "the fields at t = " << time
+           << " s hold values beyond the numbers of a file";
+      throw ComputationError(text.str());
     }
 
 
@@ -234,6 +255,7 @@ namespace PlateImpact
                     model.section().surface_von_mises_stress(r[0], r[1], r[2]));
               }
           }
+        require_finite(fields, snapshot.time);
         DataOut<2> data_out;
         data_out.attach_dof_handler(dof_handler);
         data_out.add_data_vector(fields, field_names);

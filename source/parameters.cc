@@ -193,8 +193,8 @@ namespace PlateImpact
                      "What Newmark's method integrates: the unknowns of the "
                      "mesh (Newmark), or their coordinates in load-dependent "
                      "Ritz vectors, as many as the force needs; on the mesh "
-                     "nevertheless where that takes more of them than half "
-                     "of the steps.");
+                     "nevertheless where that takes more of them than "
+                     "steps.");
       schema.declare(
         "Ritz tolerance",
         "1e-5",
@@ -357,7 +357,7 @@ namespace PlateImpact
                      "This section is read by `plate-impact compare` only. "
                      "What is compared, each with every element.");
       schema.declare("Elements",
-                     "serendipity, heterosis, Lagrange",
+                     "serendipity, heterosis, Lagrange, MITC9",
                      Allowed::list(Allowed::one_of(PlateElement::names()),
                                    1,
                                    PlateElement::names().size()),

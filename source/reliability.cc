@@ -233,17 +233,23 @@ namespace PlateImpact
                              contact.patch_radius,
                              " m, but the contact is ",
                              radius,
-                             " m wide; choose Contact/Patch radius = 0")};
+                             " m wide; choose Contact/Patch radius = ",
+                             radius)};
           return {};
         }
       if (contact.load_distribution == "point")
-        return {sentence("the peak force under a point load depends on the "
-                         "smallest cell (",
-                         result.min_cell_size,
-                         " m): it drops by about ",
-                         100. * drop_per_halving(parameters, section, peak),
-                         " % per halving; for a limit choose Contact/Load "
-                         "distribution = Hertz disc")};
+        {
+          const double drop = drop_per_halving(parameters, section, peak);
+          if (drop < 1e-4)
+            return {};
+          return {sentence("the peak force under a point load depends on the "
+                           "smallest cell (",
+                           result.min_cell_size,
+                           " m): it drops by about ",
+                           100. * drop,
+                           " % per halving; for a limit choose Contact/Load "
+                           "distribution = Hertz disc")};
+        }
       const double halvings = std::log2(contact.patch_radius / radius);
       // a force grows at most like k^{2/5}
       if (0.6 * give_per_halving(section, peak) * std::abs(halvings) < 0.005)
@@ -263,7 +269,8 @@ namespace PlateImpact
                            "about ",
                          100. * std::abs(change),
                          change > 0. ? " % too large" : " % too small",
-                         "; choose Contact/Patch radius = 0")};
+                         "; choose Contact/Patch radius = ",
+                         radius)};
       return {};
     }
 

@@ -118,6 +118,42 @@ namespace PlateImpact
 
 
 
+  ContactHistory
+  zener_history(const ContactLaw   &law,
+                const Impactor     &impactor,
+                const PlateSection &section,
+                const double        end_time)
+  {
+    const double   shortest = step_size(law, impactor, section);
+    ZenerSteps     steps(law, impactor, section);
+    ContactHistory history;
+    ContactState   state;
+    state.impactor_velocity = impactor.velocity;
+    history.add(state);
+    for (double dt = shortest;
+         state.time < end_time && state.indentation >= 0.;)
+      {
+        const double before = state.indentation, v = state.impactor_velocity;
+        state.indentation       = steps.advance(dt);
+        state.force             = law.force(state.indentation);
+        state.impactor_velocity = steps.impactor_velocity();
+        state.impactor_displacement += 0.5 * dt * (v + state.impactor_velocity);
+        state.plate_displacement =
+          state.impactor_displacement - state.indentation;
+        state.time += dt;
+        history.add(state);
+        // what follows the peak may be slow
+        const double change = std::abs(state.indentation - before);
+        if (v < 0.99 * impactor.velocity)
+          dt = std::clamp(0.002 * state.indentation * dt / change,
+                          shortest,
+                          1.01 * dt);
+      }
+    return history;
+  }
+
+
+
   double
   zener_restitution(const ContactLaw   &law,
                     const Impactor     &impactor,

@@ -376,6 +376,40 @@ namespace PlateImpact
 
 
 
+    TEST(ZenerHistory, HasThePeakTheEndAndTheRebound)
+    {
+      const PlateSection   section = steel_section(0.008);
+      const Impactor       impactor{0.03, 0., 1.};
+      const ContactHistory history =
+        zener_history(hertz, impactor, section, 1.);
+      const ExpectedPeak peak = zener_peak(hertz, impactor, section);
+      EXPECT_NEAR(history.peak().force / peak.force, 1., 1e-4);
+      EXPECT_NEAR(history.peak().time / peak.time, 1., 0.01);
+      ASSERT_TRUE(history.first_contact_end());
+      EXPECT_NEAR(-history.states().back().impactor_velocity,
+                  zener_restitution(hertz, impactor, section),
+                  1e-3);
+      EXPECT_NEAR(history.states().back().time,
+                  *history.first_contact_end(),
+                  0.01 * peak.time);
+      // a heavy ball stays in contact with a thin plate
+      const ContactHistory pushed =
+        zener_history(hertz, {0.5, 0., 1.}, steel_section(0.001), 1e-3);
+      EXPECT_FALSE(pushed.first_contact_end());
+      EXPECT_GE(pushed.states().back().time, 1e-3);
+      // momentum: what the ball has lost has moved the plate
+      const ContactState &last      = pushed.states().back();
+      const double        impedance = 8. *
+        std::sqrt(steel_section(0.001).bending_stiffness(0, 0) *
+                  steel_section(0.001).mass);
+      EXPECT_NEAR(last.plate_displacement * impedance /
+                    (0.5 * (1. - last.impactor_velocity)),
+                  1.,
+                  1e-3);
+    }
+
+
+
     TEST(ZenerRestitution, LossFactorIsOfHertzianContactsOnly)
     {
       EXPECT_FALSE(

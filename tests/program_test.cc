@@ -147,6 +147,45 @@ namespace PlateImpact
 
 
 
+    TEST_F(Program, CheckKnowsThinPlatesAsWell)
+    {
+      struct Case
+      {
+        std::string changes;
+        double      force, deflection, cells; // of a run
+      };
+      // the plate gives way, and the contact is not over at the end of the run
+      const std::vector<Case> cases = {
+        {"--set Plate/Thickness=1e-3", 93.4, 68e-6, 700.},
+        {"--set Plate/Thickness=4e-4 --set Impactor/Velocity=0.1",
+         1.554,
+         7.6e-6,
+         1300.}};
+      const auto number_after = [this](const std::string &words) {
+        const std::size_t at = out.find(words);
+        EXPECT_NE(at, std::string::npos) << words << '\n' << out;
+        return std::stod(out.substr(at + words.size()));
+      };
+      for (const Case &one : cases)
+        {
+          ASSERT_EQ(execute("check '" + main_scene + "' " + one.changes), 0)
+            << err;
+          EXPECT_NEAR(number_after("peak force            about ") / one.force,
+                      1.,
+                      0.03);
+          EXPECT_GT(number_after("contact time          more than "), 80e-6);
+          // to the time when waves are back, after that of the run
+          EXPECT_GT(number_after("under the load "), one.deflection);
+          EXPECT_LT(number_after("under the load "), 5. * one.deflection);
+          const double cells = number_after("of the order of ");
+          EXPECT_GT(cells, 0.5 * one.cells);
+          EXPECT_LT(cells, 2. * one.cells);
+          EXPECT_EQ(out.find("warning"), std::string::npos) << out;
+        }
+    }
+
+
+
     TEST_F(Program, ManyAndLongMistakesFitOnAScreen)
     {
       std::ofstream scene(directory / "bad.prm");

@@ -3,6 +3,7 @@
 
 #include "plate_impact/comparison.h"
 #include "plate_impact/cycle_result.h"
+#include "plate_impact/prefixed_unit.h"
 #include "plate_impact/scene.h"
 #include "plate_impact/terminal.h"
 
@@ -68,7 +69,8 @@ namespace PlateImpact
 
     const bool        quiet;
     const Terminal    out, err;
-    double            target            = 0.; ///< eta that is asked for
+    double            target            = 0.;        ///< eta that is asked for
+    PrefixedUnit      time_unit         = {"s", 0.}; ///< for the end time
     bool              has_progress      = false;
     unsigned int      cycle_in_progress = 0;
     Clock::time_point begin_of_transient, last_progress;

@@ -89,6 +89,9 @@ namespace PlateImpact
                 const RitzPlate *reduced,
                 CycleResult     &result,
                 StageClock      &clock);
+    /// @throws ComputationError where an energy that is kept has changed
+    void
+    require_energy(const ContactHistory &history) const;
     /// What the history answers to another step and another velocity.
     /// @param n_solves  of the plate, counted on
     void

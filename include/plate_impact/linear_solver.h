@@ -35,8 +35,8 @@ namespace PlateImpact
     }
   };
 
-  /// The solver that the scene names: `CHOLMOD` (supernodal Cholesky, METIS
-  /// ordering) or `KLU` (LU of Trilinos' Amesos).
+  /// The solver that the scene names: `CHOLMOD` (supernodal Cholesky, minimum
+  /// degree ordering) or `KLU` (LU of Trilinos' Amesos).
   std::unique_ptr<LinearSolver>
   make_linear_solver(const std::string &name);
 } // namespace PlateImpact

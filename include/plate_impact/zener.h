@@ -1,6 +1,7 @@
 #ifndef plate_impact_zener_h
 #define plate_impact_zener_h
 
+#include "plate_impact/contact_history.h"
 #include "plate_impact/contact_law.h"
 #include "plate_impact/impactor.h"
 
@@ -35,6 +36,15 @@ namespace PlateImpact
              const Impactor     &impactor,
              const PlateSection &section,
              double              time_step);
+
+  /// The whole solution: up to the end of the contact, or to a time when that
+  /// comes first; a plate that gives way at once is never left. The plate's
+  /// displacement is that of the point; energies are left out.
+  ContactHistory
+  zener_history(const ContactLaw   &law,
+                const Impactor     &impactor,
+                const PlateSection &section,
+                double              end_time);
 
   /// Rebound speed over impact speed by the same equation, from its solution up
   /// to the end of the contact; 0 where less than a thousandth of the speed is
