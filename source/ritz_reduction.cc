@@ -196,16 +196,16 @@ namespace PlateImpact
                                  const Impactor        &impactor,
                                  const PlateParameters &dimensions) const
   {
-    // Before waves come back from an edge the string that is joined to the
-    // vectors stands for the plate. Then a wave of frequency omega that is
-    // followed over T takes T (sigma + omega^2)^{3/2} / (2 omega sigma) of
-    // them (the density of the zeros of orthogonal polynomials), 1.3 T omega
-    // at the best sigma; those of a contact go up to some 5 pi / contact_time.
+    // Until waves come back from an edge, the string that is joined to the
+    // vectors stands for the plate. After that a wave of frequency omega which
+    // is followed for T takes T (sigma + omega^2) / (2 sigma^{1/2}) vectors,
+    // T omega at the best sigma, and the waves of a contact reach up to some
+    // 5 pi / contact_time.
     const double contact_time = 2. * zener_peak(law, impactor, section).time;
     const double echo =
       std::min(dimensions.side_lengths[0], dimensions.side_lengths[1]) /
       contact_wave(section, contact_time).group_speed;
-    return time.end_time > echo && contact_time < 20. * time.time_step;
+    return time.end_time > echo && contact_time < 16. * time.time_step;
   }
 
 

@@ -5,6 +5,7 @@
 #include "plate_impact/impact_figures.h"
 #include "plate_impact/plate_mesh.h"
 #include "plate_impact/reliability.h"
+#include "plate_impact/sensitivity.h"
 
 #include <new>
 #include <sstream>
@@ -182,7 +183,16 @@ namespace PlateImpact
 
     const PlateModel &model = struck_plate->model();
     CycleResult       result;
-    result.history       = computed.impact.history;
+    result.history = computed.impact.history;
+    if (result.history->n_contacts() > 1)
+      result.sensitivity =
+        sensitivity_to_velocity(*result.history,
+                                make_impactor(parameters.impactor),
+                                [&](const Impactor &other) {
+                                  Parameters changed        = parameters;
+                                  changed.impactor.velocity = other.velocity;
+                                  return struck_plate->strike(changed).history;
+                                });
     result.min_cell_size = smallest_cell_size(model.mesh());
     // an adapted mesh was judged with the worst point
     computed.warnings = is_adaptive(parameters) ?

@@ -66,8 +66,8 @@ class Scene:
         contact_time = (2.87 * (mass**2 / (modulus**2 * radius * velocity))**0.2
                         if not is_cylinder else
                         4.0 * math.sqrt(mass / (modulus * length)))
-        end = contact_time * power(0.0, 1.2)
-        steps_per_contact = power(1.3, 2.5)
+        end = contact_time * power(0.0, 1.7)
+        steps_per_contact = power(1.0, 2.3)
         damped = choose.random() < 0.1
         strategy = choose.choice(["none", "hanging nodes", "hanging nodes", "uniform",
                                   "remeshing", "fixed fraction", "graded"])
@@ -104,7 +104,7 @@ class Scene:
             "Adaptivity/Strategy": strategy,
             "Adaptivity/Target error": f"{power(-1.7, -0.7):.6g}",
             "Adaptivity/Maximum cycles": str(choose.randint(1, 3)),
-            "Adaptivity/Maximum cells": "3000",
+            "Adaptivity/Maximum cells": "800",
             "Output/Field samples": str(choose.choice([0, 0, 1, 3])),
             "Output/Write report": choose.choice(["true", "false"]),
         }

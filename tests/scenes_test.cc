@@ -366,7 +366,7 @@ namespace PlateImpact
       ASSERT_EQ(run(main_scene,
                     "--set Plate/Thickness=2e-4 --set Impactor/Radius=0.002 "
                     "--set 'Time/End time=300e-6' --set 'Time/Time "
-                    "step=0.3e-6' --set 'Discretization/Initial cells=12,12' "
+                    "step=0.4e-6' --set 'Discretization/Initial cells=12,12' "
                     "--set Adaptivity/Strategy=none"),
                 0)
         << err;
