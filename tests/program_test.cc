@@ -186,6 +186,41 @@ namespace PlateImpact
 
 
 
+    TEST_F(Program, TellsTimesInTheUnitOfTheEndTime)
+    {
+      const std::string slow =
+        "--set Discretization/Element=MITC9 --set Plate/Thickness=2e-5 --set "
+        "Impactor/Velocity=6e-7 --set \"Impactor/Young's modulus=2e6\" --set "
+        "'Time/End time=5' --set 'Time/Time step=0.01'";
+      ASSERT_EQ(run(SCENES "/course/05-locking.prm", slow), 0) << err;
+      EXPECT_NE(out.find("    at s    end s"), std::string::npos) << out;
+      EXPECT_NE(out.find(" 1.73   3.8022 "), std::string::npos) << out;
+      EXPECT_NE(out.find(" N at 1.73 s\n"), std::string::npos) << out;
+    }
+
+
+
+    TEST_F(Program, MeshPicturesAndAdviceHaveTheNumbersThatTheyNeed)
+    {
+      ASSERT_EQ(run(SCENES "/extremes/large-patch.prm"), 0) << err;
+      // coordinates to better than two digits
+      const std::string picture = text(results() / "mesh_cycle_1.svg");
+      EXPECT_EQ(picture.find("e+"), std::string::npos);
+      EXPECT_NE(picture.find("y=\"160.43181\">3<"), std::string::npos);
+      // the radius itself, since 0 may not lead there
+      EXPECT_NE(err.find("choose Contact/Patch radius = 0.00048"),
+                std::string::npos)
+        << err;
+      // a drop that nobody can see is not warned of
+      ASSERT_EQ(run(SCENES "/course/05-locking.prm",
+                    "--set 'Contact/Load distribution=point'"),
+                0)
+        << err;
+      EXPECT_EQ(err.find("per halving"), std::string::npos) << err;
+    }
+
+
+
     TEST_F(Program, ManyAndLongMistakesFitOnAScreen)
     {
       std::ofstream scene(directory / "bad.prm");
@@ -386,6 +421,10 @@ namespace PlateImpact
       EXPECT_EQ(run(main_scene, "--set foo --set Plate/Densty=1 --set x#=1"),
                 1);
       EXPECT_EQ(std::count(err.begin(), err.end(), '\n'), 3) << err;
+      EXPECT_EQ(run(main_scene, "--set Plate/Thickness = 0.01"), 1);
+      EXPECT_EQ(err,
+                "plate-impact: '=' stands alone: a change is one word, --set "
+                "'Section/Entry=value'\n");
       EXPECT_EQ(run("no-such-scene.prm"), 1);
       EXPECT_EQ(err,
                 "plate-impact: no-such-scene.prm: the scene cannot be read\n");

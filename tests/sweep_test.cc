@@ -150,6 +150,27 @@ namespace PlateImpact
 
 
 
+    TEST_F(Sweep, PointsThatCannotBePredictedAreTold)
+    {
+      // four hundred contacts on nine cells
+      const std::string scene =
+        write_scene(swept("set Entry 1 = Impactor/Velocity\n"
+                          "set Values 1 = 4.7568e-4, 5e-4"));
+      ASSERT_EQ(sweep(scene,
+                      "--set Plate/Thickness=2e-4 --set Impactor/Mass=0.312 "
+                      "--set 'Contact/Patch radius=1e-3' --set Contact/Law=Sun "
+                      "--set 'Time/End time=0.08163' --set 'Time/Time "
+                      "step=2.0407e-5' --set Adaptivity/Strategy=none"),
+                0)
+        << err;
+      EXPECT_NE(err.find("2 of 2 points; the first: from t = "),
+                std::string::npos)
+        << err;
+      EXPECT_NE(err.find("cannot be predicted"), std::string::npos) << err;
+    }
+
+
+
     TEST_F(Sweep, LoadsAndStepsAreSweptAsWell)
     {
       // patch radius 0: a load for every velocity on one plate; damped
