@@ -1,6 +1,7 @@
 #include "plate_impact/compare.h"
 
 #include "plate_impact/comparison.h"
+#include "plate_impact/comparison_console.h"
 #include "plate_impact/comparison_page.h"
 #include "plate_impact/exceptions.h"
 #include "plate_impact/output.h"
@@ -154,20 +155,20 @@ namespace PlateImpact
 
 
     void
-    compare(const Scene &scene, Output &output, Console &console)
+    compare(const Scene &scene, Output &output, ComparisonConsole &console)
     {
       Comparison comparison(scene,
                             [&console](const auto cycle,
                                        const auto step,
                                        const auto n_steps) {
-                              console.progress(cycle, step, n_steps);
+                              console.progress.show(cycle, step, n_steps);
                             });
       const auto write = [&] {
         output.write_file("comparison.csv", [&](std::ostream &out) {
           write_csv(out, comparison.curves());
         });
       };
-      console.begin_comparison(scene);
+      console.begin(scene);
       write();
       console.reference(comparison.compute_reference());
       bool has_meshes = false;
@@ -179,7 +180,7 @@ namespace PlateImpact
                                        element,
                                        [&](const ComparisonCurve &curve) {
                                          write();
-                                         console.compared_mesh(curve);
+                                         console.mesh(curve);
                                        });
             has_meshes = has_meshes || !curve.meshes.empty();
             console.curve_end(curve);
@@ -194,21 +195,22 @@ namespace PlateImpact
       if (!has_meshes)
         throw ComputationError("no strategy gave a result; " +
                                comparison.curves().front().end);
-      console.end_comparison(comparison.thresholds(),
-                             warnings_of(scene, comparison),
-                             output.main_files());
+      console.end(comparison.thresholds(),
+                  warnings_of(scene, comparison),
+                  output.main_files());
     }
   } // namespace
 
 
 
   void
-  compare_scene(const Scene &scene, Console &console)
+  compare_scene(const Scene &scene, const bool quiet)
   {
     if (!scene.parameters.has_impactor())
       throw InputError(
         {scene.name + ": Impactor/Shape = none has no force to compare"});
-    Output output(scene);
+    ComparisonConsole console(quiet);
+    Output            output(scene);
     compare(scene, output, console);
   }
 } // namespace PlateImpact

@@ -3,7 +3,7 @@
 #include <deal.II/base/timer.h>
 
 #include "plate_impact/exceptions.h"
-#include "plate_impact/output.h"
+#include "plate_impact/mesh_picture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -185,7 +185,10 @@ namespace PlateImpact
             curve.strategy + ", " + curve.element + ": " +
               std::to_string(result.cells) + " cells",
             result.cells,
-            mesh_picture(analysis.mesh(), result),
+            mesh_picture(analysis.mesh(),
+                         "Mesh of cycle " + std::to_string(result.cycle) +
+                           ", impact at the lower left corner",
+                         result.element_errors()),
             {{"element error ξ′", true, result.over_limit->elements}}};
         curve.warnings = analysis.warnings();
         if (listener)

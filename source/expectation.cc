@@ -90,9 +90,11 @@ namespace PlateImpact
     /// The impact as far as it is known before it is paid for.
     struct Foreknown
     {
-      ContactHistory history;
-      std::string    source;   ///< where it comes from
-      bool           is_bound; ///< whether the true force is larger
+      ContactHistory        history; ///< up to the scene's end at most
+      std::optional<double> contact_end;
+      double                until;    ///< when what is known ends [s]
+      std::string           source;   ///< where it comes from
+      bool                  is_bound; ///< whether the true force is larger
     };
 
 
@@ -104,32 +106,39 @@ namespace PlateImpact
                  const ExpectedPeak &zener)
     {
       const ContactState &peak = known.history.peak();
-      print_line(out,
-                 "peak force",
-                 known.is_bound ? "above " : "about ",
-                 peak.force,
-                 " N at ",
-                 peak.time,
-                 " s, ",
-                 known.source);
-      if (const auto end = known.history.first_contact_end(); known.is_bound)
-        print_line(out, "contact time", "cannot be said for this plate");
-      else if (end)
-        print_line(out, "contact time", "about ", *end, " s");
+      if (known.is_bound)
+        {
+          print_line(out,
+                     "peak force",
+                     "above ",
+                     peak.force,
+                     " N, ",
+                     known.source);
+          print_line(out, "contact time", "cannot be said for this plate");
+        }
       else
-        print_line(out,
-                   "contact time",
-                   "more than ",
-                   known.history.states().back().time,
-                   " s");
-      if (!known.is_bound)
-        print_line(out,
-                   "indentation",
-                   "about ",
-                   peak.indentation,
-                   " m; deflection of the plate under the load ",
-                   known.history.max_plate_displacement(),
-                   " m");
+        {
+          print_line(out,
+                     "peak force",
+                     "about ",
+                     peak.force,
+                     " N at ",
+                     peak.time,
+                     " s, ",
+                     known.source);
+          print_line(out,
+                     "contact time",
+                     known.contact_end ? "about " : "more than ",
+                     known.contact_end.value_or(known.until),
+                     " s");
+          print_line(out,
+                     "indentation",
+                     "about ",
+                     peak.indentation,
+                     " m; deflection of the plate under the load ",
+                     known.history.max_plate_displacement(),
+                     " m");
+        }
       print_line(out,
                  "infinite plate",
                  zener.force,
@@ -211,12 +220,12 @@ namespace PlateImpact
 
 
     void
-    print_advice(std::ostream         &out,
-                 const Parameters     &parameters,
-                 const ContactHistory &history)
+    print_advice(std::ostream     &out,
+                 const Parameters &parameters,
+                 const Foreknown  &known)
     {
       const TimeParameters &time = parameters.time;
-      const double          rise = history.peak().time;
+      const double          rise = known.history.peak().time;
       print_line(out,
                  "Time/Time step",
                  "at most ",
@@ -226,11 +235,11 @@ namespace PlateImpact
                  " s is ",
                  rise / time.time_step,
                  " steps to the peak");
-      if (const auto end = history.first_contact_end())
+      if (known.contact_end)
         print_line(out,
                    "Time/End time",
                    "about ",
-                   1.1 * *end,
+                   1.1 * *known.contact_end,
                    " s covers the first contact; the scene's is ",
                    time.end_time,
                    " s");
@@ -262,12 +271,12 @@ namespace PlateImpact
     /// Cells that follow the waves which a contact sends out, to an error eta:
     /// measured on plates of a/t from 200 to 500, 20 on the square of a
     /// wavelength for 5 %; as the error falls with the square of their size, so
-    /// grows their number. Waves of four times the frequency run ahead.
+    /// grows their number. Waves of nine times the frequency run ahead.
     double
     cells_for_waves(const Parameters &parameters, const BendingWave &wave)
     {
       const auto  &sides = parameters.plate.side_lengths;
-      const double reach = 2. * wave.group_speed * parameters.time.end_time;
+      const double reach = 3. * wave.group_speed * parameters.time.end_time;
       const double area  = std::min(0.25 * sides[0] * sides[1],
                                    0.25 * std::acos(-1.) * reach * reach);
       return 20. * area / (wave.length * wave.length) * 0.05 /
@@ -424,35 +433,54 @@ namespace PlateImpact
         CycleResult       impact =
           coarse_impact(parameters, 2. * zener.time, wave.length);
         const bool is_resolved = impact.min_cell_size < 0.5 * wave.length;
+        double     until       = impact.history->states().back().time;
+        std::optional<double> contact_end = impact.history->first_contact_end();
         if (!is_resolved)
-          // until waves are back from the edges
-          impact.history =
-            zener_history(*law,
-                          make_impactor(parameters.impactor),
-                          section,
-                          2. * distance_to_edge(parameters) / wave.group_speed);
+          {
+            const auto history = [&](const double end) {
+              return zener_history(*law,
+                                   make_impactor(parameters.impactor),
+                                   section,
+                                   end);
+            };
+            // when waves are back from the edges
+            until       = 2. * distance_to_edge(parameters) / wave.group_speed;
+            contact_end = history(until).first_contact_end();
+            impact.history = history(std::min(until, parameters.time.end_time));
+          }
         const bool        is_cylinder = parameters.impactor.shape == "cylinder";
         const std::string source      = is_resolved ?
                "on a coarse mesh of " + std::to_string(impact.cells) + " cells" :
                "on an infinite plate: its waves are too short for a coarse mesh";
-        const double      contact_time =
-          impact.history->first_contact_end().value_or(2. * zener.time);
+        const Foreknown   known       = {*impact.history,
+                                         contact_end,
+                                         until,
+                                         source,
+                                         is_cylinder && !is_resolved};
 
         page << "\nExpected\n";
-        print_impact(page,
-                     parameters,
-                     {*impact.history, source, is_cylinder && !is_resolved},
-                     zener);
-        print_waves(page, parameters, section, contact_time);
+        print_impact(page, parameters, known, zener);
+        print_waves(page,
+                    parameters,
+                    section,
+                    contact_end.value_or(2. * zener.time));
         page << "\nAdvice\n";
-        print_advice(page, parameters, *impact.history);
         const Cost cost = cost_of_run(parameters, wave);
-        print_cost(page, cost);
+        if (known.is_bound)
+          print_line(page,
+                     "step, end time, cost",
+                     "cannot be said for this plate");
+        else
+          {
+            print_advice(page, parameters, known);
+            print_cost(page, cost);
+          }
         print_sweep(page, scene, cost);
         impact.min_cell_size = parameters.adaptivity.minimum_cell_size;
-        for (const std::string &warning :
-             model_warnings(parameters, section, impact))
-          page << "  warning: " << warning << '\n';
+        if (!known.is_bound)
+          for (const std::string &warning :
+               model_warnings(parameters, section, impact))
+            page << "  warning: " << warning << '\n';
       }
     else
       page << "There is no impactor: the plate stays at rest.\n";

@@ -196,7 +196,10 @@ namespace PlateImpact
         result.degrees_of_freedom < too_many_for_vectors)
       {
         reduced = reduction.settle(parameters);
-        if (reduced == nullptr)
+        // a finer mesh needs more of them, and one of about this size as many
+        const double n_steps =
+          parameters.time.end_time / parameters.time.time_step;
+        if (reduced == nullptr || reduced->n_vectors() > 0.7 * n_steps)
           too_many_for_vectors = result.degrees_of_freedom / 2;
       }
     SemidiscretePlate &plate    = reduced != nullptr ?

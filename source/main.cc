@@ -76,13 +76,11 @@ namespace
   /// Reads a scene and computes what a command asks for.
   /// @param command  run_scene() or compare_scene()
   void
-  compute(const std::function<void(const Scene &, Console &)> &command,
-          const Arguments                                     &arguments)
+  compute(const std::function<void(const Scene &, bool)> &command,
+          const Arguments                                &arguments)
   {
-    const Scene scene =
-      read_scene(arguments.path, arguments.overrides, arguments.output);
-    Console console(arguments.sweep.quiet);
-    command(scene, console);
+    command(read_scene(arguments.path, arguments.overrides, arguments.output),
+            arguments.sweep.quiet);
   }
 
 

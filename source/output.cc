@@ -8,6 +8,7 @@
 #include "plate_impact/deflection_film.h"
 #include "plate_impact/exceptions.h"
 #include "plate_impact/mesh_adaptation.h"
+#include "plate_impact/mesh_picture.h"
 #include "plate_impact/plate_mesh.h"
 #include "plate_impact/plate_model.h"
 #include "plate_impact/version.h"
@@ -58,6 +59,20 @@ namespace PlateImpact
       text << "the fields at t = " << time
            << " s hold values beyond the numbers of a file";
       throw ComputationError(text.str());
+    }
+
+
+
+    std::string
+    caption_of(const CycleResult &result)
+    {
+      std::ostringstream text;
+      text.precision(3);
+      text << "Cycle " << result.cycle << ": " << result.cells << " cells";
+      if (result.error)
+        text << ", eta = " << 100. * result.error->eta << " %";
+      text << ". Impact at the lower left corner.";
+      return text.str();
     }
 
 
@@ -183,7 +198,7 @@ namespace PlateImpact
                            });
     if (scene.parameters.output.write_meshes)
       directory.write_file("mesh" + suffix + ".svg", [&](std::ostream &out) {
-        write_mesh_svg(out, mesh, result);
+        write_mesh_svg(out, mesh, caption_of(result), result.element_errors());
       });
     if (scene.parameters.output.write_report)
       report.add_cycle(result, model, estimator);

@@ -2,6 +2,7 @@
 
 #include "plate_impact/cycle_plots.h"
 #include "plate_impact/error_estimator.h"
+#include "plate_impact/mesh_picture.h"
 #include "plate_impact/output.h"
 #include "plate_impact/plate_model.h"
 #include "plate_impact/prefixed_unit.h"
@@ -297,7 +298,11 @@ namespace PlateImpact
     MeshPicture mesh{title, result.cells, {}, {}};
     if (result.cells <= max_pictured_cells)
       {
-        mesh.svg = mesh_picture(model.mesh(), result);
+        mesh.svg =
+          mesh_picture(model.mesh(),
+                       "Mesh of cycle " + std::to_string(result.cycle) +
+                         ", impact at the lower left corner",
+                       result.element_errors());
         if (result.error)
           mesh.fields.push_back(
             {"element error ξ′", true, result.over_limit->elements});

@@ -200,7 +200,11 @@ namespace PlateImpact
     // vectors stands for the plate. After that a wave of frequency omega which
     // is followed for T takes T (sigma + omega^2) / (2 sigma^{1/2}) vectors,
     // T omega at the best sigma, and the waves of a contact reach up to some
-    // 5 pi / contact_time.
+    // 5 pi / contact_time, where the mesh carries them: coarse ones have fewer
+    // vectors. Zener's contact is that of a point.
+    if (law.hertz_coefficient() == std::nullopt ||
+        plate.load().size() < 3. * time.end_time / time.time_step)
+      return false;
     const double contact_time = 2. * zener_peak(law, impactor, section).time;
     const double echo =
       std::min(dimensions.side_lengths[0], dimensions.side_lengths[1]) /

@@ -1,5 +1,6 @@
 #include "plate_impact/run.h"
 
+#include "plate_impact/console.h"
 #include "plate_impact/exceptions.h"
 #include "plate_impact/impact_analysis.h"
 #include "plate_impact/output.h"
@@ -18,7 +19,7 @@ namespace PlateImpact
                               [&console](const auto cycle,
                                          const auto step,
                                          const auto n_steps) {
-                                console.progress(cycle, step, n_steps);
+                                console.progress.show(cycle, step, n_steps);
                               });
       console.begin(scene);
       while (true)
@@ -57,9 +58,10 @@ namespace PlateImpact
 
 
   void
-  run_scene(const Scene &scene, Console &console)
+  run_scene(const Scene &scene, const bool quiet)
   {
-    Output output(scene);
+    Console console(quiet);
+    Output  output(scene);
     try
       {
         run_cycles(scene, output, console);

@@ -1,5 +1,6 @@
 #include "plate_impact/scene_reader.h"
 
+#include "plate_impact/declarations.h"
 #include "plate_impact/exceptions.h"
 #include "plate_impact/scene_file.h"
 

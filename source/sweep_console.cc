@@ -1,5 +1,6 @@
 #include "plate_impact/sweep_console.h"
 
+#include "plate_impact/columns.h"
 #include "plate_impact/impact_figures.h"
 
 #include <algorithm>
@@ -31,14 +32,6 @@ namespace PlateImpact
 
 
 
-    std::string
-    right(const std::string &text, const std::size_t width)
-    {
-      return std::string(width - std::min(width, text.size()), ' ') + text;
-    }
-
-
-
     std::size_t
     width_of(const SweptEntry &entry)
     {
@@ -63,7 +56,6 @@ namespace PlateImpact
   SweepConsole::SweepConsole(const bool quiet)
     : quiet(quiet)
     , out(STDOUT_FILENO)
-    , err(STDERR_FILENO)
     // mpirun makes its processes' output a terminal where it has none itself,
     // but not their input
     , shows_progress(!quiet && out.is_interactive() && isatty(STDIN_FILENO))
@@ -100,9 +92,9 @@ namespace PlateImpact
     if (n_points > most_lines || n_points == 0)
       return;
     for (const SweptEntry &entry : plan->entries())
-      std::cout << right(entry.path, width_of(entry));
+      std::cout << right(width_of(entry), entry.path);
     for (const Column &column : columns)
-      std::cout << right(column.title, 14);
+      std::cout << right(14, column.title);
     std::cout << std::endl;
   }
 
@@ -132,7 +124,7 @@ namespace PlateImpact
       }
     const std::vector<std::string> values = plan->values(row.point);
     for (std::size_t i = 0; i < values.size(); ++i)
-      std::cout << right(values[i], width_of(plan->entries()[i]));
+      std::cout << right(width_of(plan->entries()[i]), values[i]);
     if (!row.failure.empty())
       std::cout << "  " << row.failure;
     else
@@ -146,7 +138,7 @@ namespace PlateImpact
                               sizeof(text),
                               column.format,
                               column.factor * *row.figures[i]);
-              std::cout << right(text, 14);
+              std::cout << right(14, text);
             }
     std::cout << std::endl;
   }
@@ -177,8 +169,6 @@ namespace PlateImpact
                   << counted(work.loads, "response") << " to a load"
                   << "\nResults     " << results << std::endl;
       }
-    for (const std::string &warning : warnings)
-      std::cerr << err.emphasized("warning: ", Emphasis::warning) << warning
-                << std::endl;
+    print_warnings(warnings);
   }
 } // namespace PlateImpact

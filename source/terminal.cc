@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <iostream>
 #include <string_view>
 #include <unistd.h>
 
@@ -63,5 +64,16 @@ namespace PlateImpact
     const char *const codes[] = {"32", "33", "31", "1"};
     return std::string("\033[") + codes[static_cast<int>(emphasis)] + 'm' +
       text + "\033[0m";
+  }
+
+
+
+  void
+  print_warnings(const std::vector<std::string> &warnings)
+  {
+    const Terminal err(STDERR_FILENO);
+    for (const std::string &warning : warnings)
+      std::cerr << err.emphasized("warning: ", Emphasis::warning) << warning
+                << std::endl;
   }
 } // namespace PlateImpact

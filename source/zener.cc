@@ -142,12 +142,11 @@ namespace PlateImpact
           state.impactor_displacement - state.indentation;
         state.time += dt;
         history.add(state);
-        // what follows the peak may be slow
-        const double change = std::abs(state.indentation - before);
-        if (v < 0.99 * impactor.velocity)
-          dt = std::clamp(0.002 * state.indentation * dt / change,
-                          shortest,
-                          1.01 * dt);
+        // what follows the first touch may be slow
+        dt = std::clamp(0.002 * state.indentation * dt /
+                          std::abs(state.indentation - before),
+                        shortest,
+                        1.01 * dt);
       }
     return history;
   }

@@ -133,11 +133,15 @@ namespace PlateImpact
           for (const MeshKind kind : all_meshes)
             {
               const std::vector<double> &row = documented[int(kind)];
+              std::cout << int(kind) << " | " << name;
               for (unsigned int i = 0; i < 6; ++i)
-                EXPECT_NEAR(deflection_ratio(name, ratios[i], kind),
-                            row[i],
-                            tolerances[i])
-                  << name << ' ' << int(kind) << ' ' << ratios[i];
+                {
+                  const double ratio = deflection_ratio(name, ratios[i], kind);
+                  std::cout << " | " << ratio;
+                  EXPECT_NEAR(ratio, row[i], tolerances[i])
+                    << name << ' ' << int(kind) << ' ' << ratios[i];
+                }
+              std::cout << std::endl;
             }
         }
     }

@@ -1,7 +1,6 @@
 #ifndef plate_impact_compare_h
 #define plate_impact_compare_h
 
-#include "plate_impact/console.h"
 #include "plate_impact/scene.h"
 
 namespace PlateImpact
@@ -10,10 +9,11 @@ namespace PlateImpact
   /// comparison.csv, a row per mesh as soon as it is known; comparison.json
   /// with the reference and who reaches which error first, and comparison.html,
   /// after every curve.
+  /// @param quiet  only warnings and errors are printed
   /// @throws InputError for a scene without an impactor
   /// @throws ComputationError; files written so far are then valid
   void
-  compare_scene(const Scene &scene, Console &console);
+  compare_scene(const Scene &scene, bool quiet);
 } // namespace PlateImpact
 
 #endif

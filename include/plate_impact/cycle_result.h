@@ -5,8 +5,7 @@
 #include "plate_impact/error_estimator.h"
 #include "plate_impact/error_over_limit.h"
 #include "plate_impact/sensitivity.h"
-
-#include <Eigen/Core>
+#include "plate_impact/snapshot.h"
 
 #include <optional>
 #include <vector>
@@ -36,13 +35,6 @@ namespace PlateImpact
     }
   };
 
-  /// State of the plate kept for output.
-  struct Snapshot
-  {
-    double          time; ///< [s]
-    Eigen::VectorXd unknowns;
-  };
-
   /// Result of one mesh. Empty optionals are quantities that the scene does not
   /// have.
   struct CycleResult
@@ -53,7 +45,15 @@ namespace PlateImpact
 
     std::optional<ErrorEstimate>  error;
     std::optional<ErrorOverLimit> over_limit; ///< of the scene's target
-    unsigned int                  cells_above_limit = 0; ///< xi' >= 1
+
+    /// xi' by active index; empty where there is no estimate.
+    std::vector<double>
+    element_errors() const
+    {
+      return over_limit ? over_limit->elements : std::vector<double>();
+    }
+
+    unsigned int cells_above_limit     = 0; ///< xi' >= 1
     unsigned int cells_at_minimum_size = 0; ///< of these, not to be refined
 
     std::optional<ContactHistory> history;

@@ -124,7 +124,7 @@ namespace PlateImpact
     double                   seconds_for_mesh = 0.; ///< to make the present one
     unsigned int             cycle            = 0;
     std::vector<std::string> adaptation_warnings;
-    /// Unknowns from which Ritz vectors were more than steps.
+    /// Unknowns from which Ritz vectors were more than steps, or nearly so.
     unsigned int too_many_for_vectors =
       std::numeric_limits<unsigned int>::max();
 

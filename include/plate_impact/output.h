@@ -77,17 +77,6 @@ namespace PlateImpact
     nlohmann::ordered_json cycles = nlohmann::ordered_json::array();
     Report                 report;
   };
-
-
-  /// The mesh with its cells coloured by xi' and a scale, as SVG.
-  void
-  write_mesh_svg(std::ostream                   &out,
-                 const dealii::Triangulation<2> &mesh,
-                 const CycleResult              &result);
-
-  /// The same without words and scale, for pages.
-  std::string
-  mesh_picture(const dealii::Triangulation<2> &mesh, const CycleResult &result);
 } // namespace PlateImpact
 
 #endif

@@ -8,7 +8,7 @@
 
 /// The entries of a scene, one struct per section. What an entry means, its
 /// unit, its default and what is allowed is written once, where it is declared
-/// (parameters.cc), and printed by `plate-impact defaults`. SI units.
+/// (declarations.cc), and printed by `plate-impact defaults`. SI units.
 namespace PlateImpact
 {
   struct PlateParameters
@@ -172,16 +172,6 @@ namespace PlateImpact
          output.field_samples > 0);
     }
   };
-
-  /// What Adaptivity/Strategy may be.
-  std::vector<std::string>
-  adaptation_strategies();
-
-  class SceneSchema;
-
-  /// Declares every entry of a scene. The parameters must outlive the schema.
-  void
-  declare_parameters(SceneSchema &schema, Parameters &parameters);
 } // namespace PlateImpact
 
 #endif

@@ -1,10 +1,10 @@
 #ifndef plate_impact_sampled_states_h
 #define plate_impact_sampled_states_h
 
-#include "plate_impact/cycle_result.h"
 #include "plate_impact/error_estimator.h"
 #include "plate_impact/kelly_indicator.h"
 #include "plate_impact/ritz_basis.h"
+#include "plate_impact/snapshot.h"
 #include "plate_impact/time_stepper.h"
 
 #include <Eigen/Core>

@@ -37,7 +37,7 @@ namespace PlateImpact
 
   private:
     const bool                                  quiet;
-    const Terminal                              out, err;
+    const Terminal                              out;
     const bool                                  shows_progress;
     std::optional<SweepPlan>                    plan;
     std::size_t                                 n_points = 0, n_computed = 0;

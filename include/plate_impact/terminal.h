@@ -2,6 +2,7 @@
 #define plate_impact_terminal_h
 
 #include <string>
+#include <vector>
 
 namespace PlateImpact
 {
@@ -38,6 +39,10 @@ namespace PlateImpact
   private:
     bool interactive, has_colours;
   };
+
+  /// A line for each, on the standard error.
+  void
+  print_warnings(const std::vector<std::string> &warnings);
 } // namespace PlateImpact
 
 #endif

@@ -3,8 +3,8 @@
 
 #include <deal.II/base/point.h>
 
-#include "plate_impact/cycle_result.h"
 #include "plate_impact/plate_model.h"
+#include "plate_impact/snapshot.h"
 
 #include <Eigen/Core>
 

@@ -1,6 +1,6 @@
 // All entries of a scene: name, default, what is allowed, meaning and unit, in
 // the order in which they are printed. A list, as long as there are entries.
-#include "plate_impact/parameters.h"
+#include "plate_impact/declarations.h"
 
 #include "plate_impact/plate_element.h"
 #include "plate_impact/scene_schema.h"

@@ -1,5 +1,4 @@
-#include "plate_impact/output.h"
-#include "plate_impact/plate_mesh.h"
+#include "plate_impact/mesh_picture.h"
 
 #include <algorithm>
 #include <array>
@@ -75,12 +74,12 @@ namespace PlateImpact
     /// @param scale      from metres
     /// @param left, bottom  where the origin of the mesh is
     void
-    write_cells(std::ostream           &out,
-                const Triangulation<2> &mesh,
-                const CycleResult      &result,
-                const double            scale,
-                const double            left,
-                const double            bottom)
+    write_cells(std::ostream              &out,
+                const Triangulation<2>    &mesh,
+                const std::vector<double> &errors,
+                const double               scale,
+                const double               left,
+                const double               bottom)
     {
       const unsigned int around[] = {0, 1, 3, 2};
       out << "<g class=\"mesh\" stroke=\"#444\" stroke-width=\"0.6\">\n"
@@ -91,9 +90,8 @@ namespace PlateImpact
           for (const unsigned int v : around)
             out << (v == 0 ? "" : " ") << left + scale * cell->vertex(v)[0]
                 << ',' << bottom - scale * cell->vertex(v)[1];
-          const std::string fill = result.error ?
-            colour(result.over_limit->elements[cell->active_cell_index()]) :
-            "none";
+          const std::string fill =
+            errors.empty() ? "none" : colour(errors[cell->active_cell_index()]);
           out << "\" fill=\"" << fill << "\"/>\n";
         }
       out << "</g>\n" << std::defaultfloat << std::setprecision(8);
@@ -103,18 +101,19 @@ namespace PlateImpact
 
 
   void
-  write_mesh_svg(std::ostream           &out,
-                 const Triangulation<2> &mesh,
-                 const CycleResult      &result)
+  write_mesh_svg(std::ostream              &out,
+                 const Triangulation<2>    &mesh,
+                 const std::string         &caption,
+                 const std::vector<double> &errors)
   {
     const Point<2> far  = extent(mesh);
     const double   size = 600., margin = 20., header = 34.;
     const double   scale = size / std::max(far[0], far[1]);
     const double   width = far[0] * scale, height = far[1] * scale;
     const double   total_width =
-      std::max(2 * margin + width + (result.error ? 150. : 0.), 420.);
+      std::max(2 * margin + width + (errors.empty() ? 0. : 150.), 420.);
     const double total_height =
-      header + 2 * margin + std::max(height, result.error ? 330. : 0.);
+      header + 2 * margin + std::max(height, errors.empty() ? 0. : 330.);
 
     out << std::setprecision(8)
         << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 "
@@ -122,14 +121,10 @@ namespace PlateImpact
         << "\" height=\"" << total_height
         << "\" font-family=\"sans-serif\" font-size=\"13\">\n"
         << "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
-        << "<text x=\"" << margin << "\" y=\"" << header - 8 << "\">Cycle "
-        << result.cycle << ": " << result.cells << " cells";
-    if (result.error)
-      out << std::setprecision(3) << ", eta = " << 100. * result.error->eta
-          << std::setprecision(8) << " %";
-    out << ". Impact at the lower left corner.</text>\n";
-    write_cells(out, mesh, result, scale, margin, header + margin + height);
-    if (result.error)
+        << "<text x=\"" << margin << "\" y=\"" << header - 8 << "\">" << caption
+        << "</text>\n";
+    write_cells(out, mesh, errors, scale, margin, header + margin + height);
+    if (!errors.empty())
       write_scale(out, 2 * margin + width, header + margin + 24.);
     out << "</svg>\n";
   }
@@ -137,16 +132,17 @@ namespace PlateImpact
 
 
   std::string
-  mesh_picture(const Triangulation<2> &mesh, const CycleResult &result)
+  mesh_picture(const Triangulation<2>    &mesh,
+               const std::string         &label,
+               const std::vector<double> &errors)
   {
     const Point<2>     far   = extent(mesh);
     const double       scale = 400. / std::max(far[0], far[1]);
     std::ostringstream out;
     out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-1 -1 "
         << scale * far[0] + 2. << ' ' << scale * far[1] + 2.
-        << "\" role=\"img\" aria-label=\"Mesh of cycle " << result.cycle
-        << ", impact at the lower left corner\">\n";
-    write_cells(out, mesh, result, scale, 0., scale * far[1]);
+        << "\" role=\"img\" aria-label=\"" << label << "\">\n";
+    write_cells(out, mesh, errors, scale, 0., scale * far[1]);
     out << "</svg>";
     return out.str();
   }
