@@ -53,7 +53,7 @@ def main():
                          lambda _: reference(result) + "\n\n" + table(result) + "\n",
                          text[start:], count=1)
         text = text[:start] + section
-    page.write_text(text)
+        page.write_text(text)
 
 
 if __name__ == "__main__":
