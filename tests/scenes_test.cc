@@ -331,8 +331,7 @@ namespace PlateImpact
               EXPECT_NEAR(peak, first == 0. ? peak : first, 1e-7 * peak)
                 << kernels;
               first = peak;
-              // round-off of thousands of steps at a/t = 1e4
-              EXPECT_LT(last_cycle()["relative_energy_drift"], 1e-8) << kernels;
+              EXPECT_LT(last_cycle()["relative_energy_drift"], 1e-9) << kernels;
             }
         }
     }
