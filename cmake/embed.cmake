@@ -6,7 +6,7 @@
 
 string(REPLACE "," ";" names "${NAMES}")
 string(REPLACE "," ";" files "${FILES}")
-set(source "#include \"page_assets.h\"\n\nnamespace PlateImpact::PageAssets\n{\n")
+set(source "#include \"page/page_assets.h\"\n\nnamespace PlateImpact::PageAssets\n{\n")
 foreach(name file IN ZIP_LISTS names files)
   file(READ "${file}" text)
   string(LENGTH "${text}" length)

@@ -1,15 +1,15 @@
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/multithread_info.h>
 
-#include "plate_impact/compare.h"
-#include "plate_impact/console.h"
-#include "plate_impact/exceptions.h"
-#include "plate_impact/expectation.h"
-#include "plate_impact/run.h"
-#include "plate_impact/scene.h"
-#include "plate_impact/sweep.h"
-#include "plate_impact/terminal.h"
-#include "plate_impact/version.h"
+#include "plate_impact/base/exceptions.h"
+#include "plate_impact/base/version.h"
+#include "plate_impact/command/check.h"
+#include "plate_impact/command/compare.h"
+#include "plate_impact/command/run.h"
+#include "plate_impact/command/sweep.h"
+#include "plate_impact/output/console.h"
+#include "plate_impact/output/terminal.h"
+#include "plate_impact/scene/scene.h"
 
 #include <CLI/CLI.hpp>
 

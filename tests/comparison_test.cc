@@ -1,7 +1,7 @@
 // plate-impact compare: what it writes, its limits, and the scenes of
 // comparisons.
-#include "plate_impact/comparison.h"
-#include "plate_impact/scene.h"
+#include "plate_impact/comparison/strategy_comparison.h"
+#include "plate_impact/scene/scene.h"
 #include "program_fixture.h"
 #include "test_plate.h"
 
@@ -224,14 +224,15 @@ namespace PlateImpact
                       const double       error,
                       const unsigned int most_cells)
     {
-      const Scene      scene = read_scene(SCENES "/" + scene_name + ".prm",
+      const Scene        scene = read_scene(SCENES "/" + scene_name + ".prm",
                                      {"Comparison/Time budget=1000"});
-      Comparison       comparison(scene);
-      const Reference &reference = comparison.compute_reference();
+      StrategyComparison comparison(scene);
+      const Reference   &reference = comparison.compute_reference();
       EXPECT_NEAR(reference.peak_force / peak_force, 1., 3e-4);
       EXPECT_LT(reference.uncertainty, error);
       const ComparisonCurve &curve =
-        comparison.compute_curve("hanging nodes", "MITC9");
+        comparison.compute_curve(AdaptationStrategy::hanging_nodes,
+                                 ElementType::MITC9);
       bool is_reached = false;
       for (const ComparedMesh &mesh : curve.meshes)
         is_reached = is_reached ||
@@ -243,7 +244,7 @@ namespace PlateImpact
 
     /// A state that all nine-node elements hold on squares.
     std::vector<Snapshot>
-    quadratic_states(const PlateModel &model, const double amplitude)
+    quadratic_states(const PlateDiscretization &model, const double amplitude)
     {
       const Eigen::VectorXd state =
         amplitude * model.interpolate(Field([](const dealii::Point<2> &p) {
@@ -255,15 +256,15 @@ namespace PlateImpact
 
 
 
-    TEST(TrueError, ComparesFieldsOnUnrelatedMeshes)
+    TEST(ReferenceError, ComparesFieldsOnUnrelatedMeshes)
     {
-      const PlateElement    element("MITC9");
-      const PlateParameters plate     = unit_plate("free", 0.1);
+      const PlateElement    element(ElementType::MITC9);
+      const PlateParameters plate     = unit_plate(EdgeSupport::free, 0.1);
       const auto            fine_mesh = unit_square(7), mesh = unit_square(3);
       refine_randomly(*mesh, 2);
-      const PlateModel fine(*fine_mesh, element, plate, 1.),
+      const PlateDiscretization fine(*fine_mesh, element, plate, 1.),
         model(*mesh, element, plate, 1.);
-      const TrueError error(fine, quadratic_states(fine, 1.));
+      const ReferenceError error(fine, quadratic_states(fine, 1.));
       EXPECT_LT(error.of(model, quadratic_states(model, 1.)), 1e-10);
       EXPECT_NEAR(error.of(model, quadratic_states(model, 0.75)), 0.25, 1e-10);
     }

@@ -1,9 +1,9 @@
-#include "plate_impact/contact_law.h"
-#include "plate_impact/contact_solver.h"
-#include "plate_impact/exceptions.h"
-#include "plate_impact/parameters.h"
-#include "plate_impact/plate_section.h"
-#include "plate_impact/zener.h"
+#include "plate_impact/base/exceptions.h"
+#include "plate_impact/base/parameters.h"
+#include "plate_impact/contact/contact_law.h"
+#include "plate_impact/contact/contact_solver.h"
+#include "plate_impact/contact/zener.h"
+#include "plate_impact/plate/plate_section.h"
 
 #include <gtest/gtest.h>
 

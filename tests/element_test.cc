@@ -1,4 +1,4 @@
-#include "plate_impact/load_patch.h"
+#include "plate_impact/plate/load_distribution.h"
 #include "test_plate.h"
 
 #include <Eigen/Eigenvalues>
@@ -11,24 +11,27 @@ namespace PlateImpact
 
   namespace
   {
-    class PlateElementTest : public testing::TestWithParam<std::string>
+    class PlateElementTest : public testing::TestWithParam<ElementType>
     {
     protected:
       const PlateElement element{GetParam()};
 
-      PlateModel
+      PlateDiscretization
       free_model(const Triangulation<2> &mesh,
                  const double            thickness = 0.1) const
       {
-        return PlateModel(mesh, element, unit_plate("free", thickness), 1.);
+        return PlateDiscretization(mesh,
+                                   element,
+                                   unit_plate(EdgeSupport::free, thickness),
+                                   1.);
       }
 
       /// Largest strain error over the points where the element evaluates
       /// strains, for a field with constant strains.
       double
-      strain_error(const PlateModel &model,
-                   const Field      &field,
-                   const Resultants &expected) const
+      strain_error(const PlateDiscretization &model,
+                   const Field               &field,
+                   const Resultants          &expected) const
       {
         const Eigen::VectorXd z = model.interpolate(field);
         Eigen::MatrixXd       values;
@@ -53,9 +56,9 @@ namespace PlateImpact
     INSTANTIATE_TEST_SUITE_P(
       All,
       PlateElementTest,
-      testing::ValuesIn(PlateElement::names()),
-      [](const testing::TestParamInfo<std::string> &info) {
-        std::string name = info.param;
+      testing::ValuesIn(all_elements()),
+      [](const testing::TestParamInfo<ElementType> &info) {
+        std::string name = word_for(info.param);
         std::replace(name.begin(), name.end(), ' ', '_');
         return name;
       });
@@ -133,7 +136,8 @@ namespace PlateImpact
       const double error = strain_error(free_model(*mesh),
                                         twist_and_bending,
                                         twist_and_bending_strains);
-      if (GetParam() == "Lagrange" || GetParam() == "MITC9")
+      if (GetParam() == ElementType::Lagrange ||
+          GetParam() == ElementType::MITC9)
         EXPECT_LT(error, 1e-12);
       else
         EXPECT_GT(error, 1e-3);
@@ -143,9 +147,9 @@ namespace PlateImpact
 
     TEST_P(PlateElementTest, EnergyOfConstantStrainsIsThatOfTheSection)
     {
-      const auto         mesh  = sheared_mesh();
-      PlateModel         model = free_model(*mesh);
-      const PlateSection section(unit_plate("free", 0.1));
+      const auto          mesh  = sheared_mesh();
+      PlateDiscretization model = free_model(*mesh);
+      const PlateSection  section(unit_plate(EdgeSupport::free, 0.1));
       model.assemble();
       const double area = GridTools::volume(*mesh);
       for (const auto &[field, strains] :
@@ -165,8 +169,8 @@ namespace PlateImpact
 
     TEST_P(PlateElementTest, MassIsThatOfTheRigidBody)
     {
-      const auto mesh  = distorted_mesh();
-      PlateModel model = free_model(*mesh);
+      const auto          mesh  = distorted_mesh();
+      PlateDiscretization model = free_model(*mesh);
       model.assemble();
       const Eigen::VectorXd lift =
         model.interpolate(Field([](const Point<2> &) {
@@ -186,8 +190,8 @@ namespace PlateImpact
     {
       for (const unsigned int n : {1, 3})
         {
-          const auto mesh  = unit_square(n);
-          PlateModel model = free_model(*mesh);
+          const auto          mesh  = unit_square(n);
+          PlateDiscretization model = free_model(*mesh);
           model.assemble();
           const Eigen::VectorXd eigenvalues =
             Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(
@@ -198,7 +202,7 @@ namespace PlateImpact
             (eigenvalues.array() < 1e-12 * eigenvalues.maxCoeff()).count();
           // the spurious mode of nine nodes with 2x2 shear survives the
           // assembly of a uniform mesh
-          EXPECT_EQ(n_zero, GetParam() == "Lagrange" ? 4 : 3) << n;
+          EXPECT_EQ(n_zero, GetParam() == ElementType::Lagrange ? 4 : 3) << n;
         }
     }
 
@@ -209,9 +213,9 @@ namespace PlateImpact
       // values on both sides of every point of the skeleton agree
       const auto mesh = unit_square(2);
       refine_randomly(*mesh, 3);
-      const PlateModel      model = free_model(*mesh);
-      const Eigen::VectorXd z     = Eigen::VectorXd::Random(model.n_unknowns());
-      const FE_Q<2>         scalar(2);
+      const PlateDiscretization model = free_model(*mesh);
+      const Eigen::VectorXd     z = Eigen::VectorXd::Random(model.n_unknowns());
+      const FE_Q<2>             scalar(2);
       std::map<std::pair<long, long>, double> seen;
       unsigned int                            n_compared = 0;
       Eigen::MatrixXd                         values;
@@ -247,12 +251,13 @@ namespace PlateImpact
     {
       ContactParameters contact;
       contact.patch_radius = 0.3;
-      for (const auto &[name, moment] : {std::make_pair("Hertz disc", 0.4),
-                                         std::make_pair("uniform disc", 0.5)})
+      for (const auto &[name, moment] :
+           {std::make_pair(LoadShape::Hertz_disc, 0.4),
+            std::make_pair(LoadShape::uniform_disc, 0.5)})
         {
           contact.load_distribution = name;
           double total = 0., second = 0., x2 = 0.;
-          for (const LoadPoint &p : make_load_patch(contact, 0.2))
+          for (const LoadPoint &p : make_load_distribution(contact, 0.2))
             {
               total += p.weight;
               second += p.weight * p.point.square();
@@ -272,11 +277,12 @@ namespace PlateImpact
       ContactParameters contact;
       contact.patch_radius = 0.1;
       for (const auto &[name, moment] :
-           {std::make_pair("line", 0.), std::make_pair("strip", 0.25)})
+           {std::make_pair(LoadShape::line, 0.),
+            std::make_pair(LoadShape::strip, 0.25)})
         {
           contact.load_distribution = name;
           double total = 0., x2 = 0., y2 = 0.;
-          for (const LoadPoint &p : make_load_patch(contact, 0.6))
+          for (const LoadPoint &p : make_load_distribution(contact, 0.6))
             {
               total += p.weight;
               x2 += p.weight * p.point[0] * p.point[0];
@@ -294,20 +300,23 @@ namespace PlateImpact
     {
       // on any mesh the load does the work of its moments on a quadratic
       ContactParameters contact;
-      contact.load_distribution = "Hertz disc";
+      contact.load_distribution = LoadShape::Hertz_disc;
       contact.patch_radius      = 0.3;
-      const PlateElement element("Lagrange");
+      const PlateElement element(ElementType::Lagrange);
       for (const unsigned int n_refinements : {0, 1, 2})
         {
           auto mesh = unit_square(3);
           distort(*mesh, 0.2);
           refine_randomly(*mesh, n_refinements);
-          const PlateModel model(*mesh, element, unit_plate("free", 0.1), 1.);
-          const Eigen::VectorXd z =
+          const PlateDiscretization model(*mesh,
+                                          element,
+                                          unit_plate(EdgeSupport::free, 0.1),
+                                          1.);
+          const Eigen::VectorXd     z =
             model.interpolate(Field([](const Point<2> &p) {
               return Field::Values{{1. + p.square(), 0., 0.}};
             }));
-          EXPECT_NEAR(model.load(make_load_patch(contact, 0.2)).dot(z),
+          EXPECT_NEAR(model.load(make_load_distribution(contact, 0.2)).dot(z),
                       1. + 0.4 * 0.09,
                       1e-12);
         }

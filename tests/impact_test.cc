@@ -2,8 +2,8 @@
 // order (tests/reference), computed through the library.
 #include <deal.II/base/timer.h>
 
-#include "plate_impact/impact_analysis.h"
-#include "plate_impact/scene.h"
+#include "plate_impact/analysis/impact_analysis.h"
+#include "plate_impact/scene/scene.h"
 #include "test_plate.h"
 
 namespace PlateImpact
@@ -53,9 +53,9 @@ namespace PlateImpact
           overrides.push_back("Plate/Support=" + support);
           overrides.push_back("Plate/Side lengths=0.2,0.15");
           const Parameters parameters = parameters_with(overrides);
-          const auto       load =
-            make_load_patch(parameters.contact, parameters.impactor.length);
-          const auto quadrant =
+          const auto       load = make_load_distribution(parameters.contact,
+                                                   parameters.impactor.length);
+          const auto       quadrant =
             make_plate_quadrant(parameters.plate,
                                 parameters.discretization.initial_cells);
 
@@ -96,7 +96,7 @@ namespace PlateImpact
       const Parameters         cholmod   = parameters_with(overrides);
       overrides.push_back("Discretization/Linear solver=KLU");
       const Parameters klu  = parameters_with(overrides);
-      const auto       load = make_load_patch(cholmod.contact, 0.);
+      const auto       load = make_load_distribution(cholmod.contact, 0.);
       const auto       mesh =
         make_plate_quadrant(cholmod.plate,
                             cholmod.discretization.initial_cells);
@@ -119,8 +119,8 @@ namespace PlateImpact
                                 parameters.discretization.initial_cells);
           EXPECT_LT(impact(parameters,
                            *mesh,
-                           make_load_patch(parameters.contact,
-                                           parameters.impactor.length),
+                           make_load_distribution(parameters.contact,
+                                                  parameters.impactor.length),
                            4.)
                       .relative_energy_drift(),
                     1e-11)
@@ -142,13 +142,14 @@ namespace PlateImpact
           const auto       mesh =
             make_plate_quadrant(parameters.plate,
                                 parameters.discretization.initial_cells);
-          peaks.push_back(impact(parameters,
-                                 *mesh,
-                                 make_load_patch(parameters.contact,
-                                                 parameters.impactor.length),
-                                 4.)
-                            .peak()
-                            .force);
+          peaks.push_back(
+            impact(parameters,
+                   *mesh,
+                   make_load_distribution(parameters.contact,
+                                          parameters.impactor.length),
+                   4.)
+              .peak()
+              .force);
         }
       EXPECT_NEAR(peaks[1] / peaks[0], 1., 1e-3);
     }

@@ -1,4 +1,4 @@
-#include "plate_impact/kelly_indicator.h"
+#include "plate_impact/estimator/kelly_indicator.h"
 #include "program_fixture.h"
 #include "test_plate.h"
 
@@ -17,9 +17,12 @@ namespace PlateImpact
 
     TEST(KellyIndicator, SharesOutTheErrorByTheJumps)
     {
-      const auto         mesh = unit_square(4);
-      const PlateElement element("MITC9");
-      const PlateModel   model(*mesh, element, unit_plate("free", 0.1), 1.);
+      const auto                mesh = unit_square(4);
+      const PlateElement        element(ElementType::MITC9);
+      const PlateDiscretization model(*mesh,
+                                      element,
+                                      unit_plate(EdgeSupport::free, 0.1),
+                                      1.);
       // the slope of the deflection jumps across x = 1/2 only
       const Eigen::MatrixXd kink =
         model.interpolate(Field([](const Point<2> &p) {
@@ -51,9 +54,12 @@ namespace PlateImpact
     {
       auto mesh = unit_square(3);
       refine_randomly(*mesh, 2);
-      const PlateElement element("MITC9");
-      const PlateModel   model(*mesh, element, unit_plate("free", 0.1), 1.);
-      KellyIndicator     indicator(model);
+      const PlateElement        element(ElementType::MITC9);
+      const PlateDiscretization model(*mesh,
+                                      element,
+                                      unit_plate(EdgeSupport::free, 0.1),
+                                      1.);
+      KellyIndicator            indicator(model);
       indicator.add_samples({1.}, Eigen::MatrixXd::Zero(model.n_unknowns(), 1));
       ErrorEstimate estimate;
       estimate.eta = 0.1;

@@ -1,4 +1,5 @@
-#include "plate_impact/mesh_adaptation.h"
+#include "plate_impact/adaptation/make_mesh_adaptation.h"
+#include "plate_impact/adaptation/mesh_adaptation.h"
 #include "test_plate.h"
 
 #include <cmath>
@@ -10,7 +11,8 @@ namespace PlateImpact
   namespace
   {
     AdaptivityParameters
-    adaptivity(const std::string &strategy, const double minimum_size = 1e-6)
+    adaptivity(const AdaptationStrategy strategy,
+               const double             minimum_size = 1e-6)
     {
       AdaptivityParameters parameters;
       parameters.strategy                 = strategy;
@@ -74,7 +76,7 @@ namespace PlateImpact
       const auto sizes =
         target_sizes(*mesh,
                      errors(*mesh, [](const Point<2> &) { return 16.; }),
-                     adaptivity("hanging nodes"));
+                     adaptivity(AdaptationStrategy::hanging_nodes));
       for (const double size : sizes)
         EXPECT_NEAR(size, 0.25 / 4., 1e-15);
     }
@@ -84,7 +86,7 @@ namespace PlateImpact
     TEST(MeshAdaptation, SeveralLevelsAtOnceWhereAskedFor)
     {
       const auto mesh       = unit_square(4);
-      const auto parameters = adaptivity("hanging nodes");
+      const auto parameters = adaptivity(AdaptationStrategy::hanging_nodes);
       const auto estimate   = errors(*mesh, [](const Point<2> &p) {
         return p.norm() < 0.2 ? 200. : 0.9;
       });
@@ -111,7 +113,7 @@ namespace PlateImpact
     TEST(MeshAdaptation, CoarsensBackWhereTheErrorAllows)
     {
       const auto mesh       = unit_square(2);
-      const auto parameters = adaptivity("hanging nodes");
+      const auto parameters = adaptivity(AdaptationStrategy::hanging_nodes);
       adapt(parameters, *mesh, errors(*mesh, [](const Point<2> &) {
               return 50.;
             }));
@@ -131,8 +133,8 @@ namespace PlateImpact
 
     TEST(MeshAdaptation, NeverBelowTheMinimumSizeNorAboveTheInitialOne)
     {
-      const auto mesh              = unit_square(3);
-      auto       parameters        = adaptivity("hanging nodes", 0.1);
+      const auto mesh = unit_square(3);
+      auto parameters = adaptivity(AdaptationStrategy::hanging_nodes, 0.1);
       parameters.maximum_cell_size = 1. / 3.;
       adapt(parameters, *mesh, errors(*mesh, [](const Point<2> &) {
               return 1e9;
@@ -149,8 +151,8 @@ namespace PlateImpact
 
     TEST(MeshAdaptation, CellsReturnToTheInitialSizeOnceTheErrorAllowsIt)
     {
-      const auto mesh              = unit_square(3);
-      auto       parameters        = adaptivity("hanging nodes");
+      const auto mesh       = unit_square(3);
+      auto       parameters = adaptivity(AdaptationStrategy::hanging_nodes);
       parameters.maximum_cell_size = 1. / 3.;
       mesh->refine_global(1);
       const auto everywhere = [&mesh](const double xi) {
@@ -166,8 +168,8 @@ namespace PlateImpact
 
     TEST(MeshAdaptation, CellsAboveTheMaximumSizeAreRefinedWhateverTheirError)
     {
-      const auto mesh              = unit_square(2);
-      auto       parameters        = adaptivity("hanging nodes");
+      const auto mesh       = unit_square(2);
+      auto       parameters = adaptivity(AdaptationStrategy::hanging_nodes);
       parameters.maximum_cell_size = 0.2;
       EXPECT_TRUE(adapt(parameters, *mesh, errors(*mesh, [](const Point<2> &) {
                           return 1e-3;
@@ -180,7 +182,7 @@ namespace PlateImpact
     TEST(MeshAdaptation, ReportsThatAMeshStaysAsItIs)
     {
       const auto mesh = unit_square(3);
-      EXPECT_FALSE(adapt(adaptivity("hanging nodes"),
+      EXPECT_FALSE(adapt(adaptivity(AdaptationStrategy::hanging_nodes),
                          *mesh,
                          errors(*mesh, [](const Point<2> &) { return 0.8; })));
       EXPECT_EQ(mesh->n_active_cells(), 9u);
@@ -190,8 +192,8 @@ namespace PlateImpact
 
     TEST(MeshAdaptation, FixedFractionMarksTheShareOfTheSquaredError)
     {
-      const auto mesh                   = unit_square(10);
-      auto       parameters             = adaptivity("fixed fraction");
+      const auto mesh       = unit_square(10);
+      auto       parameters = adaptivity(AdaptationStrategy::fixed_fraction);
       parameters.refined_share_of_error = 0.5;
       // four cells hold 4/5 of the squared error, three of them more than half
       const auto estimate = errors(*mesh, [](const Point<2> &p) {
@@ -207,7 +209,7 @@ namespace PlateImpact
     TEST(MeshAdaptation, FixedNumberMarksTheShareOfTheCells)
     {
       const auto mesh       = unit_square(10);
-      auto       parameters = adaptivity("fixed number");
+      auto       parameters = adaptivity(AdaptationStrategy::fixed_number);
       const auto estimate =
         errors(*mesh, [](const Point<2> &p) { return p[0] + 0.01 * p[1]; });
       EXPECT_TRUE(adapt(parameters, *mesh, estimate));
@@ -220,7 +222,9 @@ namespace PlateImpact
 
     TEST(MeshAdaptation, RanksLeaveOutCellsThatMayNotBeRefined)
     {
-      for (const std::string strategy : {"fixed fraction", "fixed number"})
+      for (const AdaptationStrategy strategy :
+           {AdaptationStrategy::fixed_fraction,
+            AdaptationStrategy::fixed_number})
         {
           // cells soon at the minimum size have most of the error
           const auto mesh       = unit_square(4);
@@ -245,8 +249,8 @@ namespace PlateImpact
     {
       for (const double half_length : {0., 0.3})
         {
-          const auto           mesh       = unit_square(4);
-          const auto           parameters = adaptivity("graded", 0.01);
+          const auto mesh       = unit_square(4);
+          const auto parameters = adaptivity(AdaptationStrategy::graded, 0.01);
           const ErrorOverLimit none;
           for (const double theta : {1., 0.5, 0.25})
             {
@@ -271,13 +275,14 @@ namespace PlateImpact
     TEST(MeshAdaptation, UniformHalvesEveryCell)
     {
       const auto mesh       = unit_square(3);
-      const auto parameters = adaptivity("uniform", 0.1);
+      const auto parameters = adaptivity(AdaptationStrategy::uniform, 0.1);
       const auto estimate =
         errors(*mesh, [](const Point<2> &p) { return p[0]; });
       EXPECT_TRUE(adapt(parameters, *mesh, estimate));
       EXPECT_EQ(mesh->n_active_cells(), 36u);
       EXPECT_FALSE(adapt(parameters, *mesh, estimate));
-      EXPECT_EQ(make_mesh_adaptation(adaptivity("none")), nullptr);
+      EXPECT_EQ(make_mesh_adaptation(adaptivity(AdaptationStrategy::none)),
+                nullptr);
     }
   } // namespace
 } // namespace PlateImpact

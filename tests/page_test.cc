@@ -1,6 +1,6 @@
 // Pages of plots and tables: what is in the file, without a browser.
-#include "plate_impact/page.h"
-#include "plate_impact/prefixed_unit.h"
+#include "plate_impact/base/prefixed_unit.h"
+#include "plate_impact/page/page.h"
 #include "program_fixture.h"
 
 #include <cmath>

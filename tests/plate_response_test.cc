@@ -1,4 +1,4 @@
-#include "plate_impact/plate_response.h"
+#include "plate_impact/transient/plate_response.h"
 #include "test_plate.h"
 
 #include <algorithm>
@@ -31,15 +31,18 @@ namespace PlateImpact
 
 
     void
-    expect_same_histories(const std::string &integration_name)
+    expect_same_histories(const ForceIntegration integration_name)
     {
-      const auto         mesh = unit_square(4);
-      const PlateElement element("MITC9");
-      PlateModel         model(*mesh, element, unit_plate("clamped", 0.1), 1.);
+      const auto          mesh = unit_square(4);
+      const PlateElement  element(ElementType::MITC9);
+      PlateDiscretization model(*mesh,
+                                element,
+                                unit_plate(EdgeSupport::clamped, 0.1),
+                                1.);
       model.assemble();
-      MeshPlate      plate(model,
-                      model.load({{dealii::Point<2>(0.5, 0.5), 1.}}),
-                      make_linear_solver("CHOLMOD"));
+      FullSystem     plate(model,
+                       model.load({{dealii::Point<2>(0.5, 0.5), 1.}}),
+                       make_linear_solver(SolverType::CHOLMOD));
       TimeParameters time;
       time.end_time          = 20.;
       time.time_step         = 0.02;
@@ -74,12 +77,12 @@ namespace PlateImpact
 
     TEST(PlateResponse, GivesTheHistoriesOfTheTimeStepper)
     {
-      expect_same_histories("energy conserving");
+      expect_same_histories(ForceIntegration::energy_conserving);
     }
 
     TEST(PlateResponse, GivesThoseOfCollocatedContact)
     {
-      expect_same_histories("collocation");
+      expect_same_histories(ForceIntegration::collocation);
     }
   } // namespace
 } // namespace PlateImpact

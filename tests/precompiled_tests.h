@@ -3,9 +3,9 @@
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
 
-#include "plate_impact/error_estimator.h"
-#include "plate_impact/plate_mesh.h"
-#include "plate_impact/plate_model.h"
+#include "plate_impact/estimator/error_estimator.h"
+#include "plate_impact/plate/plate_discretization.h"
+#include "plate_impact/plate/plate_mesh.h"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>

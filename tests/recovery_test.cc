@@ -1,9 +1,9 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/mapping_q1.h>
 
-#include "plate_impact/error_estimator.h"
-#include "plate_impact/error_over_limit.h"
-#include "plate_impact/recovered_field.h"
+#include "plate_impact/estimator/error_estimator.h"
+#include "plate_impact/estimator/error_over_limit.h"
+#include "plate_impact/estimator/recovered_field.h"
 #include "test_plate.h"
 
 #include <cmath>
@@ -162,7 +162,8 @@ namespace PlateImpact
       for (const double fine : {0.02, 0.1, 0.3})
         {
           const auto mesh =
-            make_plate_quadrant(unit_plate("clamped", 0.1), {{6, 6}});
+            make_plate_quadrant(unit_plate(EdgeSupport::clamped, 0.1),
+                                {{6, 6}});
           remesh(*mesh, fine, 0.3);
           EXPECT_LT(recovery_error(*mesh, symmetric_basis(1.)), 1e-9) << fine;
         }
@@ -173,7 +174,7 @@ namespace PlateImpact
     TEST(StressRecovery, IsExactOnTheSymmetryPlanesOfTheSmallestMeshes)
     {
       // no patch of these meshes has eight independent samples of its own
-      PlateParameters plate = unit_plate("clamped", 0.1);
+      PlateParameters plate = unit_plate(EdgeSupport::clamped, 0.1);
       for (const double length : {1e-6, 1., 1e6})
         for (const unsigned int n : {1, 2, 3})
           {
@@ -189,7 +190,7 @@ namespace PlateImpact
 
     TEST(StressRecovery, IsExactOnOneRowOfCells)
     {
-      PlateParameters plate = unit_plate("clamped", 0.1);
+      PlateParameters plate = unit_plate(EdgeSupport::clamped, 0.1);
       plate.side_lengths    = {{2., 0.4}};
       EXPECT_LT(recovery_error(*make_plate_quadrant(plate, {{5, 1}}),
                                symmetric_basis(1.)),
@@ -201,17 +202,20 @@ namespace PlateImpact
     /// Estimates of a state that the named elements hold.
     void
     expect_no_error(const Triangulation<2>         &mesh,
-                    const std::vector<std::string> &elements)
+                    const std::vector<ElementType> &elements)
     {
       const Field field([](const Point<2> &p) {
         const double x = p[0], y = p[1];
         return Field::Values{{x * x - 3. * x * y, 2. * x + y, 1. - x + 2. * y}};
       });
-      for (const std::string &name : elements)
+      for (const ElementType name : elements)
         {
-          const PlateElement element(name);
-          const PlateModel   model(mesh, element, unit_plate("free", 0.1), 1.);
-          ErrorEstimator     estimator(model);
+          const PlateElement        element(name);
+          const PlateDiscretization model(mesh,
+                                          element,
+                                          unit_plate(EdgeSupport::free, 0.1),
+                                          1.);
+          ErrorEstimator            estimator(model);
           estimator.add_samples({1.}, model.interpolate(field));
           const ErrorEstimate estimate = estimator.estimate();
           EXPECT_LT(estimate.eta, 1e-10) << name;
@@ -226,7 +230,7 @@ namespace PlateImpact
     {
       const auto mesh = unit_square(3);
       refine_randomly(*mesh, 3);
-      expect_no_error(*mesh, PlateElement::names());
+      expect_no_error(*mesh, all_elements());
     }
 
 
@@ -237,17 +241,20 @@ namespace PlateImpact
       remesh(*mesh, 0.05, 0.3);
       unset_symmetry(*mesh);
       // eight nodes hold no quadratic deflection on general quadrilaterals
-      expect_no_error(*mesh, {"Lagrange", "MITC9"});
+      expect_no_error(*mesh, {ElementType::Lagrange, ElementType::MITC9});
     }
 
 
 
     TEST(ErrorEstimator, IsZeroWhileThePlateIsAtRest)
     {
-      const auto         mesh = unit_square(2);
-      const PlateElement element("heterosis");
-      const PlateModel   model(*mesh, element, unit_plate("clamped", 0.1), 1.);
-      ErrorEstimator     estimator(model);
+      const auto                mesh = unit_square(2);
+      const PlateElement        element(ElementType::heterosis);
+      const PlateDiscretization model(*mesh,
+                                      element,
+                                      unit_plate(EdgeSupport::clamped, 0.1),
+                                      1.);
+      ErrorEstimator            estimator(model);
       estimator.add_samples({1.}, Eigen::VectorXd::Zero(model.n_unknowns()));
       EXPECT_EQ(estimator.estimate().eta, 0.);
       for (const double error : estimator.estimate().element_errors)
@@ -259,10 +266,13 @@ namespace PlateImpact
     TEST(ErrorEstimator, ElementsAreRelativeToTheNormOfTheCellsThatCount)
     {
       // most of the energy and of the error is in the first cell
-      const auto         mesh = unit_square(4);
-      const PlateElement element("MITC9");
-      const PlateModel   model(*mesh, element, unit_plate("free", 0.1), 1.);
-      ErrorEstimator     estimator(model, /*singular_cells=*/{0});
+      const auto                mesh = unit_square(4);
+      const PlateElement        element(ElementType::MITC9);
+      const PlateDiscretization model(*mesh,
+                                      element,
+                                      unit_plate(EdgeSupport::free, 0.1),
+                                      1.);
+      ErrorEstimator            estimator(model, /*singular_cells=*/{0});
       estimator
         .add_samples({1.}, model.interpolate(Field([](const Point<2> &p) {
           return Field::Values{
@@ -292,9 +302,12 @@ namespace PlateImpact
     {
       // twice the field has twice both norms: eta stays, whatever the times,
       // and the buffer of samples is passed
-      const auto            mesh = unit_square(3);
-      const PlateElement    element("heterosis");
-      const PlateModel      model(*mesh, element, unit_plate("free", 0.1), 1.);
+      const auto                mesh = unit_square(3);
+      const PlateElement        element(ElementType::heterosis);
+      const PlateDiscretization model(*mesh,
+                                      element,
+                                      unit_plate(EdgeSupport::free, 0.1),
+                                      1.);
       const Eigen::VectorXd z = model.interpolate(Field([](const Point<2> &p) {
         return Field::Values{{std::sin(3. * p[0]), p[1] * p[1] * p[1], 0.}};
       }));
@@ -357,11 +370,12 @@ namespace PlateImpact
 
     /// Estimated over true error of the static simply supported plate.
     Effectivity
-    effectivity(const std::string &element_name, const Triangulation<2> &mesh)
+    effectivity(const ElementType element_name, const Triangulation<2> &mesh)
     {
-      const PlateParameters plate = unit_plate("simply supported", 0.05);
-      const PlateElement    element(element_name);
-      PlateModel            model(mesh, element, plate, 1.);
+      const PlateParameters plate =
+        unit_plate(EdgeSupport::simply_supported, 0.05);
+      const PlateElement  element(element_name);
+      PlateDiscretization model(mesh, element, plate, 1.);
       model.assemble();
       const Eigen::VectorXd z =
         solve_static(model,
@@ -422,8 +436,8 @@ namespace PlateImpact
 
     TEST(ErrorEstimator, EffectivityOnUniformMeshes)
     {
-      PlateParameters plate = unit_plate("simply supported", 0.05);
-      for (const std::string &name : PlateElement::names())
+      PlateParameters plate = unit_plate(EdgeSupport::simply_supported, 0.05);
+      for (const ElementType name : all_elements())
         for (const unsigned int n : {8, 16})
           {
             const auto mesh   = make_plate_quadrant(plate, {{n, n}});
@@ -437,8 +451,8 @@ namespace PlateImpact
 
     TEST(ErrorEstimator, EffectivityOnUnstructuredMeshes)
     {
-      PlateParameters plate = unit_plate("simply supported", 0.05);
-      for (const std::string &name : PlateElement::names())
+      PlateParameters plate = unit_plate(EdgeSupport::simply_supported, 0.05);
+      for (const ElementType name : all_elements())
         for (const double fine : {0.02, 0.05})
           {
             const auto mesh = make_plate_quadrant(plate, {{6, 6}});
@@ -455,8 +469,8 @@ namespace PlateImpact
 
     TEST(ErrorEstimator, EffectivityWithHangingNodes)
     {
-      PlateParameters plate = unit_plate("simply supported", 0.05);
-      for (const std::string &name : PlateElement::names())
+      PlateParameters plate = unit_plate(EdgeSupport::simply_supported, 0.05);
+      for (const ElementType name : all_elements())
         {
           const auto mesh = make_plate_quadrant(plate, {{6, 6}});
           for (const auto &cell : mesh->active_cell_iterators())

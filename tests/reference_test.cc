@@ -10,8 +10,8 @@ namespace PlateImpact
 
   namespace
   {
-    const std::map<std::string, std::string> support_names =
-      {{"SSH", "simply supported"}, {"C", "clamped"}};
+    const std::map<std::string, EdgeSupport> support_names =
+      {{"SSH", EdgeSupport::simply_supported}, {"C", EdgeSupport::clamped}};
 
 
 
@@ -41,16 +41,16 @@ namespace PlateImpact
       const nlohmann::json cases = reference("static_plates.json")["cases"];
       EXPECT_EQ(cases.size(), 8u);
       for (const auto &entry : cases)
-        for (const std::string &name : PlateElement::names())
+        for (const ElementType name : all_elements())
           {
             const double a_over_t = entry["a_over_t"];
             if (a_over_t > 100.)
               continue; // thin plates: the elements lock, each in its own way
             const PlateParameters plate =
               unit_plate(support_names.at(entry["bc"]), 1. / a_over_t);
-            const PlateElement element(name);
-            const auto         mesh = make_plate_quadrant(plate, {{10, 10}});
-            PlateModel         model(*mesh, element, plate);
+            const PlateElement  element(name);
+            const auto          mesh = make_plate_quadrant(plate, {{10, 10}});
+            PlateDiscretization model(*mesh, element, plate);
             model.assemble();
             const double          D = model.section().bending_stiffness(0, 0);
             const Eigen::VectorXd f = 4. *
@@ -72,7 +72,7 @@ namespace PlateImpact
     TEST(StaticPlate, HertzPatch)
     {
       ContactParameters contact;
-      contact.load_distribution  = "Hertz disc";
+      contact.load_distribution  = LoadShape::Hertz_disc;
       contact.patch_radius       = 0.0025;
       const nlohmann::json cases = reference("static_plates.json")["cases"];
       EXPECT_EQ(cases.size(), 8u);
@@ -83,12 +83,13 @@ namespace PlateImpact
             continue;
           const PlateParameters plate =
             unit_plate(support_names.at(entry["bc"]), 1. / a_over_t);
-          const PlateElement element("heterosis");
-          const auto         mesh = graded_quadrant(plate, 6, 7);
-          PlateModel         model(*mesh, element, plate);
+          const PlateElement  element(ElementType::heterosis);
+          const auto          mesh = graded_quadrant(plate, 6, 7);
+          PlateDiscretization model(*mesh, element, plate);
           model.assemble();
           const double          D = model.section().bending_stiffness(0, 0);
-          const Eigen::VectorXd f = model.load(make_load_patch(contact, 0.2));
+          const Eigen::VectorXd f =
+            model.load(make_load_distribution(contact, 0.2));
           const Eigen::VectorXd z = solve_static(model, f);
           EXPECT_NEAR(f.dot(z) * D / entry["patch_wavg"].get<double>(),
                       1.,
@@ -104,16 +105,17 @@ namespace PlateImpact
       const nlohmann::json cases = reference("plate_frequencies.json")["cases"];
       EXPECT_EQ(cases.size(), 8u);
       for (const auto &entry : cases)
-        for (const std::string name : {"serendipity", "heterosis"})
+        for (const ElementType name :
+             {ElementType::serendipity, ElementType::heterosis})
           {
             const double a_over_t = entry["a_over_t"];
             if (a_over_t > 100.)
               continue;
             const PlateParameters plate =
               unit_plate(support_names.at(entry["bc"]), 1. / a_over_t);
-            const PlateElement element(name);
-            const auto         mesh = make_plate_quadrant(plate, {{6, 6}});
-            PlateModel         model(*mesh, element, plate);
+            const PlateElement  element(name);
+            const auto          mesh = make_plate_quadrant(plate, {{6, 6}});
+            PlateDiscretization model(*mesh, element, plate);
             model.assemble();
             const Eigen::VectorXd eigenvalues =
               Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(

@@ -1,5 +1,5 @@
-#include "plate_impact/exceptions.h"
-#include "plate_impact/remeshing.h"
+#include "plate_impact/adaptation/remeshing.h"
+#include "plate_impact/base/exceptions.h"
 #include "test_plate.h"
 
 #include <cmath>
@@ -162,7 +162,7 @@ namespace PlateImpact
     std::unique_ptr<Triangulation<2>>
     quadrant()
     {
-      PlateParameters plate = unit_plate("clamped", 0.01);
+      PlateParameters plate = unit_plate(EdgeSupport::clamped, 0.01);
       plate.side_lengths    = {{2. * half_side, 0.12}};
       return make_plate_quadrant(plate, {{5, 3}});
     }
@@ -173,7 +173,7 @@ namespace PlateImpact
     adaptivity()
     {
       AdaptivityParameters parameters;
-      parameters.strategy          = "remeshing";
+      parameters.strategy          = AdaptationStrategy::remeshing;
       parameters.target_error      = 0.05;
       parameters.size_exponent     = 0.5;
       parameters.minimum_cell_size = 1e-3;
@@ -293,7 +293,7 @@ namespace PlateImpact
     {
       // what the tests of elements and recovery on such meshes rely on
       const auto mesh =
-        make_plate_quadrant(unit_plate("clamped", 0.1), {{6, 6}});
+        make_plate_quadrant(unit_plate(EdgeSupport::clamped, 0.1), {{6, 6}});
       remesh(*mesh, 0.05, 0.3);
       std::map<unsigned int, unsigned int> n_vertices;
       for (const auto &cells : GridTools::vertex_to_cell_map(*mesh))

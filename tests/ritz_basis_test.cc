@@ -1,8 +1,8 @@
 // The plate reduced to Ritz vectors against the plate of the mesh.
-#include "plate_impact/error_estimator.h"
-#include "plate_impact/plate_mesh.h"
-#include "plate_impact/ritz_reduction.h"
-#include "plate_impact/scene.h"
+#include "plate_impact/estimator/error_estimator.h"
+#include "plate_impact/plate/plate_mesh.h"
+#include "plate_impact/scene/scene.h"
+#include "plate_impact/transient/ritz_reduction.h"
 #include "test_plate.h"
 
 #include <Eigen/Eigenvalues>
@@ -24,31 +24,32 @@ namespace PlateImpact
         , element(parameters.discretization.element)
         , model(assembled(*mesh, element, parameters))
         , plate(*model,
-                model->load(make_load_patch(parameters.contact,
-                                            parameters.impactor.length)),
-                make_linear_solver("CHOLMOD"))
+                model->load(make_load_distribution(parameters.contact,
+                                                   parameters.impactor.length)),
+                make_linear_solver(SolverType::CHOLMOD))
       {}
 
-      static std::unique_ptr<PlateModel>
+      static std::unique_ptr<PlateDiscretization>
       assembled(const dealii::Triangulation<2> &mesh,
                 const PlateElement             &element,
                 const Parameters               &parameters)
       {
-        auto model =
-          std::make_unique<PlateModel>(mesh, element, parameters.plate);
+        auto model = std::make_unique<PlateDiscretization>(mesh,
+                                                           element,
+                                                           parameters.plate);
         model->assemble();
         return model;
       }
 
       ContactHistory
-      strike(SemidiscretePlate &plate, const double velocity) const
+      strike(SemidiscreteSystem &plate, const double velocity) const
       {
         Parameters struck        = parameters;
         struck.impactor.velocity = velocity;
         return impact(struck, plate);
       }
 
-      RitzPlate *
+      ReducedSystem *
       settle(RitzReduction &reduction, const double velocity) const
       {
         Parameters struck        = parameters;
@@ -59,10 +60,10 @@ namespace PlateImpact
       const Parameters                                parameters;
       const std::unique_ptr<dealii::Triangulation<2>> mesh;
       const PlateElement                              element;
-      const std::unique_ptr<PlateModel>               model;
+      const std::unique_ptr<PlateDiscretization>      model;
       const std::unique_ptr<const ContactIntegration> integration =
-        make_contact_integration("energy conserving");
-      MeshPlate plate;
+        make_contact_integration(ForceIntegration::energy_conserving);
+      FullSystem plate;
     };
 
 
@@ -119,7 +120,7 @@ namespace PlateImpact
       basis.grow(1000);
       EXPECT_TRUE(basis.is_complete());
       EXPECT_LE(basis.n_vectors(), target.model->n_unknowns());
-      RitzPlate reduced(basis, basis.n_vectors());
+      ReducedSystem reduced(basis, basis.n_vectors());
       EXPECT_LT(difference(target.strike(reduced, 1.),
                            target.strike(target.plate, 1.)),
                 1e-8);
@@ -170,14 +171,14 @@ namespace PlateImpact
          "Contact/Patch radius=0.0005"}};
       for (const auto &scene : scenes)
         {
-          Target        target(scene);
-          const double  velocity = target.parameters.impactor.velocity;
-          RitzReduction reduction(target.plate,
+          Target         target(scene);
+          const double   velocity = target.parameters.impactor.velocity;
+          RitzReduction  reduction(target.plate,
                                   target.model->section(),
                                   target.parameters.time,
                                   *target.integration,
                                   /*needs_fields=*/false);
-          RitzPlate    *reduced = target.settle(reduction, velocity);
+          ReducedSystem *reduced = target.settle(reduction, velocity);
           ASSERT_NE(reduced, nullptr);
           EXPECT_LE(reduction.n_vectors(), 250);
           EXPECT_LT(difference(target.strike(*reduced, velocity),
@@ -202,9 +203,9 @@ namespace PlateImpact
       RitzReduction shared = fresh();
       for (const double velocity : {50., 1., 0.01, 1.})
         {
-          RitzReduction alone = fresh();
-          RitzPlate    *a     = target.settle(shared, velocity);
-          RitzPlate    *b     = target.settle(alone, velocity);
+          RitzReduction  alone = fresh();
+          ReducedSystem *a     = target.settle(shared, velocity);
+          ReducedSystem *b     = target.settle(alone, velocity);
           ASSERT_NE(a, nullptr);
           ASSERT_NE(b, nullptr);
           EXPECT_EQ(difference(target.strike(*a, velocity),
@@ -215,14 +216,14 @@ namespace PlateImpact
 
 
 
-    TEST(RitzPlate, StringTakesUpTheWaves)
+    TEST(ReducedSystem, TerminatorTakesUpTheWaves)
     {
       Target    target({"Discretization/Initial cells=12,12"});
       RitzBasis basis(target.plate, 3e11);
       basis.grow(40);
       const ContactHistory of_mesh = target.strike(target.plate, 1.);
       const auto           error   = [&](const unsigned int n_beyond) {
-        RitzPlate reduced(basis, 40, n_beyond);
+        ReducedSystem reduced(basis, 40, n_beyond);
         return difference(target.strike(reduced, 1.), of_mesh);
       };
       EXPECT_LT(error(300), 2e-5);
@@ -231,7 +232,7 @@ namespace PlateImpact
 
 
 
-    TEST(RitzPlate, StaysPositiveWithAString)
+    TEST(ReducedSystem, StaysPositiveWithATerminator)
     {
       for (const std::string support : {"clamped", "free"})
         {
@@ -241,8 +242,8 @@ namespace PlateImpact
           basis.grow(80);
           for (unsigned int n = 1; n <= 80; ++n)
             {
-              const RitzPlate    reduced(basis, n, 40);
-              const Eigen::Index size = reduced.load().size();
+              const ReducedSystem reduced(basis, n, 40);
+              const Eigen::Index  size = reduced.load().size();
               ASSERT_EQ(size, n + 40);
               Eigen::MatrixXd K(size, size);
               Eigen::VectorXd column;
@@ -264,37 +265,37 @@ namespace PlateImpact
 
 
 
-    TEST(RitzPlate, KnowsTheStaticCompliance)
+    TEST(ReducedSystem, KnowsTheStaticCompliance)
     {
       Target    clamped({"Discretization/Initial cells=6,6"});
       RitzBasis basis(clamped.plate, 1e12);
       basis.grow(120);
       const double exact = clamped.plate.load().dot(
         solve_static(*clamped.model, clamped.plate.load()));
-      const double bound = RitzPlate(basis, 120).static_compliance();
+      const double bound = ReducedSystem(basis, 120).static_compliance();
       EXPECT_GE(bound, exact);
       EXPECT_LT(bound, 1.01 * exact);
 
       Target free({"Discretization/Initial cells=6,6", "Plate/Support=free"});
       RitzBasis of_free(free.plate, 1e12);
       of_free.grow(120);
-      EXPECT_TRUE(std::isinf(RitzPlate(of_free, 120).static_compliance()));
+      EXPECT_TRUE(std::isinf(ReducedSystem(of_free, 120).static_compliance()));
     }
 
 
 
-    TEST(RitzPlate, StatesAreJudgedAsThoseOfTheMesh)
+    TEST(ReducedSystem, StatesAreJudgedAsThoseOfTheMesh)
     {
-      Target        target({"Discretization/Initial cells=6,6"});
-      RitzReduction reduction(target.plate,
+      Target         target({"Discretization/Initial cells=6,6"});
+      RitzReduction  reduction(target.plate,
                               target.model->section(),
                               target.parameters.time,
                               *target.integration,
                               /*needs_fields=*/true);
-      RitzPlate    *reduced = target.settle(reduction, 1.);
+      ReducedSystem *reduced = target.settle(reduction, 1.);
       ASSERT_NE(reduced, nullptr);
       const auto law      = make_contact_law(target.parameters);
-      const auto estimate = [&](SemidiscretePlate &plate) {
+      const auto estimate = [&](SemidiscreteSystem &plate) {
         ErrorEstimator      estimator(*target.model);
         TimeStepper         stepper(target.parameters.time,
                             plate,

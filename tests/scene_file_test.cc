@@ -1,7 +1,7 @@
 // The reader of the grammar of scenes, free of deal.II: runs under sanitizers.
 #include "mutation.h"
-#include "plate_impact/exceptions.h"
-#include "plate_impact/scene_file.h"
+#include "plate_impact/base/exceptions.h"
+#include "plate_impact/scene/scene_file.h"
 
 #include <gtest/gtest.h>
 

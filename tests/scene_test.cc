@@ -1,8 +1,8 @@
 #include "mutation.h"
-#include "plate_impact/exceptions.h"
-#include "plate_impact/scene.h"
-#include "plate_impact/scene_file.h"
-#include "plate_impact/scene_reader.h"
+#include "plate_impact/base/exceptions.h"
+#include "plate_impact/scene/scene.h"
+#include "plate_impact/scene/scene_file.h"
+#include "plate_impact/scene/scene_reader.h"
 #include "program_fixture.h"
 #include "test_plate.h"
 

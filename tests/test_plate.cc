@@ -6,9 +6,10 @@
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
 
-#include "plate_impact/impactor.h"
-#include "plate_impact/linear_solver.h"
-#include "plate_impact/mesh_adaptation.h"
+#include "plate_impact/adaptation/make_mesh_adaptation.h"
+#include "plate_impact/adaptation/mesh_adaptation.h"
+#include "plate_impact/contact/impactor.h"
+#include "plate_impact/transient/linear_solver.h"
 
 #include <Epetra_Vector.h>
 #include <gtest/gtest.h>
@@ -22,7 +23,7 @@ namespace PlateImpact
   using namespace dealii;
 
   PlateParameters
-  unit_plate(const std::string &support, const double thickness)
+  unit_plate(const EdgeSupport support, const double thickness)
   {
     PlateParameters plate;
     plate.side_lengths            = {{1., 1.}};
@@ -33,6 +34,25 @@ namespace PlateImpact
     plate.shear_correction_factor = 5. / 6.;
     plate.support                 = {support};
     return plate;
+  }
+
+
+
+  std::vector<ElementType>
+  all_elements()
+  {
+    std::vector<ElementType> elements;
+    for (const auto &[element, word] : choices<ElementType>())
+      elements.push_back(element);
+    return elements;
+  }
+
+
+
+  std::ostream &
+  operator<<(std::ostream &out, const ElementType element)
+  {
+    return out << word_for(element);
   }
 
 
@@ -64,7 +84,7 @@ namespace PlateImpact
   remesh(Triangulation<2> &mesh, const double fine, const double growth)
   {
     AdaptivityParameters adaptivity;
-    adaptivity.strategy          = "remeshing";
+    adaptivity.strategy          = AdaptationStrategy::remeshing;
     adaptivity.target_error      = 0.05;
     adaptivity.size_exponent     = 1.;
     adaptivity.minimum_cell_size = 0.;
@@ -128,10 +148,10 @@ namespace PlateImpact
 
 
   Eigen::VectorXd
-  solve_static(const PlateModel &model, const Eigen::VectorXd &load)
+  solve_static(const PlateDiscretization &model, const Eigen::VectorXd &load)
   {
     Epetra_CrsMatrix K      = model.stiffness();
-    const auto       solver = make_linear_solver("CHOLMOD");
+    const auto       solver = make_linear_solver(SolverType::CHOLMOD);
     solver->factorize(K);
     Eigen::VectorXd z, correction, residual = load;
     solver->solve(load, z);
@@ -188,7 +208,7 @@ namespace PlateImpact
 
 
   ContactHistory
-  impact(const Parameters &parameters, SemidiscretePlate &plate)
+  impact(const Parameters &parameters, SemidiscreteSystem &plate)
   {
     const auto law = make_contact_law(parameters);
     const auto integration =
@@ -209,13 +229,13 @@ namespace PlateImpact
          const std::vector<LoadPoint> &load,
          const double                  multiplicity)
   {
-    const PlateElement element(parameters.discretization.element);
-    PlateModel         model(mesh, element, parameters.plate, multiplicity);
+    const PlateElement  element(parameters.discretization.element);
+    PlateDiscretization model(mesh, element, parameters.plate, multiplicity);
     model.assemble();
-    MeshPlate plate(model,
-                    model.load(load),
-                    make_linear_solver(
-                      parameters.discretization.linear_solver));
+    FullSystem plate(model,
+                     model.load(load),
+                     make_linear_solver(
+                       parameters.discretization.linear_solver));
     return impact(parameters, plate);
   }
 

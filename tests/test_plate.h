@@ -3,21 +3,30 @@
 
 #include <deal.II/grid/tria.h>
 
-#include "plate_impact/parameters.h"
-#include "plate_impact/plate_mesh.h"
-#include "plate_impact/plate_model.h"
-#include "plate_impact/time_stepper.h"
+#include "plate_impact/base/parameters.h"
+#include "plate_impact/plate/plate_discretization.h"
+#include "plate_impact/plate/plate_mesh.h"
+#include "plate_impact/transient/time_stepper.h"
 
 #include <nlohmann/json.hpp>
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace PlateImpact
 {
   /// A plate of unit material with the given support and thickness, side 1.
   PlateParameters
-  unit_plate(const std::string &support, double thickness);
+  unit_plate(EdgeSupport support, double thickness);
+
+  /// Every element that a scene can name.
+  std::vector<ElementType>
+  all_elements();
+
+  /// For messages of failed tests.
+  std::ostream &
+  operator<<(std::ostream &out, ElementType element);
 
   /// The unit square without planes of symmetry: all sides are edges.
   std::unique_ptr<dealii::Triangulation<2>>
@@ -48,7 +57,7 @@ namespace PlateImpact
 
   /// K z = f.
   Eigen::VectorXd
-  solve_static(const PlateModel &model, const Eigen::VectorXd &load);
+  solve_static(const PlateDiscretization &model, const Eigen::VectorXd &load);
 
   /// y = A x.
   Eigen::VectorXd
@@ -60,7 +69,7 @@ namespace PlateImpact
   /// An impact with the law, integration, impactor and time of a scene on a
   /// plate.
   ContactHistory
-  impact(const Parameters &parameters, SemidiscretePlate &plate);
+  impact(const Parameters &parameters, SemidiscreteSystem &plate);
 
   /// The same on a given mesh.
   ContactHistory

@@ -1,5 +1,5 @@
-#include "plate_impact/exceptions.h"
-#include "plate_impact/time_stepper.h"
+#include "plate_impact/base/exceptions.h"
+#include "plate_impact/transient/time_stepper.h"
 #include "test_plate.h"
 
 #include <cmath>
@@ -9,7 +9,7 @@ namespace PlateImpact
   namespace
   {
     /// A mass on a spring, or nothing that moves when the load is zero.
-    class SpringPlate : public SemidiscretePlate
+    class SpringPlate : public SemidiscreteSystem
     {
     public:
       SpringPlate(const double stiffness,
@@ -51,7 +51,7 @@ namespace PlateImpact
       static_compliance() const override
       {
         return has_known_compliance ? u[0] * u[0] / k :
-                                      SemidiscretePlate::static_compliance();
+                                      SemidiscreteSystem::static_compliance();
       }
 
     private:
@@ -81,7 +81,7 @@ namespace PlateImpact
 
     /// The history of an impact to its end.
     ContactHistory
-    run(SemidiscretePlate        &plate,
+    run(SemidiscreteSystem       &plate,
         const TimeParameters     &time,
         const ContactLaw         &law,
         const ContactIntegration &integration,
@@ -319,13 +319,13 @@ namespace PlateImpact
       // The stepper follows K z and M v without products with K and M; here
       // they are formed. The velocity of average acceleration follows from z.
       const auto            mesh  = unit_square(4);
-      const PlateParameters plate = unit_plate("clamped", 0.1);
-      const PlateElement    element("heterosis");
-      PlateModel            model(*mesh, element, plate, 1.);
+      const PlateParameters plate = unit_plate(EdgeSupport::clamped, 0.1);
+      const PlateElement    element(ElementType::heterosis);
+      PlateDiscretization   model(*mesh, element, plate, 1.);
       model.assemble();
-      MeshPlate       meshed(model,
-                       model.load({{dealii::Point<2>(0.5, 0.5), 1.}}),
-                       make_linear_solver("CHOLMOD"));
+      FullSystem      meshed(model,
+                        model.load({{dealii::Point<2>(0.5, 0.5), 1.}}),
+                        make_linear_solver(SolverType::CHOLMOD));
       const HertzLaw  soft(1.);
       const double    dt = 0.05;
       TimeStepper     stepper(time_parameters(5., dt),

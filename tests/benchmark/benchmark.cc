@@ -2,11 +2,11 @@
 //   build/release/tests/benchmark/benchmarks
 #include <deal.II/base/multithread_info.h>
 
-#include "plate_impact/error_estimator.h"
-#include "plate_impact/impact_analysis.h"
-#include "plate_impact/plate_mesh.h"
-#include "plate_impact/ritz_reduction.h"
-#include "plate_impact/scene.h"
+#include "plate_impact/analysis/impact_analysis.h"
+#include "plate_impact/estimator/error_estimator.h"
+#include "plate_impact/plate/plate_mesh.h"
+#include "plate_impact/scene/scene.h"
+#include "plate_impact/transient/ritz_reduction.h"
 
 #include <benchmark/benchmark.h>
 #include <cmath>
@@ -17,7 +17,7 @@ namespace PlateImpact
   namespace
   {
     Parameters
-    steel_case(const unsigned int cells, const std::string &integrator)
+    steel_case(const unsigned int cells, const IntegratorType integrator)
     {
       const std::string n = std::to_string(cells);
       return read_scene(std::string(TEST_DATA) +
@@ -26,7 +26,7 @@ namespace PlateImpact
                          "Discretization/Initial cells=" + n + "," + n,
                          "Adaptivity/Strategy=none",
                          "Time/End time=1e-4",
-                         "Time/Integrator=" + integrator})
+                         "Time/Integrator=" + word_for(integrator)})
         .parameters;
     }
 
@@ -36,7 +36,7 @@ namespace PlateImpact
     struct Stages
     {
       explicit Stages(const unsigned int cells)
-        : parameters(steel_case(cells, "Newmark"))
+        : parameters(steel_case(cells, IntegratorType::Newmark))
         , mesh(make_plate_quadrant(parameters.plate,
                                    parameters.discretization.initial_cells))
         , element(parameters.discretization.element)
@@ -46,20 +46,20 @@ namespace PlateImpact
         , impactor(make_impactor(parameters.impactor))
       {}
 
-      MeshPlate
+      FullSystem
       plate()
       {
         model.assemble();
         return {model,
-                model.load(make_load_patch(parameters.contact,
-                                           parameters.impactor.length)),
-                make_linear_solver("CHOLMOD")};
+                model.load(make_load_distribution(parameters.contact,
+                                                  parameters.impactor.length)),
+                make_linear_solver(SolverType::CHOLMOD)};
       }
 
       const Parameters                                parameters;
       const std::unique_ptr<dealii::Triangulation<2>> mesh;
       const PlateElement                              element;
-      PlateModel                                      model;
+      PlateDiscretization                             model;
       const std::unique_ptr<const ContactLaw>         law;
       const std::unique_ptr<const ContactIntegration> integration;
       const Impactor                                  impactor;
@@ -84,9 +84,9 @@ namespace PlateImpact
       Stages stages(state.range(0));
       for (auto _ : state)
         {
-          PlateModel model(*stages.mesh,
-                           stages.element,
-                           stages.parameters.plate);
+          PlateDiscretization model(*stages.mesh,
+                                    stages.element,
+                                    stages.parameters.plate);
           model.assemble();
         }
       count(state, stages);
@@ -101,7 +101,7 @@ namespace PlateImpact
       for (auto _ : state)
         {
           state.PauseTiming();
-          MeshPlate plate = stages.plate();
+          FullSystem plate = stages.plate();
           state.ResumeTiming();
           plate.factorize(shift);
         }
@@ -113,9 +113,9 @@ namespace PlateImpact
     void
     Factorization(benchmark::State &state)
     {
-      Stages    stages(state.range(0));
-      MeshPlate plate = stages.plate();
-      double    c     = shift;
+      Stages     stages(state.range(0));
+      FullSystem plate = stages.plate();
+      double     c     = shift;
       plate.factorize(c);
       for (auto _ : state)
         plate.factorize(c *= 1.01);
@@ -128,8 +128,8 @@ namespace PlateImpact
     void
     Solve(benchmark::State &state)
     {
-      Stages    stages(state.range(0));
-      MeshPlate plate = stages.plate();
+      Stages     stages(state.range(0));
+      FullSystem plate = stages.plate();
       plate.factorize(shift);
       Eigen::VectorXd x;
       for (auto _ : state)
@@ -158,7 +158,7 @@ namespace PlateImpact
     RitzVector(benchmark::State &state)
     {
       Stages                   stages(state.range(0));
-      MeshPlate                plate = stages.plate();
+      FullSystem               plate = stages.plate();
       std::optional<RitzBasis> basis;
       unsigned int             n = 0;
       for (auto _ : state)
@@ -178,9 +178,9 @@ namespace PlateImpact
 
 
     void
-    step(benchmark::State  &state,
-         const Stages      &stages,
-         SemidiscretePlate &plate)
+    step(benchmark::State   &state,
+         const Stages       &stages,
+         SemidiscreteSystem &plate)
     {
       std::optional<TimeStepper> stepper;
       unsigned int               n = 0;
@@ -205,8 +205,8 @@ namespace PlateImpact
     void
     StepOnTheMesh(benchmark::State &state)
     {
-      Stages    stages(state.range(0));
-      MeshPlate plate = stages.plate();
+      Stages     stages(state.range(0));
+      FullSystem plate = stages.plate();
       step(state, stages, plate);
       count(state, stages);
     }
@@ -216,11 +216,11 @@ namespace PlateImpact
     void
     StepInRitzVectors(benchmark::State &state)
     {
-      Stages    stages(24);
-      MeshPlate plate = stages.plate();
-      RitzBasis basis(plate, shift);
+      Stages     stages(24);
+      FullSystem plate = stages.plate();
+      RitzBasis  basis(plate, shift);
       basis.grow(state.range(0));
-      RitzPlate reduced(basis, state.range(0));
+      ReducedSystem reduced(basis, state.range(0));
       step(state, stages, reduced);
     }
 
@@ -242,11 +242,11 @@ namespace PlateImpact
     void
     EstimatorSample(benchmark::State &state)
     {
-      Stages    stages(state.range(0));
-      MeshPlate plate = stages.plate();
-      RitzBasis basis(plate, shift);
+      Stages     stages(state.range(0));
+      FullSystem plate = stages.plate();
+      RitzBasis  basis(plate, shift);
       basis.grow(100);
-      RitzPlate           reduced(basis, 100);
+      ReducedSystem       reduced(basis, 100);
       TimeStepper         stepper(stages.parameters.time,
                           reduced,
                           *stages.law,
@@ -280,8 +280,9 @@ namespace PlateImpact
     {
       Stages                   stages(state.range(0));
       const auto               adaptation = make_mesh_adaptation([] {
-        AdaptivityParameters adaptivity = steel_case(3, "Newmark").adaptivity;
-        adaptivity.strategy             = "hanging nodes";
+        AdaptivityParameters adaptivity =
+          steel_case(3, IntegratorType::Newmark).adaptivity;
+        adaptivity.strategy = AdaptationStrategy::hanging_nodes;
         adaptivity.minimum_cell_size = 1e-5;
         return adaptivity;
       }());
@@ -302,7 +303,7 @@ namespace PlateImpact
 
     /// The steel case without start-up and files, 1000 steps, with its error.
     void
-    whole_scene(benchmark::State &state, const std::string &integrator)
+    whole_scene(benchmark::State &state, const IntegratorType integrator)
     {
       const Parameters parameters = steel_case(state.range(0), integrator);
       for (auto _ : state)
@@ -317,13 +318,13 @@ namespace PlateImpact
     void
     SceneWithRitzVectors(benchmark::State &state)
     {
-      whole_scene(state, "Ritz vectors");
+      whole_scene(state, IntegratorType::Ritz_vectors);
     }
 
     void
     SceneOnTheMesh(benchmark::State &state)
     {
-      whole_scene(state, "Newmark");
+      whole_scene(state, IntegratorType::Newmark);
     }
 
     void

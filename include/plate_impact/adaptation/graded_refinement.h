@@ -1,0 +1,35 @@
+#ifndef plate_impact_adaptation_graded_refinement_h
+#define plate_impact_adaptation_graded_refinement_h
+
+#include "plate_impact/adaptation/mesh_adaptation.h"
+
+namespace PlateImpact
+{
+  /// A mesh chosen before anything is known of its error: cells are at most
+  /// theta r large, r the distance of their centre from the contact, down to
+  /// the minimum cell size. The ratio theta is 1 first and halved from mesh to
+  /// mesh.
+  class GradedRefinement : public MeshAdaptation
+  {
+  public:
+    /// @param contact_half_length  as in make_mesh_adaptation() [m]
+    GradedRefinement(const AdaptivityParameters &adaptivity,
+                     double                      contact_half_length);
+
+    bool
+    adapt(dealii::Triangulation<2> &mesh,
+          const ErrorOverLimit     &error,
+          std::vector<std::string> &warnings) const override;
+
+  private:
+    /// Refines cells larger than theta r once.
+    /// @return whether there are any
+    bool
+    refine(dealii::Triangulation<2> &mesh, double theta) const;
+
+    const AdaptivityParameters adaptivity;
+    const double               contact_half_length;
+  };
+} // namespace PlateImpact
+
+#endif

@@ -1,0 +1,87 @@
+#ifndef plate_impact_adaptation_quad_mesher_h
+#define plate_impact_adaptation_quad_mesher_h
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace PlateImpact
+{
+  /// A point of the plane. [m]
+  using PlanePoint = std::array<double, 2>;
+
+
+  /// Target sizes of a mesh, bilinear in quadrilaterals that cover its domain.
+  struct SizeField
+  {
+    struct Patch
+    {
+      std::array<PlanePoint, 4> corners; ///< counter-clockwise
+      std::array<double, 4>     sizes;   ///< there [m]
+    };
+    std::vector<Patch> patches;
+  };
+
+
+  /// Quadrilaterals as Gmsh makes them.
+  struct QuadMesh
+  {
+    std::vector<PlanePoint>                  vertices;
+    std::vector<std::array<unsigned int, 4>> cells; ///< counter-clockwise
+
+    /// Smallest scaled Jacobian, the sine of the angle at a corner, over all
+    /// corners: 1 for rectangles, 0 and less for cells turned inside out.
+    double
+    worst_scaled_jacobian() const;
+  };
+
+
+  /// A way to mesh with Gmsh, by the numbers of its options.
+  struct MesherSettings
+  {
+    std::string name; ///< in warnings
+    int         algorithm;
+    int         recombination; ///< Mesh.RecombinationAlgorithm; -1: none
+    int         subdivision;   ///< Mesh.SubdivisionAlgorithm; 1: into quads
+    double      size_factor;   ///< from target to Gmsh's size
+  };
+
+
+  /// Meshes polygons with quadrilaterals by Gmsh (Geuzaine & Remacle 2009,
+  /// doi:10.1002/nme.2579): frontal Delaunay triangles, recombined into
+  /// quadrilaterals by perfect matching (Remacle et al. 2012,
+  /// doi:10.1002/nme.3279). The longest side of the cells has the target size
+  /// on average, and scatters around it by about a third. The same input gives
+  /// the same mesh.
+  class QuadMesher
+  {
+  public:
+    /// Frontal Delaunay with Blossom; then triangles cut into three
+    /// quadrilaterals each, which cannot fail once there are triangles.
+    static std::vector<MesherSettings>
+    default_settings();
+
+    /// Cells with a corner sharper or blunter than that of this scaled
+    /// Jacobian are refused.
+    static constexpr double least_quality = 0.15;
+
+    /// @param attempts  settings to try, in this order
+    explicit QuadMesher(
+      const std::vector<MesherSettings> &attempts = default_settings());
+
+    /// @param corners   of the domain, counter-clockwise, each a vertex of the
+    ///                  mesh. Vertices between two corners of equal x or y have
+    ///                  exactly that x or y.
+    /// @param warnings  told why settings were given up, if any were
+    /// @throws ComputationError when no settings give a mesh of quadrilaterals
+    QuadMesh
+    mesh(const std::vector<PlanePoint> &corners,
+         const SizeField               &sizes,
+         std::vector<std::string>      &warnings) const;
+
+  private:
+    const std::vector<MesherSettings> attempts;
+  };
+} // namespace PlateImpact
+
+#endif

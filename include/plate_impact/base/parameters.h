@@ -1,0 +1,220 @@
+#ifndef plate_impact_base_parameters_h
+#define plate_impact_base_parameters_h
+
+#include "plate_impact/base/choices.h"
+
+#include <array>
+#include <string>
+#include <tuple>
+#include <vector>
+
+/// The entries of a scene, one struct per section. What an entry means, its
+/// unit, its default and what is allowed is written once, where it is declared
+/// (declarations.cc), and printed by `plate-impact defaults`. SI units.
+namespace PlateImpact
+{
+  struct PlateParameters
+  {
+    std::array<double, 2>    side_lengths;
+    double                   thickness;
+    double                   youngs_modulus;
+    double                   poissons_ratio;
+    double                   density;
+    double                   shear_correction_factor;
+    std::vector<EdgeSupport> support; ///< one, or x edges and y edges
+  };
+
+  struct ImpactorParameters
+  {
+    ImpactorShape shape;
+    double        radius;
+    double        length;
+    double        mass;
+    double        density;
+    double        youngs_modulus;
+    double        poissons_ratio;
+    double        velocity;
+
+    bool
+    is_cylinder() const
+    {
+      return shape == ImpactorShape::cylinder;
+    }
+
+    auto
+    members() const
+    {
+      return std::tie(shape,
+                      radius,
+                      length,
+                      mass,
+                      density,
+                      youngs_modulus,
+                      poissons_ratio,
+                      velocity);
+    }
+  };
+
+  struct ContactParameters
+  {
+    ForceLaw         law;
+    LoadShape        load_distribution;
+    double           patch_radius;
+    ForceIntegration integration;
+
+    /// Whether the force spreads over an area that Patch radius measures.
+    bool
+    has_patch() const
+    {
+      return !load_is_singular() && !load_is_line();
+    }
+
+    /// Whether the energy around the load is infinite.
+    bool
+    load_is_singular() const
+    {
+      return load_distribution == LoadShape::point;
+    }
+
+    /// Whether the shear force jumps across the load.
+    bool
+    load_is_line() const
+    {
+      return load_distribution == LoadShape::line;
+    }
+
+    /// Whether the load has the length of a cylinder.
+    bool
+    load_has_length() const
+    {
+      return load_is_line() || load_distribution == LoadShape::strip;
+    }
+
+    auto
+    members() const
+    {
+      return std::tie(law, load_distribution, patch_radius, integration);
+    }
+  };
+
+  struct DiscretizationParameters
+  {
+    ElementType                 element;
+    std::array<unsigned int, 2> initial_cells;
+    SolverType                  linear_solver;
+  };
+
+  struct TimeParameters
+  {
+    double         end_time;
+    double         time_step;
+    double         step_tolerance;
+    IntegratorType integrator;
+    double         ritz_tolerance;
+    double         newmark_beta;
+    double         newmark_gamma;
+
+    auto
+    members() const
+    {
+      return std::tie(end_time,
+                      time_step,
+                      step_tolerance,
+                      integrator,
+                      ritz_tolerance,
+                      newmark_beta,
+                      newmark_gamma);
+    }
+  };
+
+  struct AdaptivityParameters
+  {
+    AdaptationStrategy strategy;
+    ErrorIndicator     indicator;
+    double             target_error;
+    unsigned int       maximum_cycles;
+    unsigned int       maximum_cells;
+    double             size_exponent;
+    double             minimum_cell_size;
+    double             maximum_cell_size;
+    double             refined_share_of_error;
+    double             coarsened_share_of_error;
+    double             refined_share_of_cells;
+    double             coarsened_share_of_cells;
+    unsigned int       sampling_interval;
+
+    /// Whether the mesh follows its error.
+    bool
+    is_adaptive() const
+    {
+      return strategy != AdaptationStrategy::none;
+    }
+  };
+
+  struct OutputParameters
+  {
+    std::string  directory;
+    bool         write_meshes;
+    bool         write_report;
+    unsigned int field_samples;
+  };
+
+  struct ComparisonParameters
+  {
+    std::vector<AdaptationStrategy> strategies;
+    std::vector<ElementType>        elements;
+    unsigned int                    maximum_cycles;
+    double                          reference_peak_force;
+    double                          time_budget;
+  };
+
+  struct SweepParameters
+  {
+    std::array<std::string, 3> entries;
+    std::array<std::string, 3> values;
+    SweepCombination           combination;
+    SweepAdaptation            adapt;
+    bool                       estimate_error;
+    bool                       write_histories;
+  };
+
+  /// Sections are compared whole, so that a new entry is never forgotten where
+  /// something is kept for the next impact: members() lists all (tested).
+  template <typename Section>
+  auto
+  operator<(const Section &a, const Section &b)
+    -> decltype(a.members() < b.members())
+  {
+    return a.members() < b.members();
+  }
+
+  struct Parameters
+  {
+    PlateParameters          plate;
+    ImpactorParameters       impactor;
+    ContactParameters        contact;
+    DiscretizationParameters discretization;
+    TimeParameters           time;
+    AdaptivityParameters     adaptivity;
+    OutputParameters         output;
+    ComparisonParameters     comparison;
+    SweepParameters          sweep;
+
+    bool
+    has_impactor() const
+    {
+      return impactor.shape != ImpactorShape::none;
+    }
+
+    /// Whether adaptivity, report or fields ask for the error estimator.
+    bool
+    needs_estimator() const
+    {
+      return has_impactor() &&
+        (adaptivity.is_adaptive() || output.write_report ||
+         output.field_samples > 0);
+    }
+  };
+} // namespace PlateImpact
+
+#endif

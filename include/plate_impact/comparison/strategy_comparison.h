@@ -1,0 +1,175 @@
+#ifndef plate_impact_comparison_strategy_comparison_h
+#define plate_impact_comparison_strategy_comparison_h
+
+#include "plate_impact/analysis/cycle_result.h"
+#include "plate_impact/analysis/impact_analysis.h"
+#include "plate_impact/contact/contact_history.h"
+#include "plate_impact/estimator/reference_error.h"
+#include "plate_impact/page/page.h"
+#include "plate_impact/scene/scene.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace PlateImpact
+{
+  /// What results are compared with.
+  struct Reference
+  {
+    double peak_force = 0.; ///< [N]
+
+    /// Of the peak force, a fraction: its change by halving every cell once
+    /// more, which bounds the error that is left, and no less than the
+    /// tolerance of Ritz vectors. 0 where the scene gives the peak force.
+    double uncertainty = 0.;
+
+    std::optional<double> contact_end; ///< of the first contact [s]
+
+    /// Of the computed reference.
+    std::optional<double>         eta;
+    std::optional<ContactHistory> history;
+    unsigned int                  cells = 0, degrees_of_freedom = 0;
+    double                        seconds = 0.;
+
+    /// Where a field is to compare with: not under a point load, whose energy
+    /// has no limit.
+    std::shared_ptr<const ReferenceError> true_error;
+  };
+
+
+  /// A mesh of a curve. Errors are relative to the reference, as fractions.
+  struct ComparedMesh
+  {
+    unsigned int          cycle, cells, degrees_of_freedom;
+    double                eta, peak_force; ///< [N]
+    double                peak_force_error;
+    bool                  is_comparable; ///< above the reference's uncertainty
+    std::optional<double> contact_end_error;
+    double                seconds, cumulative_seconds;
+
+    /// Estimated over true error, where the reference is three times better.
+    std::optional<double> effectivity;
+  };
+
+
+  /// What a strategy achieves with an element, mesh by mesh.
+  struct ComparisonCurve
+  {
+    AdaptationStrategy            strategy;
+    ElementType                   element;
+    std::vector<ComparedMesh>     meshes;
+    std::string                   end;     ///< why it ends there
+    std::optional<ContactHistory> history; ///< of the last mesh
+    std::vector<std::string>      warnings;
+    std::optional<MeshPicture>    picture; ///< of the mesh that meets eta
+
+    /// "hanging nodes, MITC9"
+    std::string
+    name() const
+    {
+      return word_for(strategy) + ", " + word_for(element);
+    }
+  };
+
+
+  /// A mesh from which on a curve stays below a threshold.
+  struct Achievement
+  {
+    const ComparisonCurve *curve;
+    const ComparedMesh    *mesh;
+  };
+
+
+  /// Who reaches a threshold.
+  struct ThresholdRow
+  {
+    double ComparedMesh::*error; ///< of the peak force, or eta
+    double                threshold;
+    bool                  is_comparable; ///< above the reference's uncertainty
+    /// Curves that reach it and stay below, the fastest first; none where it is
+    /// not comparable.
+    std::vector<Achievement> achievements;
+
+    bool
+    is_of_eta() const
+    {
+      return error == &ComparedMesh::eta;
+    }
+
+    /// Of the error, in words.
+    std::string
+    quantity() const
+    {
+      return is_of_eta() ? "eta" : "peak force error";
+    }
+  };
+
+
+  /// Strategies and elements side by side on one scene: error against what a
+  /// user waits.
+  ///
+  /// All share the initial mesh, step, integrator, solver, load and estimator.
+  /// Whenever eta meets the target, the target is halved, so that curves go on
+  /// to smaller errors; a mesh costs its own cycle and all before it. A curve
+  /// ends at the comparison's maximum of cycles, with an eta of less than three
+  /// times that of the reference, when its strategy keeps the mesh, or when the
+  /// time budget is spent, which breaks off the cycle that spends it.
+  class StrategyComparison
+  {
+  public:
+    /// @param scene  must outlive the comparison
+    explicit StrategyComparison(const Scene                    &scene,
+                                const ImpactAnalysis::Progress &progress = {});
+
+    /// The given peak force, or that of a mesh far finer than any compared:
+    /// MITC9 and hanging nodes down to a tenth of the target error, then every
+    /// cell halved. Needed before any curve.
+    /// @throws ComputationError
+    const Reference &
+    compute_reference();
+
+    /// Adds the curve of a strategy and an element; a failure ends it.
+    /// @param listener  told after every mesh
+    const ComparisonCurve &
+    compute_curve(
+      AdaptationStrategy                                  strategy,
+      ElementType                                         element,
+      const std::function<void(const ComparisonCurve &)> &listener = {});
+
+    const Reference &
+    reference() const;
+
+    const std::vector<ComparisonCurve> &
+    curves() const;
+
+    /// Who reaches 5, 2, 1, 0.5, 0.3 and 0.1 % of peak-force error, and of eta.
+    std::vector<ThresholdRow>
+    thresholds() const;
+
+  private:
+    /// Whether there is nothing to learn from a comparison.
+    bool
+    is_close_to_reference(const ComparedMesh &mesh) const;
+    std::vector<Achievement>
+    achievements(double threshold, double ComparedMesh::*error) const;
+    Parameters
+    parameters_of(AdaptationStrategy strategy, ElementType element) const;
+    void
+    add_meshes(ComparisonCurve                                    &curve,
+               const std::function<void(const ComparisonCurve &)> &listener);
+    ComparedMesh
+    compared(const CycleResult         &result,
+             const PlateDiscretization &model,
+             double                     seconds_before) const;
+
+    const Scene                   &scene;
+    const ImpactAnalysis::Progress progress;
+    Reference                      the_reference;
+    std::vector<ComparisonCurve>   the_curves;
+  };
+} // namespace PlateImpact
+
+#endif

@@ -1,0 +1,87 @@
+#ifndef plate_impact_contact_contact_history_h
+#define plate_impact_contact_contact_history_h
+
+#include <cstddef>
+#include <iosfwd>
+#include <optional>
+#include <vector>
+
+namespace PlateImpact
+{
+  /// State of the impact at one time. Displacements are positive towards the
+  /// plate; the plate's is the load-weighted one that the contact law sees.
+  struct ContactState
+  {
+    double time                  = 0.; ///< [s]
+    double force                 = 0.; ///< [N]
+    double indentation           = 0.; ///< [m]
+    double plate_displacement    = 0.; ///< [m]
+    double impactor_displacement = 0.; ///< [m]
+    double impactor_velocity     = 0.; ///< [m/s]
+    double plate_energy          = 0.; ///< [J]
+    double contact_energy        = 0.; ///< [J]
+    double impactor_energy       = 0.; ///< [J]
+
+    double
+    total_energy() const
+    {
+      return plate_energy + contact_energy + impactor_energy;
+    }
+  };
+
+  /// The states of a transient at t = 0 and after every step, in order, and
+  /// what an engineer reads from them. Forces are zero between contacts.
+  class ContactHistory
+  {
+  public:
+    /// Prepares for a number of states.
+    void
+    reserve(std::size_t n_states);
+
+    void
+    add(const ContactState &state);
+
+    const std::vector<ContactState> &
+    states() const;
+
+    /// The state of the largest force.
+    const ContactState &
+    peak() const;
+
+    /// Largest force of the history as a curve: of the parabola through the
+    /// peak and the states beside it. [N]
+    double
+    peak_of_curve() const;
+
+    /// From the last state without contact before the peak to it. [s]
+    double
+    rise_time() const;
+
+    /// Time at which the first contact ends, from a linear interpolation of the
+    /// indentation between steps; empty when it lasts to the end of the history
+    /// or when there is none. [s]
+    std::optional<double>
+    first_contact_end() const;
+
+    unsigned int
+    n_contacts() const;
+
+    /// Largest displacement of the plate under the load. [m]
+    double
+    max_plate_displacement() const;
+
+    /// Largest deviation of the total energy from its initial value, relative
+    /// to that value.
+    double
+    relative_energy_drift() const;
+
+    /// A table of all states, with the names above as its header.
+    void
+    write(std::ostream &out) const;
+
+  private:
+    std::vector<ContactState> history;
+  };
+} // namespace PlateImpact
+
+#endif

@@ -1,0 +1,92 @@
+#ifndef plate_impact_contact_zener_h
+#define plate_impact_contact_zener_h
+
+#include "plate_impact/contact/contact_history.h"
+#include "plate_impact/contact/contact_law.h"
+#include "plate_impact/contact/impactor.h"
+
+namespace PlateImpact
+{
+  struct PlateSection;
+  struct TimeParameters;
+
+  /// Peak of the impact on an infinite thin plate.
+  struct ExpectedPeak
+  {
+    double force;       ///< [N]
+    double indentation; ///< [m]
+    double time;        ///< [s]
+  };
+
+  /// Zener's equation for the impact on an infinite thin plate, whose response
+  /// to a force at a point is the velocity F / (8 sqrt(D rho t)):
+  ///   d(alpha)/dt = v - F(alpha) / (8 sqrt(D rho t)),  dv/dt = -F(alpha) / m
+  /// (Zener, Phys. Rev. 59, 1941, doi:10.1103/PhysRev.59.669). It holds until
+  /// waves return from the edges, for loads that spread over more than the
+  /// thickness only approximately. Integrated up to the peak by the
+  /// energy-conserving contact step, for any law, to about 1e-5.
+  ExpectedPeak
+  zener_peak(const ContactLaw   &law,
+             const Impactor     &impactor,
+             const PlateSection &section);
+
+
+  /// The same with steps of a given length, as a scene takes them. [s]
+  ExpectedPeak
+  zener_peak(const ContactLaw   &law,
+             const Impactor     &impactor,
+             const PlateSection &section,
+             double              time_step);
+
+  /// The whole solution: up to the end of the contact, or to a time when that
+  /// comes first; a plate that gives way at once is never left. The plate's
+  /// displacement is that of the point; energies are left out.
+  ContactHistory
+  zener_history(const ContactLaw   &law,
+                const Impactor     &impactor,
+                const PlateSection &section,
+                double              end_time);
+
+  /// Rebound speed over impact speed by the same equation, from its solution up
+  /// to the end of the contact; 0 where less than a thousandth of the speed is
+  /// left.
+  double
+  zener_restitution(const ContactLaw   &law,
+                    const Impactor     &impactor,
+                    const PlateSection &section);
+
+  /// Zener's dimensionless loss factor for a sphere under Hertz's law,
+  ///   lambda = m / (8 T sqrt(D rho t)),  T = (m / (k sqrt(v)))^{2/5},
+  /// on which alone the restitution of the infinite plate depends; empty for
+  /// other laws than F = k alpha^{3/2}.
+  std::optional<double>
+  zener_loss_factor(const ContactLaw   &law,
+                    const Impactor     &impactor,
+                    const PlateSection &section);
+
+
+  /// The step with which the peak force keeps to time.step_tolerance in
+  /// Zener's equation: the inverse frequency of the plate's thickness shear
+  /// times a power of two, so that impactors share their steps. [s]
+  double
+  chosen_time_step(const TimeParameters &time,
+                   const ContactLaw     &law,
+                   const Impactor       &impactor,
+                   const PlateSection   &section);
+
+
+  /// The bending wave that a contact sends out.
+  struct BendingWave
+  {
+    double length;      ///< [m]
+    double group_speed; ///< [m/s]
+  };
+
+  /// The bending wave of a thin plate whose half period is the contact time:
+  /// omega = pi / contact time, phase speed sqrt(omega) (D / rho t)^{1/4},
+  /// group speed twice that (Graff, Wave Motion in Elastic Solids, sec. 4.2).
+  BendingWave
+  contact_wave(const PlateSection &section, double contact_time);
+} // namespace PlateImpact
+
+#endif

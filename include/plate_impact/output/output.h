@@ -1,0 +1,82 @@
+#ifndef plate_impact_output_output_h
+#define plate_impact_output_output_h
+
+#include <deal.II/grid/tria.h>
+
+#include "plate_impact/analysis/cycle_result.h"
+#include "plate_impact/output/report.h"
+#include "plate_impact/output/result_directory.h"
+#include "plate_impact/scene/scene.h"
+
+#include <nlohmann/json.hpp>
+
+#include <functional>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace PlateImpact
+{
+  class PlateDiscretization;
+
+  /// The only writer of the results of a run.
+  class Output
+  {
+  public:
+    /// Clears the directory and writes scene.prm.
+    /// @param scene  must outlive this object
+    /// @throws ComputationError, as all members, when a file cannot be written
+    explicit Output(const Scene &scene);
+
+    /// @param estimator  null where the scene has none
+    ///
+    /// contact_history.csv, the one of the cycle before becoming
+    /// contact_history_cycle_K.csv; element_errors_cycle_K.csv;
+    /// mesh_cycle_K.svg.
+    void
+    write_cycle(CycleResult               &result,
+                const PlateDiscretization &model,
+                const ErrorEstimator      *estimator);
+
+    /// fields.pvd and a VTU file for every snapshot of the last cycle:
+    /// deflection, rotations, recovered resultants, von Mises stress at the
+    /// faces, xi'.
+    void
+    write_fields(CycleResult               &result,
+                 const PlateDiscretization &model,
+                 const ErrorEstimator      &estimator);
+
+    /// summary.json and report.html.
+    void
+    finish(const std::string              &outcome,
+           const std::vector<std::string> &warnings,
+           const CycleResult              &last,
+           const PlateDiscretization      &model);
+
+    /// summary.json of a run that failed, with the cycles before.
+    void
+    write_failure(const std::string &failure);
+
+    /// Any other file.
+    /// @param write  writes its content
+    void
+    write_file(const std::string                         &name,
+               const std::function<void(std::ostream &)> &write);
+
+    /// The files to look at first, for the user.
+    std::string
+    main_files() const;
+
+  private:
+    nlohmann::ordered_json
+    write_summary(const std::string              &outcome,
+                  const std::vector<std::string> &warnings);
+
+    const Scene           &scene;
+    const ResultDirectory  directory;
+    nlohmann::ordered_json cycles = nlohmann::ordered_json::array();
+    Report                 report;
+  };
+} // namespace PlateImpact
+
+#endif

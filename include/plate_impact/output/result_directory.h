@@ -1,0 +1,43 @@
+#ifndef plate_impact_output_result_directory_h
+#define plate_impact_output_result_directory_h
+
+#include <filesystem>
+#include <functional>
+#include <iosfwd>
+#include <string>
+
+namespace PlateImpact
+{
+  /// The directory that the results of a scene go to. All members throw
+  /// ComputationError when it cannot be written.
+  class ResultDirectory
+  {
+  public:
+    /// Creates it where it does not exist.
+    explicit ResultDirectory(const std::string &path);
+
+    /// Removes results of earlier runs, so that they do not stay beside ours:
+    /// files that carry the names of results.
+    void
+    clear() const;
+
+    /// Writes a file that appears under its name when it is complete and not
+    /// before.
+    void
+    write_file(const std::string                         &name,
+               const std::function<void(std::ostream &)> &write) const;
+
+    /// scene.prm: every value used.
+    /// @param scene  its name
+    void
+    write_scene(const std::string &scene, const std::string &text) const;
+
+    std::filesystem::path
+    operator/(const std::string &name) const;
+
+  private:
+    const std::filesystem::path directory;
+  };
+} // namespace PlateImpact
+
+#endif

@@ -1,0 +1,89 @@
+#ifndef plate_impact_plate_free_unknowns_h
+#define plate_impact_plate_free_unknowns_h
+
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/vector.h>
+
+#include "plate_impact/plate/plate_element.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace PlateImpact
+{
+  /// The degrees of freedom that homogeneous constraints leave free, numbered
+  /// without gaps, and what cells see of them: each of a cell's nodal values is
+  /// a sum of free unknowns with weights.
+  class FreeUnknowns
+  {
+  public:
+    /// @param dof_handler  one cell has n_cell_dofs
+    /// @param constraints  closed; both must outlive this object
+    void
+    reinit(const dealii::DoFHandler<2>             &dof_handler,
+           const dealii::AffineConstraints<double> &constraints);
+
+    unsigned int
+    size() const;
+
+    /// Deflection or rotation that an unknown is a value of.
+    unsigned int
+    component(unsigned int unknown) const;
+
+    /// Those of a cell, in ascending order.
+    std::vector<dealii::types::global_dof_index>
+    of_cell(unsigned int cell) const;
+
+    /// A cell's matrix in terms of its free unknowns.
+    /// @param unknowns  of_cell(cell)
+    void
+    resolve_constraints(
+      unsigned int                                        cell,
+      const std::vector<dealii::types::global_dof_index> &unknowns,
+      const CellMatrix                                   &matrix,
+      Eigen::MatrixXd                                    &result) const;
+
+    /// Values of a cell's nodal quantities.
+    /// @param unknowns  size() x n
+    /// @param values    set to n_cell_dofs x n
+    void
+    cell_values(unsigned int                             cell,
+                const Eigen::Ref<const Eigen::MatrixXd> &unknowns,
+                Eigen::MatrixXd                         &values) const;
+
+    /// Adds a force on nodal value i of a cell to the forces on the unknowns.
+    void
+    add_force(unsigned int     cell,
+              unsigned int     i,
+              double           force,
+              Eigen::VectorXd &forces) const;
+
+    /// Those of values at all nodes, by degree of freedom.
+    Eigen::VectorXd
+    of_nodal_values(const dealii::Vector<double> &values) const;
+
+    /// Values at all nodes, by degree of freedom.
+    dealii::Vector<double>
+    nodal_values(const Eigen::VectorXd &unknowns) const;
+
+  private:
+    struct Contribution
+    {
+      int    unknown;
+      double weight;
+    };
+
+    const dealii::AffineConstraints<double> *constraints = nullptr;
+    std::vector<int>          unknown_of_dof; ///< -1 for constrained ones
+    std::vector<unsigned int> components;
+
+    /// Nodal value i of cell c is the sum of contributions
+    /// first_contribution[27 c + i] ... first_contribution[27 c + i + 1] - 1.
+    std::vector<std::size_t>  first_contribution;
+    std::vector<Contribution> contributions;
+  };
+} // namespace PlateImpact
+
+#endif

@@ -1,0 +1,33 @@
+#ifndef plate_impact_plate_load_distribution_h
+#define plate_impact_plate_load_distribution_h
+
+#include <deal.II/base/point.h>
+
+#include "plate_impact/base/parameters.h"
+
+#include <vector>
+
+namespace PlateImpact
+{
+  /// A point of the plate quadrant and the fraction of the force that acts
+  /// there and at its mirror images.
+  struct LoadPoint
+  {
+    dealii::Point<2> point;
+    double           weight;
+  };
+
+  /// Quadrature of the scene's load distribution over the quadrant; the weights
+  /// sum to one. Independent of any mesh: the points lie where the load needs
+  /// them, in whatever cells they fall. `point`: the origin. `Hertz disc`:
+  /// pressure ~ sqrt(1 - (r/c)^2), `uniform disc`: constant pressure, both
+  /// within the patch radius c. `line`: the contact
+  /// length of a cylinder along x, constant force per length; `strip`: the same
+  /// with pressure ~ sqrt(1 - (y/c)^2) across.
+  ///
+  /// @param length  of the contact of a cylinder, 2l [m]
+  std::vector<LoadPoint>
+  make_load_distribution(const ContactParameters &contact, double length);
+} // namespace PlateImpact
+
+#endif

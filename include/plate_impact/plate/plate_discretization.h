@@ -1,0 +1,127 @@
+#ifndef plate_impact_plate_plate_discretization_h
+#define plate_impact_plate_plate_discretization_h
+
+#include <deal.II/base/function.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/vector.h>
+
+#include "plate_impact/plate/free_unknowns.h"
+#include "plate_impact/plate/load_distribution.h"
+#include "plate_impact/plate/plate_element.h"
+#include "plate_impact/plate/plate_section.h"
+
+#include <Eigen/Core>
+#include <Epetra_CrsMatrix.h>
+
+#include <memory>
+#include <vector>
+
+namespace PlateImpact
+{
+  /// The plate on one mesh: unknowns, supports, K and M.
+  ///
+  /// Only unknowns that constraints leave free are numbered: hanging nodes,
+  /// supports, symmetry and the centre nodes of the element are resolved within
+  /// each cell, so that matrices and vectors carry no dead entries. K, M and
+  /// loads are those of the whole plate moving symmetrically, that is
+  /// `multiplicity` times those of the part that is meshed (4 for a quadrant):
+  /// forces and energies need no factor anywhere else.
+  ///
+  /// K and M are serial Epetra matrices; unlike TrilinosWrappers::SparseMatrix
+  /// they do not need MPI, whose start costs more than a small scene.
+  class PlateDiscretization
+  {
+  public:
+    /// Numbers the unknowns; the mesh must outlive the model.
+    PlateDiscretization(const dealii::Triangulation<2> &mesh,
+                        const PlateElement             &element,
+                        const PlateParameters          &plate,
+                        double                          multiplicity = 4.);
+
+    /// Builds K and M.
+    void
+    assemble();
+
+    unsigned int
+    n_unknowns() const;
+
+    const Epetra_CrsMatrix &
+    stiffness() const;
+
+    const Epetra_CrsMatrix &
+    mass() const;
+
+    /// Forces conjugate to the unknowns under a unit force on the whole plate,
+    /// distributed over these points; its product with the unknowns is the
+    /// load-weighted deflection.
+    /// @throws ComputationError when a point lies outside of the mesh
+    Eigen::VectorXd
+    load(const std::vector<LoadPoint> &points) const;
+
+    /// The unknowns of a given field of deflection and rotations.
+    Eigen::VectorXd
+    interpolate(const dealii::Function<2> &field) const;
+
+    /// Values of a cell's 27 nodal quantities, constraints resolved.
+    /// @param cell      active cell index
+    /// @param vectors  n_unknowns() x n
+    /// @param values   set to n_cell_dofs x n
+    void
+    cell_values(unsigned int                             cell,
+                const Eigen::Ref<const Eigen::MatrixXd> &vectors,
+                Eigen::MatrixXd                         &values) const;
+
+    const CellShape &
+    shape(unsigned int cell) const;
+
+    /// The same for all nodes, by degree of freedom of dofs().
+    dealii::Vector<double>
+    nodal_values(const Eigen::VectorXd &vector) const;
+
+    const dealii::DoFHandler<2> &
+    dofs() const;
+
+    const dealii::Triangulation<2> &
+    mesh() const;
+
+    /// Whether no support holds the deflection, so that the plate can move as
+    /// a rigid body.
+    bool
+    is_free() const;
+
+    const PlateElement &
+    element() const;
+
+    const PlateSection &
+    section() const;
+
+  private:
+    void
+    constrain(const PlateParameters &plate);
+    void
+    find_shapes();
+
+    /// Adds a symmetric matrix of a cell.
+    void
+    add_cell_matrix(unsigned int      cell,
+                    const CellMatrix &matrix,
+                    Epetra_CrsMatrix &sum) const;
+
+    const PlateElement               &plate_element;
+    const PlateSection                plate_section;
+    const double                      multiplicity;
+    dealii::DoFHandler<2>             dof_handler;
+    dealii::AffineConstraints<double> constraints;
+
+    bool         holds_deflection = false;
+    FreeUnknowns unknowns;
+
+    std::vector<unsigned int> shape_of_cell;
+    std::vector<CellShape>    shapes;
+
+    std::unique_ptr<Epetra_CrsMatrix> K, M;
+  };
+} // namespace PlateImpact
+
+#endif

@@ -1,0 +1,65 @@
+#ifndef plate_impact_scene_scene_checker_h
+#define plate_impact_scene_scene_checker_h
+
+#include "plate_impact/base/parameters.h"
+#include "plate_impact/contact/zener.h"
+#include "plate_impact/scene/scene_schema.h"
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace PlateImpact
+{
+  /// Checks values that are each allowed by themselves, and fills in those
+  /// that the program chooses.
+  class SceneChecker
+  {
+  public:
+    /// Schema and parameters must outlive the checker.
+    /// @param swept  entries that have no value yet: what involves them is not
+    ///               judged
+    SceneChecker(SceneSchema                 &schema,
+                 const Parameters            &parameters,
+                 const std::set<std::string> &swept = {});
+
+    /// Entries against each other.
+    void
+    check_together();
+
+    /// Replaces zeros that mean "chosen by the program", and checks what is
+    /// chosen.
+    void
+    complete();
+
+    std::vector<std::string> mistakes;
+
+    /// By Zener's equation; empty without an impactor or before complete().
+    std::optional<ExpectedPeak> expected_peak;
+
+  private:
+    /// Adds a mistake in the value of the first entry, unless one of those
+    /// involved is swept or has been refused before. Its place is that of the
+    /// first of them which the scene sets.
+    void
+    refuse(const std::vector<std::string> &involved, const std::string &text);
+
+    void
+    check_plate();
+    void
+    check_contact();
+    void
+    check_time();
+    void
+    check_mesh();
+    void
+    check_comparison();
+
+    SceneSchema                &schema;
+    const Parameters           &parameters;
+    const std::set<std::string> swept;
+  };
+} // namespace PlateImpact
+
+#endif

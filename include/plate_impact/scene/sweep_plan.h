@@ -1,0 +1,75 @@
+#ifndef plate_impact_scene_sweep_plan_h
+#define plate_impact_scene_sweep_plan_h
+
+#include "plate_impact/base/parameters.h"
+#include "plate_impact/scene/scene_schema.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace PlateImpact
+{
+  /// An entry of the scene and the values that it takes in a sweep.
+  struct SweptEntry
+  {
+    std::string              path;   ///< Section/Entry
+    std::string              unit;   ///< "m/s", "-" for pure numbers, or empty
+    std::string              origin; ///< of the values, "scene.prm:12"
+    std::vector<std::string> values;
+  };
+
+
+  /// The points of a sweep: the swept entries and how their values combine.
+  ///
+  /// Values that are no number where the entry holds one, or no word that it
+  /// knows, are mistakes of the scene; numbers beyond what an entry allows only
+  /// make their points invalid.
+  class SweepPlan
+  {
+  public:
+    /// Points beyond this number are refused.
+    static constexpr std::size_t max_points = 1000000;
+
+    SweepPlan(const SceneSchema &schema, const SweepParameters &sweep);
+
+    /// A sentence each.
+    const std::vector<std::string> &
+    mistakes() const;
+
+    const std::vector<SweptEntry> &
+    entries() const;
+
+    /// Whether an entry, "Section/Entry", is swept.
+    bool
+    sweeps(const std::string &path) const;
+
+    /// Every value with every other, as opposed to lists that are paired up.
+    bool
+    forms_product() const;
+
+    /// 0 without an entry.
+    std::size_t
+    n_points() const;
+
+    /// The value of every entry at a point. In a product the values of the last
+    /// entry change fastest.
+    std::vector<std::string>
+    values(std::size_t point) const;
+
+  private:
+    void
+    read_entry(unsigned int           n,
+               const SceneSchema     &schema,
+               const SweepParameters &sweep);
+    void
+    combine(const SceneSchema &schema);
+
+    std::vector<SweptEntry>  swept;
+    std::vector<std::string> found_mistakes;
+    bool                     is_product;
+    std::size_t              size = 0;
+  };
+} // namespace PlateImpact
+
+#endif

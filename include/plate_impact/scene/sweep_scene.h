@@ -1,0 +1,64 @@
+#ifndef plate_impact_scene_sweep_scene_h
+#define plate_impact_scene_sweep_scene_h
+
+#include "plate_impact/contact/zener.h"
+#include "plate_impact/scene/scene_reader.h"
+#include "plate_impact/scene/sweep_plan.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace PlateImpact
+{
+  /// A point of a sweep that has passed every check.
+  struct SweepPoint
+  {
+    Parameters   parameters;
+    ExpectedPeak expected; ///< by Zener's equation
+  };
+
+
+  /// A scene whose entries are swept. The file is read once; a point is the
+  /// scene with its values in place, checked and completed as by read_scene().
+  class SweepScene
+  {
+  public:
+    /// @throws InputError with every mistake that is not one of single points
+    SweepScene(const std::string                &path,
+               const std::vector<std::string>   &overrides,
+               const std::optional<std::string> &output);
+
+    const SweepPlan &
+    plan() const;
+
+    /// The scene with the points' values left out.
+    const Parameters &
+    parameters() const;
+
+    /// Whether points of it may adapt their mesh.
+    bool
+    may_adapt() const;
+
+    const std::string &
+    name() const;
+
+    /// Every value, as a scene that repeats the sweep.
+    const std::string &
+    text() const;
+
+    /// @throws InputError when its values are not valid together, or without an
+    ///         impactor
+    SweepPoint
+    point(std::size_t index);
+
+  private:
+    SceneReader               reader;
+    const SweepPlan           sweep_plan;
+    std::string               base_text;
+    std::optional<Parameters> base;
+  };
+} // namespace PlateImpact
+
+#endif

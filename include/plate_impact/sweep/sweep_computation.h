@@ -1,0 +1,85 @@
+#ifndef plate_impact_sweep_sweep_computation_h
+#define plate_impact_sweep_sweep_computation_h
+
+#include "plate_impact/scene/sweep_scene.h"
+#include "plate_impact/sweep/sweep_groups.h"
+#include "plate_impact/sweep/sweep_table.h"
+#include "plate_impact/transient/struck_plate.h"
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace PlateImpact
+{
+  /// What was made for the points of a sweep.
+  struct SweepWork
+  {
+    unsigned int meshes = 0; ///< adapted ones with those before them
+    unsigned int plates = 0; ///< models that points were computed on
+    unsigned int loads  = 0; ///< responses or reductions
+
+    SweepWork &
+    operator+=(const SweepWork &other);
+  };
+
+
+  /// Computes points of a sweep, those of one group after another on one struck
+  /// plate. A group of adaptive points is computed on the last mesh of its
+  /// worst point: the one that sends out the shortest waves, by the shortest
+  /// contact in Zener's equation, among equals the one with the largest force.
+  class SweepComputation
+  {
+  public:
+    /// Both must outlive the computation.
+    SweepComputation(SweepScene &scene, const SweepGroups &groups);
+
+    /// A point and, where the scene asks for it, its history. Whatever goes
+    /// wrong becomes the failure of the row.
+    /// @param group  that the point belongs to
+    std::pair<SweepRow, std::optional<ContactHistory>>
+    compute(std::size_t group, std::size_t point);
+
+    const SweepWork &
+    work() const;
+
+  private:
+    struct Computed
+    {
+      Impact                   impact;
+      std::optional<double>    discretization_error;
+      std::vector<std::string> warnings;
+    };
+
+    Computed
+    compute(std::size_t group, const SweepPoint &point);
+    /// The impact on the struck plate.
+    Computed
+    strike(const SweepPoint &point);
+    /// The valid point of a group that needs the finest mesh.
+    SweepPoint
+    worst_point(std::size_t group);
+    /// The mesh that the points of a group share.
+    std::unique_ptr<dealii::Triangulation<2>>
+    make_mesh(std::size_t group, const SweepPoint &point);
+    /// The impact on a mesh with its error, and on better ones where the
+    /// parameters say so.
+    Computed
+    analyse(const Parameters                         &parameters,
+            std::unique_ptr<dealii::Triangulation<2>> mesh);
+
+    SweepScene        &scene;
+    const SweepGroups &groups;
+    SweepWork          done;
+
+    std::optional<std::size_t>   current_group;
+    std::unique_ptr<StruckPlate> struck_plate; ///< of the current group
+    std::string                  failure;      ///< why there is none
+    std::string                  warning;      ///< of its mesh
+  };
+} // namespace PlateImpact
+
+#endif

@@ -1,0 +1,54 @@
+#ifndef plate_impact_sweep_sweep_groups_h
+#define plate_impact_sweep_sweep_groups_h
+
+#include "plate_impact/scene/sweep_plan.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace PlateImpact
+{
+  /// Points of a sweep that share a plate on one mesh, those with the same load
+  /// and time steps next to each other. What a point is made for follows from
+  /// the names of the swept entries:
+  /// - the impactor and the contact law: nothing else changes;
+  /// - other entries of the contact and the time: the load or the response;
+  /// - everything else: the plate, its mesh or what the mesh adapts to.
+  ///
+  /// A mesh that adapts depends on the load and the time as well, so that
+  /// adaptive points share a mesh only where both are the same.
+  class SweepGroups
+  {
+  public:
+    /// @param is_adaptive  whether points of the sweep may adapt their mesh
+    SweepGroups(const SweepPlan &plan, bool is_adaptive);
+
+    /// Points by group.
+    const std::vector<std::vector<std::size_t>> &
+    groups() const;
+
+    /// Loads with time steps, as the swept entries tell them apart, in all
+    /// groups together.
+    std::size_t
+    n_loads() const;
+
+    /// Parts of groups to compute one after another: points that are still to
+    /// be computed, at most so many.
+    struct Task
+    {
+      std::size_t              group;
+      std::vector<std::size_t> points;
+    };
+
+    /// @param to_do  by point
+    std::vector<Task>
+    tasks(const std::vector<bool> &to_do, std::size_t most_points) const;
+
+  private:
+    std::vector<std::vector<std::size_t>> found;
+    std::size_t                           n_found_loads = 0;
+  };
+} // namespace PlateImpact
+
+#endif

@@ -1,0 +1,68 @@
+#ifndef plate_impact_sweep_sweep_table_h
+#define plate_impact_sweep_sweep_table_h
+
+#include "plate_impact/contact/contact_history.h"
+#include "plate_impact/output/result_directory.h"
+#include "plate_impact/scene/sweep_plan.h"
+
+#include <cstddef>
+#include <fstream>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace PlateImpact
+{
+  /// What became of a point.
+  struct SweepRow
+  {
+    std::size_t                        point = 0;
+    std::vector<std::optional<double>> figures; ///< empty for a failed point
+    std::string                        failure; ///< the reason, in one line
+    std::vector<std::string> warnings; ///< a sentence each, as of `run`
+  };
+
+
+  /// sweep.csv: a row per point with the swept values, the figures of the
+  /// impact, warnings, and `ok` or the reason of the failure. While the sweep
+  /// lasts, rows are appended as they come, so that what is there is valid at
+  /// any moment; finish() puts them in the order of the points.
+  class SweepTable
+  {
+  public:
+    /// Begins a table, or continues the one that an interrupted sweep has left
+    /// in the directory: its points that succeeded are taken over.
+    /// @param directory, plan  must outlive the table
+    /// @throws ComputationError, as all members, when it cannot be written
+    SweepTable(const ResultDirectory &directory,
+               const SweepPlan       &plan,
+               bool                   resume);
+
+    void
+    add(const SweepRow &row);
+
+    void
+    finish();
+
+    /// By point; empty for points to come.
+    const std::vector<std::optional<SweepRow>> &
+    rows() const;
+
+  private:
+    std::string
+    header() const;
+    std::string
+    line(const SweepRow &row) const;
+    void
+    read();
+    void
+    write() const;
+
+    const ResultDirectory               &directory;
+    const SweepPlan                     &plan;
+    std::vector<std::optional<SweepRow>> found;
+    std::ofstream                        out;
+  };
+} // namespace PlateImpact
+
+#endif

@@ -1,0 +1,74 @@
+#ifndef plate_impact_transient_impactor_stepper_h
+#define plate_impact_transient_impactor_stepper_h
+
+#include "plate_impact/contact/contact_history.h"
+#include "plate_impact/contact/contact_law.h"
+#include "plate_impact/contact/contact_solver.h"
+#include "plate_impact/contact/impactor.h"
+#include "plate_impact/transient/newmark_scheme.h"
+
+namespace PlateImpact
+{
+  /// The impactor's side of a transient: one scalar contact equation per step
+  /// and the rigid mass under Newmark's method (eqs. 28-31 of the paper). Of
+  /// the plate it needs two numbers a step, the displacement under the load
+  /// without further force and that per unit of force.
+  class ImpactorStepper
+  {
+  public:
+    /// Law and integration must outlive the stepper.
+    ImpactorStepper(const NewmarkScheme      &scheme,
+                    const ContactLaw         &law,
+                    const ContactIntegration &integration,
+                    const Impactor           &impactor);
+
+    /// Begins a step.
+    /// @return force at its beginning that does not depend on its end [N]
+    double
+    begin_step();
+
+    /// The unknown force phi of the step. [N]
+    /// @param plate_free        displacement under the load at its end without
+    ///                          phi [m]
+    /// @param plate_compliance  that per unit of phi [m/N]
+    /// @throws ComputationError naming the step
+    double
+    contact_force(double plate_free, double plate_compliance) const;
+
+    /// Ends the step.
+    /// @param phi                 the force of the step [N]
+    /// @param plate_displacement  under the load at its end [m]
+    /// @param plate_energy        at its end [J]
+    /// @throws ComputationError naming step and quantity when a value is not
+    ///         finite
+    void
+    end_step(double phi, double plate_displacement, double plate_energy);
+
+    const ContactState &
+    state() const;
+
+    /// Change of the impactor's momentum so far. [N s]
+    double
+    impulse() const;
+
+    /// Steps in which the contact equation had a solution other than no force.
+    unsigned int
+    n_contact_steps() const;
+
+  private:
+    void
+    require_finite(double value, const char *quantity) const;
+
+    const NewmarkScheme       scheme;
+    const ContactLaw         &law;
+    const ContactIntegration &integration;
+    Impactor                  impactor;
+    ContactState              current;
+    unsigned int              step          = 0;
+    double                    known         = 0.;
+    double                    total_impulse = 0.;
+    unsigned int              n_contacts    = 0;
+  };
+} // namespace PlateImpact
+
+#endif

@@ -1,0 +1,45 @@
+#ifndef plate_impact_transient_linear_solver_h
+#define plate_impact_transient_linear_solver_h
+
+#include "plate_impact/base/choices.h"
+
+#include <Eigen/Core>
+
+#include <memory>
+
+class Epetra_CrsMatrix;
+
+namespace PlateImpact
+{
+  /// Direct solver for symmetric positive definite matrices of one sparsity,
+  /// one at a time, and many right hand sides.
+  class LinearSolver
+  {
+  public:
+    virtual ~LinearSolver() = default;
+
+    /// Factorizes a matrix; the caller keeps it unchanged for solve().
+    /// @throws ComputationError when it is not positive definite
+    virtual void
+    factorize(Epetra_CrsMatrix &matrix) = 0;
+
+    /// Solves for x; both have the size of the matrix.
+    virtual void
+    solve(const Eigen::VectorXd &right_hand_side, Eigen::VectorXd &x) = 0;
+
+    /// Memory of the factor, which a solve reads twice; 0 where it is not
+    /// known. [bytes]
+    virtual double
+    factor_size() const
+    {
+      return 0.;
+    }
+  };
+
+  /// The solver that the scene names: `CHOLMOD` (supernodal Cholesky, minimum
+  /// degree ordering) or `KLU` (LU of Trilinos' Amesos).
+  std::unique_ptr<LinearSolver>
+  make_linear_solver(SolverType type);
+} // namespace PlateImpact
+
+#endif

@@ -1,0 +1,43 @@
+#ifndef plate_impact_transient_newmark_scheme_h
+#define plate_impact_transient_newmark_scheme_h
+
+namespace PlateImpact
+{
+  struct TimeParameters;
+
+  /// Newmark's method for a transient of equal steps: a step advances the
+  /// displacements by the increment d with
+  ///   K* d = f_1 + c_2 f_0 - (1 + c_2) K z + c_1 M v,   K* = K + c_0 M
+  /// (eqs. 3-7 of the paper in terms of increments, which keep digits that the
+  /// total form loses on small steps).
+  struct NewmarkScheme
+  {
+    /// The smallest number of steps, none longer than the scene's.
+    explicit NewmarkScheme(const TimeParameters &time);
+
+    /// Whether the scheme keeps the energy of a linear system without load and
+    /// charges it with the work of a load, (f_0 + f_1) d / 2: average
+    /// acceleration.
+    bool
+    conserves_energy() const
+    {
+      return beta == 0.25 && gamma == 0.5;
+    }
+
+    /// Of the error in the step: gamma other than 1/2 damps, to first order.
+    unsigned int
+    order() const
+    {
+      return gamma == 0.5 ? 2 : 1;
+    }
+
+    const double       beta, gamma;
+    const unsigned int n_steps;
+    const double       dt; ///< [s]
+    const double       c0; ///< 1/(beta dt^2) [1/s^2]
+    const double       c1; ///< 1/(beta dt) [1/s]
+    const double       c2; ///< 1/(2 beta) - 1
+  };
+} // namespace PlateImpact
+
+#endif

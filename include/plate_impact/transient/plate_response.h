@@ -1,0 +1,54 @@
+#ifndef plate_impact_transient_plate_response_h
+#define plate_impact_transient_plate_response_h
+
+#include "plate_impact/contact/contact_history.h"
+#include "plate_impact/contact/contact_law.h"
+#include "plate_impact/contact/contact_solver.h"
+#include "plate_impact/contact/impactor.h"
+#include "plate_impact/transient/newmark_scheme.h"
+#include "plate_impact/transient/semidiscrete_system.h"
+
+#include <Eigen/Core>
+
+namespace PlateImpact
+{
+  /// A transient from first touch to the end time.
+  struct Impact
+  {
+    ContactHistory history;
+    double         impulse = 0.; ///< [N s]
+  };
+
+
+  /// All that an impactor needs to know of a plate: R_j, the displacement under
+  /// the load j steps after a step with the contact force 1, by the time
+  /// stepper's own scheme. Under the forces phi_k of any impactor
+  ///   w_n = sum_{k <= n} R_{n-k} phi_k,
+  /// the discrete form of a Volterra equation of the second kind, which is
+  /// solved step by step (Linz, Analytical and Numerical Methods for Volterra
+  /// Equations, 1985, doi:10.1137/1.9781611970852). It is the
+  /// same linear recurrence as stepping the unknowns, summed in another order,
+  /// and gives the same numbers up to round-off. The plate's energy is the work
+  /// of the force, which average acceleration makes equal.
+  class PlateResponse
+  {
+  public:
+    /// Steps the plate to the end time.
+    /// @param scheme       conserves energy
+    /// @param integration  must outlive the response
+    PlateResponse(const NewmarkScheme      &scheme,
+                  SemidiscreteSystem       &plate,
+                  const ContactIntegration &integration);
+
+    /// @throws ComputationError naming step and quantity
+    Impact
+    impact(const ContactLaw &law, const Impactor &impactor) const;
+
+  private:
+    const NewmarkScheme       scheme;
+    const ContactIntegration &integration;
+    Eigen::VectorXd           reversed; ///< R_{n_steps - 1} ... R_0 [m/N]
+  };
+} // namespace PlateImpact
+
+#endif

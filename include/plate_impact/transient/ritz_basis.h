@@ -1,0 +1,156 @@
+#ifndef plate_impact_transient_ritz_basis_h
+#define plate_impact_transient_ritz_basis_h
+
+#include "plate_impact/transient/semidiscrete_system.h"
+
+#include <Eigen/Core>
+
+namespace PlateImpact
+{
+  /// Load-dependent Ritz vectors of a plate (Wilson, Yuan & Dickens 1982,
+  /// doi:10.1002/eqe.4290100606; Nour-Omid & Clough 1984,
+  /// doi:10.1002/eqe.4290120410): since the contact force always has the same
+  /// shape u, the response stays close to the Krylov space of (K + sigma M)^-1
+  /// M that begins with the response (K + sigma M)^-1 u to the load itself. The
+  /// first vector is the static correction, which a basis of eigenmodes lacks.
+  ///
+  /// Lanczos' recurrence in the inner product of A = K + sigma M: with Q^T A Q
+  /// = I the projected mass T = Q^T M Q is tridiagonal, the projected stiffness
+  /// I - sigma T, and the load a multiple of the first unit vector; A times a
+  /// new vector is known before it is solved for. A vector costs one solve, one
+  /// product with M, and one look at all vectors before it, which keeps them
+  /// orthogonal (Simon 1984, doi:10.1090/S0025-5718-1984-0725988-X).
+  class RitzBasis
+  {
+  public:
+    /// @param plate  must outlive the basis
+    /// @param sigma  1/s^2, above 0, so that plates that are free to move have
+    ///               a basis too
+    RitzBasis(FullSystem &plate, double sigma);
+
+    /// Adds vectors, one solve each, until there are n or, when the space is
+    /// exhausted, as many as there can be. Factorizes K + sigma M unless the
+    /// plate holds it.
+    void
+    grow(unsigned int n);
+
+    unsigned int
+    n_vectors() const;
+
+    /// Whether the plate can move as a rigid body.
+    bool
+    is_free() const;
+
+    /// Whether further vectors would be round-off, or hardly coupled to these:
+    /// the basis then holds every motion that the load can excite.
+    bool
+    is_complete() const;
+
+    double
+    shift() const;
+
+    /// Unknowns of the plate by number of vectors.
+    Eigen::Ref<const Eigen::MatrixXd>
+    vectors() const;
+
+    /// Diagonal of T, the mass in the basis. [s^2]
+    Eigen::Ref<const Eigen::VectorXd>
+    mass_diagonal() const;
+
+    /// Its other diagonals. [s^2]
+    Eigen::Ref<const Eigen::VectorXd>
+    mass_subdiagonal() const;
+
+    /// The load in the basis, this times the first unit vector.
+    double
+    load() const;
+
+  private:
+    /// Adds a vector, unless nothing is left of it.
+    void
+    append();
+    /// Removes what round-off has left of earlier vectors in the candidate.
+    /// @return norm_of_candidate() after that; 0 when that is round-off too
+    double
+    orthogonalize();
+    double
+    norm_of_candidate() const;
+
+    FullSystem     &plate;
+    const double    sigma;
+    unsigned int    n         = 0;
+    bool            complete  = false;
+    bool            is_second = false; ///< next to one that had lost digits
+    double          load_norm = 0., last_pivot = 0.; ///< of T
+    Eigen::MatrixXd Q;                               ///< with room for more
+    Eigen::VectorXd diagonal, subdiagonal;
+    Eigen::VectorXd candidate, A_candidate; ///< becomes the next vector
+    Eigen::VectorXd A_last, A_before;       ///< A times the last two vectors
+    Eigen::VectorXd M_last;                 ///< M times the last vector
+  };
+
+
+  /// A symmetric matrix of three diagonals.
+  struct TridiagonalMatrix
+  {
+    Eigen::VectorXd diagonal, beside;
+  };
+
+
+  /// The plate in the first vectors of a basis: M = T and K = I - sigma T are
+  /// tridiagonal, a product or a solve costs a few operations per vector. A
+  /// string, in other words, that is struck at its first vector.
+  ///
+  /// Waves would come back from its end. Vectors beyond the first can be
+  /// assumed in place of computed: away from the load the coefficients of T are
+  /// about those of a continuous spectrum from 0 to infinity, 1/(2 sigma) and
+  /// 1/(4 sigma) all along, and a uniform string of these joined to the end
+  /// takes the waves up (the terminator of the recursion method: Haydock, Heine
+  /// & Kelly 1972, doi:10.1088/0022-3719/5/20/004). What lies in it has no
+  /// displacements on the plate. The joint is such that K and M stay positive.
+  class ReducedSystem : public SemidiscreteSystem
+  {
+  public:
+    /// @param basis     must outlive the plate
+    /// @param n         vectors used, at most basis.n_vectors()
+    /// @param n_beyond  length of the uniform string; none is joined to all
+    ///                  vectors of a complete basis
+    ReducedSystem(const RitzBasis &basis,
+                  unsigned int     n,
+                  unsigned int     n_beyond = 0);
+
+    const Eigen::VectorXd &
+    load() const override;
+    void
+    multiply_stiffness(const Eigen::VectorXd &x,
+                       Eigen::VectorXd       &y) const override;
+    void
+    factorize(double c) override;
+    void
+    solve(const Eigen::VectorXd &b, Eigen::VectorXd &x) override;
+    double
+    static_compliance() const override;
+
+    unsigned int
+    n_vectors() const;
+
+    /// Unknowns of the mesh by the vectors used.
+    Eigen::Ref<const Eigen::MatrixXd>
+    vectors() const;
+
+    /// Unknowns of the mesh in states of this plate, a column each.
+    Eigen::MatrixXd
+    unknowns(const Eigen::Ref<const Eigen::MatrixXd> &states) const;
+
+  private:
+    const RitzBasis        &basis;
+    const unsigned int      n;
+    const TridiagonalMatrix mass;      ///< T [s^2], with what is joined to it
+    const TridiagonalMatrix stiffness; ///< I - sigma T
+    const Eigen::VectorXd   u;
+    const double            compliance;
+    Eigen::VectorXd         inverse_pivots, factor; ///< of K + c M
+  };
+} // namespace PlateImpact
+
+#endif

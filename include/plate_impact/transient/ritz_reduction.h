@@ -1,0 +1,98 @@
+#ifndef plate_impact_transient_ritz_reduction_h
+#define plate_impact_transient_ritz_reduction_h
+
+#include "plate_impact/base/parameters.h"
+#include "plate_impact/contact/contact_law.h"
+#include "plate_impact/contact/contact_solver.h"
+#include "plate_impact/contact/impactor.h"
+#include "plate_impact/plate/plate_section.h"
+#include "plate_impact/transient/plate_response.h"
+#include "plate_impact/transient/ritz_basis.h"
+
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace PlateImpact
+{
+  /// Reduces the plate of a mesh for one impactor after another. An impactor
+  /// gets the first basis of a growing sequence with which the error of its
+  /// force history, as the last three bases tell it, is below
+  /// `time.ritz_tolerance` of the peak, as a root mean square over the contact,
+  /// and, where fields are asked for, displacements hardly use what lies beyond
+  /// the basis before. The number is found with an impactor of round numbers
+  /// nearby, so that similar impactors share it and what one gets depends on
+  /// nothing but plate, load, time and itself; vectors that another one has
+  /// asked for before are not computed again.
+  class RitzReduction
+  {
+  public:
+    /// @param plate         must outlive the reduction, which factorizes it
+    /// @param integration   must outlive the reduction
+    /// @param needs_fields  whether more than the force is to be right
+    RitzReduction(FullSystem               &plate,
+                  const PlateSection       &section,
+                  const TimeParameters     &time,
+                  const ContactIntegration &integration,
+                  bool                      needs_fields);
+
+    /// @param parameters  with the load, the times and the integration of this
+    ///                    reduction
+    /// @return the reduced plate, which belongs to the reduction; null when it
+    ///         takes more solves than steps, which are then made on the mesh
+    ReducedSystem *
+    settle(const Parameters &parameters);
+
+    /// The response of a plate that settle() has returned, kept for the next
+    /// impactor; for schemes that conserve energy.
+    const PlateResponse &
+    response(ReducedSystem &reduced);
+
+    /// Vectors computed so far, a solve each.
+    unsigned int
+    n_vectors() const;
+
+  private:
+    ReducedSystem *
+    settle(const ContactLaw &law, const Impactor &impactor);
+    /// Whether it is known beforehand that stepping on the mesh takes fewer
+    /// solves than vectors would.
+    bool
+    steps_are_fewer(const ContactLaw      &law,
+                    const Impactor        &impactor,
+                    const PlateParameters &dimensions) const;
+    /// Twice the logarithm to base 2 of the root of the shift [1/s].
+    int
+    half_octave(const ContactLaw &law, const Impactor &impactor) const;
+    /// After every step.
+    std::vector<double>
+    forces(ReducedSystem    &reduced,
+           const ContactLaw &law,
+           const Impactor   &impactor);
+    /// Norm over all times of what coordinates from the first on hold of the
+    /// displacements, relative to that of all.
+    double
+    share_beyond(unsigned int      first,
+                 ReducedSystem    &reduced,
+                 const ContactLaw &law,
+                 const Impactor   &impactor) const;
+    ReducedSystem &
+    reduced_plate(int half_octave, unsigned int n);
+
+    FullSystem               &plate;
+    const PlateSection       &section;
+    const TimeParameters      time;
+    const ContactIntegration &integration;
+    const bool                needs_fields;
+
+    /// By the law's section and the impactor in round numbers.
+    std::map<std::pair<ContactParameters, ImpactorParameters>, ReducedSystem *>
+      settled;
+    /// By the half octave of the shift, and by the number of vectors.
+    std::map<int, RitzBasis>                              bases;
+    std::map<std::pair<int, unsigned int>, ReducedSystem> reduced_plates;
+    std::map<const ReducedSystem *, PlateResponse>        responses;
+  };
+} // namespace PlateImpact
+
+#endif

@@ -1,0 +1,59 @@
+#include "plate_impact/adaptation/graded_refinement.h"
+
+#include "plate_impact/plate/plate_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace PlateImpact
+{
+  using namespace dealii;
+
+  GradedRefinement::GradedRefinement(const AdaptivityParameters &adaptivity,
+                                     const double contact_half_length)
+    : adaptivity(adaptivity)
+    , contact_half_length(contact_half_length)
+  {}
+
+
+
+  bool
+  GradedRefinement::refine(Triangulation<2> &mesh, const double theta) const
+  {
+    bool is_refined = false;
+    for (const auto &cell : mesh.active_cell_iterators())
+      {
+        const Point<2> centre = cell->center();
+        const Point<2> nearest(std::min(centre[0], contact_half_length), 0.);
+        if (cell_size(cell) > theta * centre.distance(nearest) &&
+            !is_smallest(cell, adaptivity))
+          {
+            cell->set_refine_flag();
+            is_refined = true;
+          }
+      }
+    if (is_refined)
+      mesh.execute_coarsening_and_refinement();
+    return is_refined;
+  }
+
+
+
+  bool
+  GradedRefinement::adapt(Triangulation<2> &mesh,
+                          const ErrorOverLimit &,
+                          std::vector<std::string> &) const
+  {
+    // below that, cells far from the contact are at the minimum size as well
+    const double smallest_theta = adaptivity.minimum_cell_size /
+      (2. * mesh.n_active_cells() * adaptivity.maximum_cell_size);
+    for (double theta = 1.; theta > smallest_theta; theta *= 0.5)
+      if (refine(mesh, theta))
+        {
+          while (refine(mesh, theta))
+            ;
+          return true;
+        }
+    return false;
+  }
+} // namespace PlateImpact

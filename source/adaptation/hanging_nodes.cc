@@ -1,0 +1,163 @@
+#include "plate_impact/adaptation/hanging_nodes.h"
+
+#include "plate_impact/plate/plate_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace PlateImpact
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// against round-off in sizes that are powers of two apart
+    constexpr double tolerance = 1e-9;
+
+
+
+    /// A cell is coarsened by as many levels as its target size exceeds this
+    /// multiple of it. The error of a cell grows by 2^{p+1} when it is
+    /// coarsened (p = 2), while h_new = h / xi'^phi counts on 2^{1/phi}:
+    /// without the factor the next cycle refines again what this one coarsens.
+    double
+    coarsening_margin(const double size_exponent)
+    {
+      return std::max(1., std::pow(2., 3. * size_exponent - 1.));
+    }
+
+
+
+    /// Level that brings a cell to its target size, as far as the smallest and
+    /// the largest size allow it; of these the largest comes first.
+    int
+    wanted_level(const Triangulation<2>::active_cell_iterator &cell,
+                 const double                                  target_size,
+                 const AdaptivityParameters                   &adaptivity)
+    {
+      const double h      = cell_size(cell);
+      const auto   levels = [](const double ratio) {
+        return std::ceil(std::log2(ratio) - tolerance);
+      };
+      const double margin     = coarsening_margin(adaptivity.size_exponent);
+      const double refinement = levels(h / target_size);
+      const double coarsening = std::min(0., levels(margin * h / target_size));
+      const double most =
+        std::max(0.,
+                 std::floor(std::log2(h / adaptivity.minimum_cell_size) +
+                            tolerance));
+      const double least = levels(h / adaptivity.maximum_cell_size);
+      const double change =
+        std::max(refinement > 0. ? std::min(refinement, most) : coarsening,
+                 least);
+      return static_cast<int>(std::max(0., cell->level() + change));
+    }
+
+
+
+    /// The wanted level, kept in the user index of the cell or of the ancestor
+    /// that it was refined from.
+    int
+    inherited_level(Triangulation<2>::cell_iterator cell)
+    {
+      while (cell->user_index() == 0 && cell->level() > 0)
+        cell = cell->parent();
+      return static_cast<int>(cell->user_index()) - 1;
+    }
+
+
+
+    void
+    set_level(const Triangulation<2>::cell_iterator &cell, const int level)
+    {
+      cell->set_user_index(level + 1);
+    }
+
+
+
+    /// Flags cells off their wanted level; a family is coarsened when all of
+    /// its cells want it, to what the most demanding of them wants.
+    void
+    flag(Triangulation<2> &mesh)
+    {
+      for (const auto &cell : mesh.active_cell_iterators())
+        {
+          const int wanted = inherited_level(cell);
+          set_level(cell, wanted);
+          if (wanted > cell->level())
+            cell->set_refine_flag();
+          else if (wanted < cell->level())
+            cell->set_coarsen_flag();
+        }
+      mesh.prepare_coarsening_and_refinement();
+      for (const auto &cell : mesh.active_cell_iterators())
+        if (cell->coarsen_flag_set())
+          {
+            const auto parent = cell->parent();
+            int        wanted = 0;
+            for (unsigned int child = 0; child < parent->n_children(); ++child)
+              wanted = std::max(wanted, inherited_level(parent->child(child)));
+            set_level(parent, wanted);
+          }
+    }
+
+
+
+    bool
+    is_flagged(const Triangulation<2> &mesh)
+    {
+      for (const auto &cell : mesh.active_cell_iterators())
+        if (cell->refine_flag_set() || cell->coarsen_flag_set())
+          return true;
+      return false;
+    }
+  } // namespace
+
+
+
+  HangingNodeAdaptation::HangingNodeAdaptation(
+    const AdaptivityParameters &adaptivity)
+    : adaptivity(adaptivity)
+  {}
+
+
+
+  bool
+  HangingNodeAdaptation::adapt(Triangulation<2>     &mesh,
+                               const ErrorOverLimit &error,
+                               std::vector<std::string> &) const
+  {
+    const std::vector<CellId> before = sorted_cells(mesh);
+    const std::vector<double> sizes  = target_sizes(mesh, error, adaptivity);
+    mesh.clear_user_data();
+    for (const auto &cell : mesh.active_cell_iterators())
+      set_level(cell,
+                wanted_level(cell,
+                             sizes[cell->active_cell_index()],
+                             adaptivity));
+
+    // One level at a time. Cells refined for the sake of their neighbours want
+    // to be coarsened again; prepare_coarsening_and_refinement() takes such
+    // flags back, which ends the loop. The bound is for meshes where it does
+    // not.
+    for (unsigned int pass = 0; pass < 64; ++pass)
+      {
+        flag(mesh);
+        if (!is_flagged(mesh))
+          break;
+        mesh.execute_coarsening_and_refinement();
+      }
+    return sorted_cells(mesh) != before;
+  }
+
+
+
+  double
+  HangingNodeAdaptation::n_wanted_cells(const Triangulation<2> &mesh,
+                                        const ErrorOverLimit   &error) const
+  {
+    return n_cells_of_sizes(mesh,
+                            target_sizes(mesh, error, adaptivity),
+                            adaptivity);
+  }
+} // namespace PlateImpact

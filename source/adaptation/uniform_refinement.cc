@@ -1,0 +1,23 @@
+#include "plate_impact/adaptation/uniform_refinement.h"
+
+namespace PlateImpact
+{
+  using namespace dealii;
+
+  UniformRefinement::UniformRefinement(const AdaptivityParameters &adaptivity)
+    : adaptivity(adaptivity)
+  {}
+
+
+
+  bool
+  UniformRefinement::adapt(Triangulation<2> &mesh,
+                           const ErrorOverLimit &,
+                           std::vector<std::string> &) const
+  {
+    if (is_smallest(mesh.begin_active(), adaptivity))
+      return false;
+    mesh.refine_global();
+    return true;
+  }
+} // namespace PlateImpact

@@ -1,0 +1,86 @@
+#include "plate_impact/analysis/impact_figures.h"
+
+#include "plate_impact/contact/contact_law.h"
+#include "plate_impact/contact/impactor.h"
+#include "plate_impact/plate/plate_section.h"
+
+namespace PlateImpact
+{
+  namespace
+  {
+    /// Speed of the rebound over that of the impact.
+    std::optional<double>
+    restitution(const ContactHistory &history)
+    {
+      const ContactState &first = history.states().front(),
+                         &last  = history.states().back();
+      if (history.n_contacts() == 0 || last.indentation > 0. ||
+          last.impactor_velocity > 0.)
+        return {};
+      return -last.impactor_velocity / first.impactor_velocity;
+    }
+  } // namespace
+
+
+
+  const std::vector<Figure> &
+  impact_figures()
+  {
+    static const std::vector<Figure> figures = {
+      {"peak_force", "Peak force", "N"},
+      {"time_of_peak_force", "Time of the peak force", "s"},
+      {"first_contact_end", "End of the first contact", "s"},
+      {"number_of_contacts", "Number of contacts", ""},
+      {"impulse", "Impulse", "N s"},
+      {"final_impactor_velocity", "Final velocity of the impactor", "m/s"},
+      {"max_plate_displacement", "Largest displacement of the plate", "m"},
+      {"relative_energy_drift", "Relative drift of the energy", ""},
+      {"coefficient_of_restitution", "Coefficient of restitution", ""},
+      {"plate_energy_fraction", "Energy left in the plate, fraction", ""},
+      {"zener_loss_factor", "Loss factor of Zener's formula", ""},
+      {"peak_force_over_zener", "Peak force over Zener's", ""},
+      {"restitution_over_zener", "Restitution over Zener's", ""},
+      {"discretization_error", "Discretization error eta, fraction", ""}};
+    return figures;
+  }
+
+
+
+  std::vector<std::optional<double>>
+  values_of_figures(const Impact                &impact,
+                    const Parameters            &parameters,
+                    const ExpectedPeak          &expected,
+                    const std::optional<double> &discretization_error)
+  {
+    const ContactHistory &history = impact.history;
+    const ContactState &peak = history.peak(), &last = history.states().back();
+    const std::optional<double> e = restitution(history);
+
+    std::optional<double> loss_factor, peak_over_zener, e_over_zener;
+    if (!parameters.impactor.is_cylinder())
+      {
+        const auto         law      = make_contact_law(parameters);
+        const Impactor     impactor = make_impactor(parameters.impactor);
+        const PlateSection section(parameters.plate);
+        loss_factor          = zener_loss_factor(*law, impactor, section);
+        peak_over_zener      = peak.force / expected.force;
+        const double zener_e = zener_restitution(*law, impactor, section);
+        if (e && history.n_contacts() == 1 && zener_e > 0.)
+          e_over_zener = *e / zener_e;
+      }
+    return {peak.force,
+            peak.time,
+            history.first_contact_end(),
+            history.n_contacts(),
+            impact.impulse,
+            last.impactor_velocity,
+            history.max_plate_displacement(),
+            history.relative_energy_drift(),
+            e,
+            last.plate_energy / history.states().front().total_energy(),
+            loss_factor,
+            peak_over_zener,
+            e_over_zener,
+            discretization_error};
+  }
+} // namespace PlateImpact

@@ -1,0 +1,420 @@
+#include "plate_impact/analysis/reliability.h"
+
+#include "plate_impact/contact/impactor.h"
+#include "plate_impact/contact/zener.h"
+#include "plate_impact/plate/plate_mesh.h"
+#include "plate_impact/transient/newmark_scheme.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace PlateImpact
+{
+  namespace
+  {
+    /// One sentence of its parts.
+    template <typename... Parts>
+    std::string
+    sentence(const Parts &...parts)
+    {
+      std::ostringstream text;
+      text.precision(3);
+      (text << ... << parts);
+      return text.str();
+    }
+
+
+
+    /// Radius or half-width of Hertz's contact at the peak. [m]
+    double
+    radius_at(const Parameters &parameters, const ContactState &peak)
+    {
+      return contact_radius(parameters, peak.force, peak.indentation);
+    }
+
+
+
+    /// Largest pressure of Hertz's contact at the peak. [Pa]
+    double
+    hertz_pressure(const Parameters &parameters, const ContactState &peak)
+    {
+      const ImpactorParameters &impactor = parameters.impactor;
+      const double              pi       = std::acos(-1.);
+      return impactor.is_cylinder() ?
+        2. * peak.force / (pi * radius_at(parameters, peak) * impactor.length) :
+        1.5 * peak.force / (pi * impactor.radius * peak.indentation);
+    }
+
+
+
+    /// When the radius of the load on the plate is halved, the plate gives way
+    /// by F ln 2 / (2 pi kappa G t) more under it; relative to the indentation.
+    double
+    give_per_halving(const PlateSection &section, const ContactState &peak)
+    {
+      const double pi = std::acos(-1.);
+      return peak.force * std::log(2.) /
+        (2. * pi * section.shear_stiffness * peak.indentation);
+    }
+
+
+
+    /// Relative drop of the peak force then, as if the contact were softer by
+    /// as much.
+    double
+    drop_per_halving(const Parameters   &parameters,
+                     const PlateSection &section,
+                     const ContactState &peak)
+    {
+      // F = k alpha^{3/2}, k grows with the root of the radius
+      const auto force = [&](const double factor_of_k) {
+        Parameters changed = parameters;
+        changed.impactor.radius *= factor_of_k * factor_of_k;
+        return zener_peak(*make_contact_law(changed),
+                          make_impactor(changed.impactor),
+                          section)
+          .force;
+      };
+      const double step     = 0.05;
+      const double exponent = std::log(force(1. + step) / force(1. - step)) /
+        std::log((1. + step) / (1. - step));
+      return 1.5 * give_per_halving(section, peak) * exponent;
+    }
+
+
+
+    std::vector<std::string>
+    warn_of_time(const Parameters  &parameters,
+                 const double       expected_contact_time,
+                 const CycleResult &result)
+    {
+      std::vector<std::string> warnings;
+      const TimeParameters    &time = parameters.time;
+      const ContactState      &peak = result.history->peak(),
+                         &last      = result.history->states().back();
+      const double rise_time        = peak.force > 0. && peak.time < last.time ?
+               result.history->rise_time() :
+               std::max(0.5 * expected_contact_time, peak.time);
+      if (result.time_error && *result.time_error > 1e-3)
+        warnings.push_back(
+          sentence("Time/Time step = ",
+                   time.time_step,
+                   " s leaves an error of about ",
+                   100. * *result.time_error,
+                   " % in the peak force; for 0.1 % choose at most ",
+                   time.time_step *
+                     std::pow(1e-3 / *result.time_error,
+                              1. / NewmarkScheme(time).order()),
+                   " s, or 0"));
+      else if (!result.time_error && time.time_step > 0.04 * rise_time)
+        warnings.push_back(sentence(
+          "Time/Time step = ",
+          time.time_step,
+          " s resolves the rise to the peak force, ",
+          rise_time,
+          " s, and the waves that the contact sends out, coarsely; for "
+          "a peak force to 0.1 % choose at most ",
+          0.04 * rise_time,
+          " s, or 0"));
+      if (peak.time == last.time)
+        warnings.push_back(
+          sentence("the force still grows at Time/End time = ",
+                   time.end_time,
+                   " s: the peak force is that of this time only"));
+      else if (last.force > 0.)
+        warnings.push_back(
+          sentence("the contact has not ended at Time/End time = ",
+                   time.end_time,
+                   " s"));
+      else if (last.impactor_velocity > 0.)
+        warnings.push_back(
+          sentence("the impactor still moves towards the plate at Time/End "
+                   "time = ",
+                   time.end_time,
+                   " s: another contact follows, which may be harder"));
+      if (result.sensitivity && result.sensitivity->unpredictable_from)
+        warnings.push_back(
+          sentence("from t = ",
+                   *result.sensitivity->unpredictable_from,
+                   " s on, the force cannot be predicted: a velocity larger by "
+                   "a millionth changes it by more than 0.1 % of its peak",
+                   peak.time < *result.sensitivity->unpredictable_from ?
+                     "; the peak force is known, it comes before" :
+                     "; the peak force comes after that"));
+      const double drift = result.history->relative_energy_drift();
+      if (drift > 1e-3)
+        warnings.push_back(
+          sentence("the total energy changes by ",
+                   100. * drift,
+                   " %, by collocation on coarse steps or by the damping of "
+                   "Newmark's parameters; choose Contact/Integration = energy "
+                   "conserving or a smaller step"));
+      return warnings;
+    }
+
+
+
+    /// Largest cell that has its nearest vertex within a distance of the
+    /// impact. [m]
+    double
+    largest_cell_within(const dealii::Triangulation<2> &mesh,
+                        const double                    distance)
+    {
+      double largest = 0.;
+      for (const auto &cell : mesh.active_cell_iterators())
+        for (const unsigned int v : cell->vertex_indices())
+          if (cell->vertex(v).norm() < distance)
+            largest = std::max(largest, cell_size(cell));
+      return largest;
+    }
+
+
+
+    std::vector<std::string>
+    warn_of_resolution(const Parameters               &parameters,
+                       const dealii::Triangulation<2> &mesh,
+                       const BendingWave              &wave,
+                       const CycleResult              &result)
+    {
+      std::vector<std::string> warnings;
+      // a spread load excites no waves shorter than itself
+      const double length =
+        std::max(wave.length, 4. * parameters.contact.patch_radius);
+      const double size =
+        largest_cell_within(mesh, wave.group_speed * parameters.time.end_time);
+      const AdaptivityParameters &adaptivity = parameters.adaptivity;
+      const bool                  meets_target =
+        result.error && result.error->eta <= adaptivity.target_error;
+      if (size > 0.5 * length && !meets_target)
+        warnings.push_back(sentence("cells of ",
+                                    size,
+                                    " m do not resolve the bending waves of ",
+                                    length,
+                                    " m that the contact sends out; choose "
+                                    "cells of at most half of it"));
+      if (result.error && !meets_target && !adaptivity.is_adaptive())
+        warnings.push_back(
+          sentence("eta is ",
+                   100. * result.error->eta,
+                   " % on this mesh, more than Adaptivity/Target error = ",
+                   100. * adaptivity.target_error,
+                   " %; choose Adaptivity/Strategy = hanging nodes or more "
+                   "Initial cells"));
+      else if (result.error && !meets_target)
+        warnings.push_back(sentence(
+          "eta is still ",
+          100. * result.error->eta,
+          " %, Adaptivity/Target error = ",
+          100. * adaptivity.target_error,
+          " % is not met; choose more Maximum cycles, a smaller Minimum "
+          "cell size or a larger target"));
+      return warnings;
+    }
+
+
+
+    std::vector<std::string>
+    warn_of_load(const Parameters   &parameters,
+                 const PlateSection &section,
+                 const CycleResult  &result)
+    {
+      const ContactState &peak = result.history->peak();
+      if (peak.force <= 0.)
+        return {};
+      const ContactParameters &contact = parameters.contact;
+      const double             radius  = radius_at(parameters, peak);
+      if (parameters.impactor.is_cylinder())
+        {
+          if (contact.has_patch() &&
+              contact.patch_radius >
+                std::max(2. * radius, 0.5 * parameters.plate.thickness))
+            return {sentence("the force is spread over a strip of half-width ",
+                             contact.patch_radius,
+                             " m, but the contact is ",
+                             radius,
+                             " m wide; choose Contact/Patch radius = ",
+                             radius)};
+          return {};
+        }
+      if (contact.load_is_singular())
+        {
+          const double drop = drop_per_halving(parameters, section, peak);
+          if (drop < 1e-4)
+            return {};
+          return {sentence("the peak force under a point load depends on the "
+                           "smallest cell (",
+                           result.min_cell_size,
+                           " m): it drops by about ",
+                           100. * drop,
+                           " % per halving; for a limit choose Contact/Load "
+                           "distribution = Hertz disc")};
+        }
+      const double halvings = std::log2(contact.patch_radius / radius);
+      // a force grows at most like k^{2/5}
+      if (0.6 * give_per_halving(section, peak) * std::abs(halvings) < 0.005)
+        return {};
+      const double change =
+        drop_per_halving(parameters, section, peak) * halvings;
+      if (std::abs(change) > 0.005)
+        return {sentence("Contact/Patch radius = ",
+                         contact.patch_radius,
+                         " m spreads the force over another area than "
+                         "the contact, whose radius is ",
+                         radius,
+                         " m: the peak force is ",
+                         // beyond the thickness bending adds to shear
+                         contact.patch_radius > parameters.plate.thickness ?
+                           "more than " :
+                           "about ",
+                         100. * std::abs(change),
+                         change > 0. ? " % too large" : " % too small",
+                         "; choose Contact/Patch radius = ",
+                         radius)};
+      return {};
+    }
+
+
+
+    std::vector<std::string>
+    warn_of_mesh(const Parameters               &parameters,
+                 const dealii::Triangulation<2> &mesh,
+                 const BendingWave              &wave,
+                 const CycleResult              &result)
+    {
+      std::vector<std::string> warnings;
+      if (result.error && result.error->n_singular_cells > 0)
+        warnings.push_back(
+          sentence("eta leaves out ",
+                   result.error->n_singular_cells,
+                   " cells nearer to the point load than half the thickness, "
+                   "where the exact energy is infinite; with them it is ",
+                   100. * result.error->eta_of_all_cells,
+                   " %"));
+
+      // measured: 0.7 % too stiff with cells 60 times as long as thick, 26 %
+      // with cells 600 times
+      const double slenderness =
+        largest_cell_within(mesh, wave.group_speed * parameters.time.end_time) /
+        parameters.plate.thickness;
+      if (parameters.discretization.element == ElementType::serendipity &&
+          slenderness > 60.)
+        warnings.push_back(sentence(
+          "the serendipity element locks in cells as long as ",
+          slenderness,
+          " thicknesses; choose Discretization/Element = MITC9 or cells below "
+          "60 thicknesses"));
+      return warnings;
+    }
+
+
+
+    std::vector<std::string>
+    warn_of_model(const Parameters &parameters, const CycleResult &result)
+    {
+      std::vector<std::string> warnings;
+      const double             thickness = parameters.plate.thickness,
+                   deflection = result.history->max_plate_displacement();
+      if (deflection > 0.2 * thickness)
+        warnings.push_back(sentence(
+          "the plate deflects by ",
+          deflection,
+          " m, ",
+          deflection / thickness,
+          " of its thickness: beyond 0.2 it stiffens by membrane forces, "
+          "which a linear plate does not have"));
+
+      // Full plasticity begins at three times the yield strength, which is at
+      // most a hundredth of Young's modulus (Johnson, Contact Mechanics,
+      // sec. 6.3).
+      const ContactState &peak = result.history->peak();
+      if (peak.force <= 0.)
+        return warnings;
+      // a nearly incompressible body is an elastomer, which does not yield
+      const bool plate_is_softer =
+        parameters.plate.youngs_modulus < parameters.impactor.youngs_modulus;
+      const double softer = plate_is_softer ?
+        parameters.plate.youngs_modulus :
+        parameters.impactor.youngs_modulus;
+      const bool   yields =
+        (plate_is_softer ? parameters.plate.poissons_ratio :
+                           parameters.impactor.poissons_ratio) < 0.45;
+      const double pressure = hertz_pressure(parameters, peak);
+      if (yields && pressure > 0.03 * softer)
+        warnings.push_back(sentence(
+          "the contact pressure reaches ",
+          pressure,
+          " Pa, ",
+          pressure / softer,
+          " of Young's modulus: no metal stays elastic beyond 0.03; the "
+          "force is an upper bound"));
+      if (peak.indentation > 0.1 * parameters.impactor.radius)
+        warnings.push_back(
+          sentence("the indentation reaches ",
+                   peak.indentation / parameters.impactor.radius,
+                   " of the impactor's radius: the laws of contact are for "
+                   "less than 0.1"));
+      const double half_width = radius_at(parameters, peak);
+      if (parameters.impactor.is_cylinder() &&
+          half_width > 0.25 * parameters.impactor.length)
+        warnings.push_back(
+          sentence("the contact is ",
+                   2. * half_width,
+                   " m wide and ",
+                   parameters.impactor.length,
+                   " m long: the law of a line contact is for one much longer "
+                   "than wide"));
+      return warnings;
+    }
+  } // namespace
+
+
+
+  std::vector<std::string>
+  model_warnings(const Parameters   &parameters,
+                 const PlateSection &section,
+                 const CycleResult  &result)
+  {
+    std::vector<std::string> warnings =
+      warn_of_load(parameters, section, result);
+    const std::vector<std::string> more = warn_of_model(parameters, result);
+    warnings.insert(warnings.end(), more.begin(), more.end());
+    return warnings;
+  }
+
+
+
+  std::vector<std::string>
+  impact_warnings(const Parameters   &parameters,
+                  const PlateSection &section,
+                  const double        contact_time,
+                  const CycleResult  &result)
+  {
+    std::vector<std::string> warnings =
+      warn_of_time(parameters, contact_time, result);
+    const std::vector<std::string> more =
+      model_warnings(parameters, section, result);
+    warnings.insert(warnings.end(), more.begin(), more.end());
+    return warnings;
+  }
+
+
+
+  std::vector<std::string>
+  reliability_warnings(const Parameters               &parameters,
+                       const dealii::Triangulation<2> &mesh,
+                       const PlateSection             &section,
+                       const ContactLaw               &law,
+                       const CycleResult              &result)
+  {
+    const double contact_time =
+      2. * zener_peak(law, make_impactor(parameters.impactor), section).time;
+    const BendingWave        wave = contact_wave(section, contact_time);
+    std::vector<std::string> warnings =
+      impact_warnings(parameters, section, contact_time, result);
+    for (const auto &more : {warn_of_resolution(parameters, mesh, wave, result),
+                             warn_of_mesh(parameters, mesh, wave, result)})
+      warnings.insert(warnings.end(), more.begin(), more.end());
+    return warnings;
+  }
+} // namespace PlateImpact

@@ -1,0 +1,358 @@
+#include "plate_impact/command/sweep.h"
+
+#include <deal.II/base/utilities.h>
+
+#include "plate_impact/base/exceptions.h"
+#include "plate_impact/output/result_directory.h"
+#include "plate_impact/sweep/sweep_computation.h"
+#include "plate_impact/sweep/sweep_console.h"
+#include "plate_impact/sweep/sweep_groups.h"
+#include "plate_impact/sweep/sweep_page.h"
+#include "plate_impact/sweep/sweep_table.h"
+#include "plate_impact/sweep/sweep_warnings.h"
+
+#include <algorithm>
+#include <exception>
+#include <fstream>
+#include <functional>
+#include <map>
+#include <memory>
+#include <sstream>
+#include <vector>
+
+namespace PlateImpact
+{
+  using dealii::Utilities::pack;
+  using dealii::Utilities::unpack;
+
+  namespace
+  {
+    /// A scene without what may differ between a sweep and its continuation:
+    /// comments and the name of the directory.
+    std::string
+    essence(std::istream &scene)
+    {
+      std::string text;
+      for (std::string line; std::getline(scene, line);)
+        if (!line.empty() && line[0] != '#' &&
+            line.find("set Directory ") == std::string::npos)
+          text += line + '\n';
+      return text;
+    }
+
+
+
+    /// @throws InputError when the directory holds a sweep of another scene
+    void
+    check_scene_to_resume(const ResultDirectory &directory,
+                          const SweepScene      &scene)
+    {
+      std::ifstream before(directory / "scene.prm");
+      if (!before)
+        return;
+      std::istringstream now(scene.text());
+      std::istringstream a(essence(before)), b(essence(now));
+      for (std::string line_before, line; std::getline(b, line);)
+        if (!std::getline(a, line_before) || line != line_before)
+          throw InputError({"--resume: " + (directory / "scene.prm").string() +
+                            " belongs to another sweep: it has '" +
+                            dealii::Utilities::trim(line_before) + "' where " +
+                            scene.name() + " has '" +
+                            dealii::Utilities::trim(line) + "'"});
+    }
+
+
+
+    /// The first process' side of a sweep: what is written and printed.
+    class SweepRecord
+    {
+    public:
+      SweepRecord(SweepScene &scene, const SweepOptions &options)
+        : scene(scene)
+        , console(options.quiet)
+        , directory(prepare(scene, options))
+        , table(directory, scene.plan(), options.resume)
+      {}
+
+      std::vector<std::size_t>
+      points_to_do() const
+      {
+        std::vector<std::size_t> points;
+        for (std::size_t point = 0; point < table.rows().size(); ++point)
+          if (!table.rows()[point])
+            points.push_back(point);
+        return points;
+      }
+
+      void
+      begin(const std::size_t n_groups)
+      {
+        console.begin(scene,
+                      n_groups,
+                      scene.plan().n_points() - points_to_do().size());
+      }
+
+      void
+      add(const SweepRow &row, const std::optional<ContactHistory> &history)
+      {
+        if (history && histories.size() < SweepPage::max_histories)
+          histories[row.point] = *history;
+        if (history)
+          directory.write_file("contact_history_point_" +
+                                 std::to_string(row.point + 1) + ".csv",
+                               [&](std::ostream &out) { history->write(out); });
+        table.add(row);
+        console.row(row);
+      }
+
+      void
+      finish(const SweepWork &work)
+      {
+        for (const std::size_t point : points_to_do())
+          add({point, {}, "not computed: its process ended early", {}}, {});
+        table.finish();
+        std::string results = (directory / "sweep.csv").string();
+        if (scene.parameters().output.write_report)
+          {
+            directory.write_file("sweep.html", [&](std::ostream &out) {
+              SweepPage(scene, table.rows(), histories).write(out, work);
+            });
+            results = (directory / "sweep.html").string() + ", " + results;
+          }
+        std::vector<std::string> warnings = sweep_warnings(table.rows());
+        if (std::none_of(table.rows().begin(),
+                         table.rows().end(),
+                         [](const auto &row) { return row->failure.empty(); }))
+          {
+            console.end(work, {}, results);
+            throw ComputationError(warnings.front());
+          }
+        console.end(work, warnings, results);
+      }
+
+    private:
+      static ResultDirectory
+      prepare(const SweepScene &scene, const SweepOptions &options)
+      {
+        ResultDirectory directory(scene.parameters().output.directory);
+        if (options.resume)
+          check_scene_to_resume(directory, scene);
+        else
+          directory.clear();
+        directory.write_scene(scene.name(), scene.text());
+        return directory;
+      }
+
+      SweepScene           &scene;
+      SweepConsole          console;
+      const ResultDirectory directory;
+      SweepTable            table;
+
+      std::map<std::size_t, ContactHistory> histories; ///< for the page
+    };
+
+
+
+    /// What a process sends: a row and its history, or at last its work.
+    struct Message
+    {
+      Message() = default;
+
+      Message(const SweepRow &row, const std::optional<ContactHistory> &history)
+        : point(row.point)
+        , failure(row.failure)
+        , warnings(row.warnings)
+      {
+        for (const auto &value : row.figures)
+          {
+            has_figure.push_back(value.has_value());
+            figures.push_back(value.value_or(0.));
+          }
+        if (history)
+          for (const ContactState &s : history->states())
+            states.insert(states.end(),
+                          {s.time,
+                           s.force,
+                           s.indentation,
+                           s.plate_displacement,
+                           s.impactor_displacement,
+                           s.impactor_velocity,
+                           s.plate_energy,
+                           s.contact_energy,
+                           s.impactor_energy});
+      }
+
+      explicit Message(const SweepWork &work)
+        : is_work(true)
+        , work(work)
+      {}
+
+      SweepRow
+      row() const
+      {
+        SweepRow row{point, {}, failure, warnings};
+        for (std::size_t i = 0; i < figures.size(); ++i)
+          row.figures.push_back(
+            has_figure[i] ? std::optional<double>(figures[i]) : std::nullopt);
+        return row;
+      }
+
+      std::optional<ContactHistory>
+      history() const
+      {
+        if (states.empty())
+          return {};
+        ContactHistory history;
+        for (auto s = states.begin(); s != states.end(); s += 9)
+          history.add({s[0], s[1], s[2], s[3], s[4], s[5], s[6], s[7], s[8]});
+        return history;
+      }
+
+      template <typename Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &is_work &work.meshes &work.plates             &work.loads;
+        archive &point &failure &warnings &has_figure &figures &states;
+      }
+
+      bool                     is_work = false;
+      SweepWork                work;
+      std::size_t              point = 0;
+      std::string              failure;
+      std::vector<std::string> warnings;
+      std::vector<char>        has_figure;
+      std::vector<double>      figures, states;
+    };
+
+
+
+    /// The tasks that this process is given, one after another.
+    /// @param done  called with every point's row and history
+    void
+    compute_tasks(
+      const std::vector<SweepGroups::Task> &tasks,
+      SweepComputation                     &computation,
+      Processes                            &processes,
+      const std::function<void(const SweepRow &,
+                               const std::optional<ContactHistory> &)> &done)
+    {
+      for (std::size_t task; (task = processes.next_task()) < tasks.size();)
+        for (const std::size_t point : tasks[task].points)
+          {
+            const auto [row, history] =
+              computation.compute(tasks[task].group, point);
+            done(row, history);
+          }
+    }
+
+
+
+    /// The share of another process than the first.
+    void
+    compute_for_first(const std::vector<SweepGroups::Task> &tasks,
+                      SweepComputation                     &computation,
+                      Processes                            &processes)
+    {
+      compute_tasks(tasks,
+                    computation,
+                    processes,
+                    [&](const SweepRow                      &row,
+                        const std::optional<ContactHistory> &history) {
+                      processes.send(pack(Message(row, history), false));
+                    });
+      processes.send(pack(Message(computation.work()), false));
+      processes.send({});
+    }
+
+
+
+    /// The share of the first process, and what the others send.
+    SweepWork
+    compute_and_receive(const std::vector<SweepGroups::Task> &tasks,
+                        SweepComputation                     &computation,
+                        Processes                            &processes,
+                        SweepRecord                          &record)
+    {
+      SweepWork  of_others;
+      const auto receive = [&](const bool wait) {
+        for (const std::vector<char> &bytes : processes.receive(wait))
+          {
+            const auto message = unpack<Message>(bytes, false);
+            if (message.is_work)
+              of_others += message.work;
+            else
+              record.add(message.row(), message.history());
+          }
+      };
+      try
+        {
+          compute_tasks(tasks,
+                        computation,
+                        processes,
+                        [&](const SweepRow                      &row,
+                            const std::optional<ContactHistory> &history) {
+                          record.add(row, history);
+                          receive(/*wait=*/false);
+                        });
+          while (!processes.all_ended())
+            receive(/*wait=*/true);
+        }
+      catch (const ComputationError &)
+        {
+          // nothing can be written: nothing more is computed
+          while (processes.next_task() < tasks.size())
+            ;
+          while (!processes.all_ended())
+            processes.receive(/*wait=*/true);
+          throw;
+        }
+      SweepWork all = computation.work();
+      all += of_others;
+      return all;
+    }
+  } // namespace
+
+
+
+  void
+  run_sweep(SweepScene         &scene,
+            const SweepOptions &options,
+            Processes          &processes)
+  {
+    // the first process alone reads and writes results; without any it has
+    // nothing to do for the others
+    std::unique_ptr<SweepRecord> record;
+    std::vector<std::size_t>     to_do;
+    std::exception_ptr           failure;
+    if (processes.is_first())
+      try
+        {
+          record = std::make_unique<SweepRecord>(scene, options);
+          to_do  = record->points_to_do();
+        }
+      catch (...)
+        {
+          failure = std::current_exception();
+        }
+    processes.broadcast(to_do);
+    if (failure)
+      std::rethrow_exception(failure);
+
+    const SweepGroups groups(scene.plan(), scene.may_adapt());
+    std::vector<bool> is_to_do(scene.plan().n_points(), false);
+    for (const std::size_t point : to_do)
+      is_to_do[point] = true;
+    // a few tasks for each process, so that all end at about the same time
+    const std::size_t n_parts =
+      processes.size() == 1 ? 1 : 8 * processes.size();
+    const auto tasks =
+      groups.tasks(is_to_do, std::max<std::size_t>(1, to_do.size() / n_parts));
+
+    SweepComputation computation(scene, groups);
+    if (!record)
+      return compute_for_first(tasks, computation, processes);
+    record->begin(groups.groups().size());
+    record->finish(compute_and_receive(tasks, computation, processes, *record));
+  }
+} // namespace PlateImpact

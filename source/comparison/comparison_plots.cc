@@ -1,0 +1,213 @@
+#include "plate_impact/comparison/comparison_plots.h"
+
+#include "plate_impact/base/prefixed_unit.h"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+namespace PlateImpact
+{
+  namespace
+  {
+    /// A history has as many steps as a scene asks for; a plot shows that many.
+    constexpr std::size_t max_plotted_states = 600;
+
+
+
+    /// Numbers of the meshes of a curve.
+    std::vector<double>
+    column(const ComparisonCurve                             &curve,
+           const std::function<double(const ComparedMesh &)> &value)
+    {
+      std::vector<double> values;
+      for (const ComparedMesh &mesh : curve.meshes)
+        values.push_back(value(mesh));
+      return values;
+    }
+
+
+
+    /// Two parallel numbers of a plot: cost and error.
+    struct Measure
+    {
+      std::string                                 title;
+      std::function<double(const ComparedMesh &)> value;
+    };
+
+    const std::vector<Measure> costs = {
+      {"cells", [](const ComparedMesh &mesh) { return mesh.cells; }},
+      {"unknowns",
+       [](const ComparedMesh &mesh) { return mesh.degrees_of_freedom; }},
+      {"seconds, cycles before included [s]",
+       [](const ComparedMesh &mesh) { return mesh.cumulative_seconds; }}};
+
+    const std::vector<Measure> errors = {
+      {"error of the peak force [%]",
+       [](const ComparedMesh &mesh) { return 100. * mesh.peak_force_error; }},
+      {"η [%]", [](const ComparedMesh &mesh) { return 100. * mesh.eta; }}};
+  } // namespace
+
+
+
+  ComparisonPlots::ComparisonPlots(const Scene              &scene,
+                                   const StrategyComparison &comparison)
+    : scene(scene)
+    , comparison(comparison)
+  {}
+
+
+
+  Series
+  ComparisonPlots::series(const ComparisonCurve &curve) const
+  {
+    const auto &strategies = scene.parameters.comparison.strategies;
+    const auto  place =
+      std::find(strategies.begin(), strategies.end(), curve.strategy);
+    return {word_for(curve.strategy),
+            {},
+            {},
+            static_cast<unsigned int>(place - strategies.begin()),
+            Style::line_and_points};
+  }
+
+
+
+  std::vector<Plot>
+  ComparisonPlots::plots_by_element(
+    const Plot                                                   &frame,
+    const std::function<void(const ComparisonCurve &, Series &)> &fill) const
+  {
+    std::vector<Plot> plots;
+    for (const ElementType element : scene.parameters.comparison.elements)
+      {
+        Plot plot  = frame;
+        plot.title = word_for(element);
+        for (const ComparisonCurve &curve : comparison.curves())
+          if (curve.element == element)
+            {
+              plot.series.push_back(series(curve));
+              fill(curve, plot.series.back());
+            }
+        plots.push_back(plot);
+      }
+    return plots;
+  }
+
+
+
+  void
+  ComparisonPlots::add_costs(Page &page) const
+  {
+    page.section("Error against cost");
+    page.paragraph(
+      "Every point is a mesh. Errors of the peak force below the dashed line, "
+      "the uncertainty of the reference, say nothing about the mesh.");
+    for (const Measure &error : errors)
+      for (const Measure &cost : costs)
+        {
+          page.heading(error.title + " against " + cost.title);
+          std::vector<Plot> plots = plots_by_element(
+            {"", "", {cost.title, true}, {error.title, true}, {}, {}},
+            [&](const ComparisonCurve &curve, Series &series) {
+              series.x = column(curve, cost.value);
+              series.y = column(curve, error.value);
+            });
+          if (&error == &errors.front())
+            for (Plot &plot : plots)
+              add_uncertainty(plot);
+          page.plots(plots, /*small=*/true);
+        }
+  }
+
+
+
+  void
+  ComparisonPlots::add_uncertainty(Plot &plot) const
+  {
+    const double uncertainty = 100. * comparison.reference().uncertainty;
+    double       first = std::numeric_limits<double>::infinity(), last = 0.;
+    for (const Series &series : plot.series)
+      for (const double x : series.x)
+        {
+          first = std::min(first, x);
+          last  = std::max(last, x);
+        }
+    if (uncertainty > 0. && first < last)
+      plot.series.push_back({"uncertainty of the reference",
+                             {first, last},
+                             {uncertainty, uncertainty},
+                             static_cast<unsigned int>(
+                               scene.parameters.comparison.strategies.size()),
+                             Style::dashed});
+  }
+
+
+
+  void
+  ComparisonPlots::add_effectivity(Page &page) const
+  {
+    if (!comparison.reference().true_error)
+      return;
+    page.section("Effectivity of the estimator");
+    page.paragraph("η over the error in energy against the reference, on "
+                   "meshes whose η is at least three times the reference's.");
+    page.plots(
+      plots_by_element(
+        {"effectivity", "", {"cells", true}, {"effectivity", false}, {}, {}},
+        [](const ComparisonCurve &curve, Series &series) {
+          for (const ComparedMesh &mesh : curve.meshes)
+            if (mesh.effectivity)
+              {
+                series.x.push_back(mesh.cells);
+                series.y.push_back(*mesh.effectivity);
+              }
+        }),
+      /*small=*/true);
+  }
+
+
+
+  void
+  ComparisonPlots::add_histories(Page &page) const
+  {
+    page.section("Force histories");
+    page.paragraph("On the last mesh of every curve.");
+    const PrefixedUnit time("s", scene.parameters.time.end_time);
+    const PrefixedUnit force("N", comparison.reference().peak_force);
+    const auto fill = [&](const ContactHistory &history, Series &series) {
+      const auto       &states = history.states();
+      const std::size_t stride = 1 + (states.size() - 1) / max_plotted_states;
+      for (std::size_t i = 0; i < states.size(); i += stride)
+        {
+          series.x.push_back(time(states[i].time));
+          series.y.push_back(force(states[i].force));
+        }
+    };
+    std::vector<Plot> plots =
+      plots_by_element({"",
+                        "",
+                        {"time [" + time.name() + "]", false},
+                        {"force [" + force.name() + "]", false},
+                        {},
+                        {}},
+                       [&](const ComparisonCurve &curve, Series &series) {
+                         series.style = Style::line;
+                         if (curve.history)
+                           fill(*curve.history, series);
+                       });
+    if (comparison.reference().history)
+      for (Plot &plot : plots)
+        {
+          plot.series.push_back(
+            {"reference",
+             {},
+             {},
+             static_cast<unsigned int>(
+               scene.parameters.comparison.strategies.size()),
+             Style::dashed});
+          fill(*comparison.reference().history, plot.series.back());
+        }
+    page.plots(plots, /*small=*/true);
+  }
+} // namespace PlateImpact

@@ -1,0 +1,322 @@
+#include "plate_impact/comparison/strategy_comparison.h"
+
+#include <deal.II/base/timer.h>
+
+#include "plate_impact/base/exceptions.h"
+#include "plate_impact/page/mesh_picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+
+namespace PlateImpact
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Cells of a reference before they are halved; with the estimator's limits
+    /// on long transients a tenth of the target may be out of reach.
+    constexpr unsigned int enough_reference_cells = 4000;
+
+    /// States at which fields are compared with those of the reference.
+    constexpr unsigned int n_compared_states = 20;
+
+    /// Meshes with more cells are not drawn.
+    constexpr unsigned int most_drawn_cells = 3000;
+
+    /// Thrown out of a cycle that would exceed the time budget.
+    struct BudgetSpent
+    {};
+
+
+
+    /// Adapts to the target, which is halved as often as it is met already or
+    /// gives no new mesh.
+    /// @return why there is no new mesh; empty when there is one
+    std::optional<std::string>
+    adapt_further(ImpactAnalysis    &analysis,
+                  const CycleResult &result,
+                  double            &target)
+    {
+      std::optional<std::string> end = "mesh unchanged";
+      for (unsigned int halvings = 0; halvings < 8; ++halvings)
+        {
+          if (result.error->eta > target &&
+              !(end = analysis.adapt(result, target)))
+            return {};
+          target *= 0.5;
+        }
+      return end;
+    }
+  } // namespace
+
+
+
+  StrategyComparison::StrategyComparison(
+    const Scene                    &scene,
+    const ImpactAnalysis::Progress &progress)
+    : scene(scene)
+    , progress(progress)
+  {}
+
+
+
+  Parameters
+  StrategyComparison::parameters_of(const AdaptationStrategy strategy,
+                                    const ElementType        element) const
+  {
+    Parameters parameters             = scene.parameters;
+    parameters.adaptivity.strategy    = strategy;
+    parameters.discretization.element = element;
+    parameters.output.field_samples   = n_compared_states;
+    parameters.output.write_report    = false;
+    return parameters;
+  }
+
+
+
+  const Reference &
+  StrategyComparison::compute_reference()
+  {
+    if (const double given = scene.parameters.comparison.reference_peak_force;
+        given > 0.)
+      {
+        the_reference.peak_force = given;
+        return the_reference;
+      }
+    const Timer      timer;
+    const Parameters parameters =
+      parameters_of(AdaptationStrategy::hanging_nodes, ElementType::MITC9);
+    const double   target = parameters.adaptivity.target_error;
+    ImpactAnalysis analysis(parameters, progress);
+    double         tightened = target;
+    CycleResult    coarse    = analysis.compute_cycle();
+    while (coarse.error->eta > 0.1 * target &&
+           coarse.cells < enough_reference_cells &&
+           !adapt_further(analysis, coarse, tightened))
+      coarse = analysis.compute_cycle();
+    analysis.refine_everywhere();
+    const CycleResult fine = analysis.compute_cycle();
+
+    the_reference.peak_force = fine.history->peak().force;
+    if (!(the_reference.peak_force > 0.))
+      throw ComputationError("the peak force of the reference is " +
+                             std::to_string(the_reference.peak_force) +
+                             " N: there is nothing to compare with; choose a "
+                             "longer Time/End time");
+    // Ritz vectors have a tolerance of their own
+    the_reference.uncertainty = std::max(
+      std::abs(coarse.history->peak().force / the_reference.peak_force - 1.),
+      fine.work.ritz_vectors > 0 ? parameters.time.ritz_tolerance : 0.);
+    the_reference.contact_end        = fine.history->first_contact_end();
+    the_reference.eta                = fine.error->eta;
+    the_reference.history            = fine.history;
+    the_reference.cells              = fine.cells;
+    the_reference.degrees_of_freedom = fine.degrees_of_freedom;
+    the_reference.seconds            = timer.wall_time();
+    if (!parameters.contact.load_is_singular())
+      the_reference.true_error =
+        std::make_shared<const ReferenceError>(analysis.model(),
+                                               fine.snapshots);
+    return the_reference;
+  }
+
+
+
+  const ComparisonCurve &
+  StrategyComparison::compute_curve(
+    const AdaptationStrategy                            strategy,
+    const ElementType                                   element,
+    const std::function<void(const ComparisonCurve &)> &listener)
+  {
+    the_curves.emplace_back();
+    ComparisonCurve &curve = the_curves.back();
+    curve.strategy         = strategy;
+    curve.element          = element;
+    try
+      {
+        add_meshes(curve, listener);
+      }
+    catch (const BudgetSpent &)
+      {
+        curve.end = "time budget";
+      }
+    catch (const ComputationError &error)
+      {
+        curve.end = std::string("failed: ") + error.what();
+      }
+    catch (const std::bad_alloc &)
+      {
+        curve.end = "failed: not enough memory";
+      }
+    return curve;
+  }
+
+
+
+  void
+  StrategyComparison::add_meshes(
+    ComparisonCurve                                    &curve,
+    const std::function<void(const ComparisonCurve &)> &listener)
+  {
+    const Parameters parameters = parameters_of(curve.strategy, curve.element);
+    const ComparisonParameters &comparison = parameters.comparison;
+    const double                target     = parameters.adaptivity.target_error;
+    double                      seconds = 0., tightened = target;
+    Timer                       timer;
+    const auto                  is_spent = [&] {
+      return !curve.meshes.empty() &&
+        seconds + timer.wall_time() > comparison.time_budget;
+    };
+    ImpactAnalysis analysis(parameters, [&](auto cycle, auto step, auto n) {
+      if (is_spent())
+        throw BudgetSpent();
+      if (progress)
+        progress(cycle, step, n);
+    });
+    for (unsigned int cycle = 1; cycle <= comparison.maximum_cycles; ++cycle)
+      {
+        const CycleResult result = analysis.compute_cycle();
+        curve.meshes.push_back(compared(result, analysis.model(), seconds));
+        curve.history = result.history;
+        seconds       = curve.meshes.back().cumulative_seconds;
+        const bool was_met =
+          curve.meshes.size() > 1 && (&curve.meshes.back())[-1].eta <= target;
+        if (!was_met && result.cells <= most_drawn_cells)
+          curve.picture = {
+            curve.name() + ": " + std::to_string(result.cells) + " cells",
+            result.cells,
+            mesh_picture(analysis.mesh(),
+                         "Mesh of cycle " + std::to_string(result.cycle) +
+                           ", impact at the lower left corner",
+                         result.element_errors()),
+            {{"element error ξ′", true, result.over_limit->elements}}};
+        curve.warnings = analysis.warnings();
+        if (listener)
+          listener(curve);
+
+        timer.restart();
+        if (is_spent())
+          throw BudgetSpent();
+        if (is_close_to_reference(curve.meshes.back()))
+          {
+            curve.end = "nearly as fine as the reference";
+            return;
+          }
+        if (cycle == comparison.maximum_cycles)
+          break;
+        if (const auto end = adapt_further(analysis, result, tightened))
+          {
+            curve.end = *end;
+            return;
+          }
+      }
+    curve.end = "maximum cycles";
+  }
+
+
+
+  ComparedMesh
+  StrategyComparison::compared(const CycleResult         &result,
+                               const PlateDiscretization &model,
+                               const double               seconds_before) const
+  {
+    const double peak_force = result.history->peak().force;
+    const double error = std::abs(peak_force / the_reference.peak_force - 1.);
+    ComparedMesh mesh  = {result.cycle,
+                          result.cells,
+                          result.degrees_of_freedom,
+                          result.error->eta,
+                          peak_force,
+                          error,
+                          error > the_reference.uncertainty,
+                          {},
+                          result.seconds.total(),
+                          seconds_before + result.seconds.total(),
+                          {}};
+    if (const auto end = result.history->first_contact_end();
+        end && the_reference.contact_end)
+      mesh.contact_end_error = std::abs(*end / *the_reference.contact_end - 1.);
+    if (the_reference.true_error && !is_close_to_reference(mesh))
+      mesh.effectivity =
+        mesh.eta / the_reference.true_error->of(model, result.snapshots);
+    return mesh;
+  }
+
+
+
+  bool
+  StrategyComparison::is_close_to_reference(const ComparedMesh &mesh) const
+  {
+    return the_reference.eta && mesh.eta < 3. * *the_reference.eta;
+  }
+
+
+
+  const Reference &
+  StrategyComparison::reference() const
+  {
+    return the_reference;
+  }
+
+
+
+  const std::vector<ComparisonCurve> &
+  StrategyComparison::curves() const
+  {
+    return the_curves;
+  }
+
+
+
+  std::vector<ThresholdRow>
+  StrategyComparison::thresholds() const
+  {
+    std::vector<ThresholdRow> rows;
+    for (const double threshold : {0.05, 0.02, 0.01, 0.005, 0.003, 0.001})
+      {
+        ThresholdRow row = {&ComparedMesh::peak_force_error,
+                            threshold,
+                            threshold > the_reference.uncertainty,
+                            {}};
+        if (row.is_comparable)
+          row.achievements =
+            achievements(threshold, &ComparedMesh::peak_force_error);
+        rows.push_back(row);
+      }
+    for (const double threshold : {0.1, 0.05, 0.02, 0.01})
+      rows.push_back({&ComparedMesh::eta,
+                      threshold,
+                      true,
+                      achievements(threshold, &ComparedMesh::eta)});
+    return rows;
+  }
+
+
+
+  std::vector<Achievement>
+  StrategyComparison::achievements(const double threshold,
+                                   double ComparedMesh::*error) const
+  {
+    std::vector<Achievement> result;
+    for (const ComparisonCurve &curve : the_curves)
+      {
+        const auto last_above =
+          std::find_if(curve.meshes.rbegin(),
+                       curve.meshes.rend(),
+                       [&](const ComparedMesh &mesh) {
+                         return !(mesh.*error <= threshold);
+                       });
+        if (last_above.base() != curve.meshes.end())
+          result.push_back({&curve, &*last_above.base()});
+      }
+    std::stable_sort(result.begin(),
+                     result.end(),
+                     [](const Achievement &a, const Achievement &b) {
+                       return a.mesh->cumulative_seconds <
+                         b.mesh->cumulative_seconds;
+                     });
+    return result;
+  }
+} // namespace PlateImpact

@@ -1,0 +1,134 @@
+#include "plate_impact/contact/contact_history.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+
+namespace PlateImpact
+{
+  void
+  ContactHistory::reserve(const std::size_t n_states)
+  {
+    history.reserve(n_states);
+  }
+
+
+
+  void
+  ContactHistory::add(const ContactState &state)
+  {
+    history.push_back(state);
+  }
+
+
+
+  const std::vector<ContactState> &
+  ContactHistory::states() const
+  {
+    return history;
+  }
+
+
+
+  const ContactState &
+  ContactHistory::peak() const
+  {
+    return *std::max_element(history.begin(),
+                             history.end(),
+                             [](const ContactState &a, const ContactState &b) {
+                               return a.force < b.force;
+                             });
+  }
+
+
+
+  double
+  ContactHistory::peak_of_curve() const
+  {
+    const std::size_t n = &peak() - history.data();
+    if (n == 0 || n + 1 == history.size())
+      return history[n].force;
+    const double slope = 0.5 * (history[n + 1].force - history[n - 1].force),
+                 curvature = history[n + 1].force - 2. * history[n].force +
+      history[n - 1].force;
+    return curvature < 0. ? history[n].force - 0.5 * slope * slope / curvature :
+                            history[n].force;
+  }
+
+
+
+  double
+  ContactHistory::rise_time() const
+  {
+    const ContactState *touch = &peak();
+    while (touch != history.data() && touch->indentation > 0.)
+      --touch;
+    return peak().time - touch->time;
+  }
+
+
+
+  std::optional<double>
+  ContactHistory::first_contact_end() const
+  {
+    for (std::size_t n = 1; n < history.size(); ++n)
+      {
+        const ContactState &before = history[n - 1], &after = history[n];
+        if (before.indentation > 0. && after.indentation <= 0.)
+          return before.time +
+            (after.time - before.time) * before.indentation /
+            (before.indentation - after.indentation);
+      }
+    return {};
+  }
+
+
+
+  unsigned int
+  ContactHistory::n_contacts() const
+  {
+    unsigned int n_contacts = 0;
+    for (std::size_t n = 1; n < history.size(); ++n)
+      if (history[n].indentation > 0. && history[n - 1].indentation <= 0.)
+        ++n_contacts;
+    return n_contacts;
+  }
+
+
+
+  double
+  ContactHistory::max_plate_displacement() const
+  {
+    double largest = 0.;
+    for (const ContactState &state : history)
+      largest = std::max(largest, std::abs(state.plate_displacement));
+    return largest;
+  }
+
+
+
+  double
+  ContactHistory::relative_energy_drift() const
+  {
+    const double initial = history.front().total_energy();
+    double       drift   = 0.;
+    for (const ContactState &state : history)
+      drift = std::max(drift, std::abs(state.total_energy() - initial));
+    return drift / initial;
+  }
+
+
+
+  void
+  ContactHistory::write(std::ostream &out) const
+  {
+    out.precision(17);
+    out << "time,force,indentation,plate_displacement,impactor_displacement,"
+           "impactor_velocity,plate_energy,contact_energy,impactor_energy\n";
+    for (const ContactState &s : history)
+      out << s.time << ',' << s.force << ',' << s.indentation << ','
+          << s.plate_displacement << ',' << s.impactor_displacement << ','
+          << s.impactor_velocity << ',' << s.plate_energy << ','
+          << s.contact_energy << ',' << s.impactor_energy << '\n';
+  }
+} // namespace PlateImpact

@@ -1,0 +1,149 @@
+#include "plate_impact/contact/contact_solver.h"
+
+#include "plate_impact/base/exceptions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+namespace PlateImpact
+{
+  double
+  CollocatedContact::known_begin_force(const double force_at_begin) const
+  {
+    return force_at_begin;
+  }
+
+
+
+  bool
+  CollocatedContact::acts_at_begin() const
+  {
+    return false;
+  }
+
+
+
+  double
+  CollocatedContact::force(const ContactLaw &law,
+                           const double,
+                           const double end) const
+  {
+    return law.force(end);
+  }
+
+
+
+  double
+  CollocatedContact::stiffness(const ContactLaw &law,
+                               const double,
+                               const double end) const
+  {
+    return law.stiffness(end);
+  }
+
+
+
+  double
+  EnergyConservingContact::known_begin_force(const double) const
+  {
+    return 0.;
+  }
+
+
+
+  bool
+  EnergyConservingContact::acts_at_begin() const
+  {
+    return true;
+  }
+
+
+
+  double
+  EnergyConservingContact::force(const ContactLaw &law,
+                                 const double      begin,
+                                 const double      end) const
+  {
+    return law.mean_force(begin, end);
+  }
+
+
+
+  double
+  EnergyConservingContact::stiffness(const ContactLaw &law,
+                                     const double      begin,
+                                     const double      end) const
+  {
+    // The quotient is exact but cancels for close indentations; there half the
+    // stiffness in the middle is its limit.
+    const double distance = end - begin;
+    if (std::abs(distance) < 1e-4 * (std::abs(begin) + std::abs(end)))
+      return 0.5 * law.stiffness(0.5 * (begin + end));
+    return std::max(0.,
+                    (law.force(end) - law.mean_force(begin, end)) / distance);
+  }
+
+
+
+  std::unique_ptr<const ContactIntegration>
+  make_contact_integration(const ForceIntegration integration)
+  {
+    switch (integration)
+      {
+        case ForceIntegration::collocation:
+          return std::make_unique<CollocatedContact>();
+        case ForceIntegration::energy_conserving:
+          return std::make_unique<EnergyConservingContact>();
+      }
+    throw std::logic_error("no such contact integration");
+  }
+
+
+
+  double
+  solve_contact(const ContactIntegration &integration,
+                const ContactLaw         &law,
+                const double              begin,
+                const double              free,
+                const double              compliance)
+  {
+    if (!std::isfinite(begin) || !std::isfinite(free) ||
+        !std::isfinite(compliance))
+      throw ComputationError("the indentation is not finite");
+
+    // phi is never negative and never decreases: the root lies between these
+    double high = free;
+    double phi  = integration.force(law, begin, high);
+    if (phi == 0.)
+      return 0.;
+    double low = free - compliance * phi;
+
+    const double epsilon = std::numeric_limits<double>::epsilon();
+    double       alpha   = std::clamp(begin, low, high);
+    for (unsigned int iteration = 0; iteration < 2000; ++iteration)
+      {
+        phi                   = integration.force(law, begin, alpha);
+        const double residual = alpha + compliance * phi - free;
+        // what round-off leaves of the residual, or nothing left to bisect
+        if (std::abs(residual) <= 2. * epsilon *
+                (std::abs(alpha) + compliance * phi + std::abs(free)) ||
+            high - low <= 2. * epsilon * (std::abs(low) + std::abs(high)))
+          return phi;
+
+        (residual > 0. ? high : low) = alpha;
+        const double newton          = alpha -
+          residual /
+            (1. + compliance * integration.stiffness(law, begin, alpha));
+        // strictly within the bracket, or else its middle; a NaN bisects
+        alpha =
+          newton > low && newton < high ? newton : low + 0.5 * (high - low);
+      }
+    std::ostringstream text;
+    text << "the contact equation was not solved (indentation " << alpha
+         << " m, force " << phi << " N); try a smaller Time/Time step";
+    throw ComputationError(text.str());
+  }
+} // namespace PlateImpact

@@ -1,0 +1,237 @@
+#include "plate_impact/contact/zener.h"
+
+#include "plate_impact/base/exceptions.h"
+#include "plate_impact/base/parameters.h"
+#include "plate_impact/contact/contact_solver.h"
+#include "plate_impact/plate/plate_section.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace PlateImpact
+{
+  namespace
+  {
+    /// The force at a point that moves an infinite thin plate at unit velocity.
+    /// [N s/m]
+    double
+    impedance(const PlateSection &section)
+    {
+      return 8. * std::sqrt(section.bending_stiffness(0, 0)) *
+        std::sqrt(section.mass);
+    }
+
+
+
+    /// Steps of Zener's equation from first touch.
+    class ZenerSteps
+    {
+    public:
+      ZenerSteps(const ContactLaw   &law,
+                 const Impactor     &impactor,
+                 const PlateSection &section)
+        : law(law)
+        , mass(impactor.mass)
+        , impedance(PlateImpact::impedance(section))
+        , velocity(impactor.velocity)
+      {}
+
+      /// @return indentation at the end of the step [m]
+      double
+      advance(const double dt)
+      {
+        const double compliance = dt / impedance + dt * dt / (2. * mass);
+        const double free       = alpha + dt * velocity;
+        const double force = solve_contact(step, law, alpha, free, compliance);
+        velocity -= dt / mass * force;
+        return alpha = free - compliance * force;
+      }
+
+      double
+      impactor_velocity() const
+      {
+        return velocity;
+      }
+
+    private:
+      const EnergyConservingContact step;
+      const ContactLaw             &law;
+      const double                  mass, impedance;
+      double                        alpha = 0., velocity;
+    };
+
+
+
+    /// Neither the energy of the impactor nor the quasi-static balance F =
+    /// impedance * v0 can be exceeded: the smaller of the two indentations is
+    /// the length scale, a part of the time to cross it the step.
+    double
+    step_size(const ContactLaw   &law,
+              const Impactor     &impactor,
+              const PlateSection &section)
+    {
+      const double v0  = impactor.velocity;
+      double       low = 0., high = law.indentation(impedance(section) * v0);
+      // the first by bisection of the potential
+      if (law.potential(high) > impactor.kinetic_energy())
+        while (high - low > 1e-3 * high)
+          {
+            const double middle = 0.5 * (low + high);
+            (law.potential(middle) > impactor.kinetic_energy() ? high : low) =
+              middle;
+          }
+      return high / v0 / 500.;
+    }
+  } // namespace
+
+
+
+  ExpectedPeak
+  zener_peak(const ContactLaw   &law,
+             const Impactor     &impactor,
+             const PlateSection &section)
+  {
+    return zener_peak(law,
+                      impactor,
+                      section,
+                      step_size(law, impactor, section));
+  }
+
+
+
+  ExpectedPeak
+  zener_peak(const ContactLaw   &law,
+             const Impactor     &impactor,
+             const PlateSection &section,
+             const double        dt)
+  {
+    ZenerSteps steps(law, impactor, section);
+    double     alpha = 0.;
+    for (unsigned int n = 1; n < 100000000; ++n)
+      {
+        const double next = steps.advance(dt);
+        if (next <= alpha)
+          return {law.force(alpha), alpha, (n - 1) * dt};
+        alpha = next;
+      }
+    throw ComputationError("Zener's equation has no peak of the contact force");
+  }
+
+
+
+  ContactHistory
+  zener_history(const ContactLaw   &law,
+                const Impactor     &impactor,
+                const PlateSection &section,
+                const double        end_time)
+  {
+    const double   shortest = step_size(law, impactor, section);
+    ZenerSteps     steps(law, impactor, section);
+    ContactHistory history;
+    ContactState   state;
+    state.impactor_velocity = impactor.velocity;
+    history.add(state);
+    for (double dt = shortest;
+         state.time < end_time && state.indentation >= 0.;)
+      {
+        const double before = state.indentation, v = state.impactor_velocity;
+        state.indentation       = steps.advance(dt);
+        state.force             = law.force(state.indentation);
+        state.impactor_velocity = steps.impactor_velocity();
+        state.impactor_displacement += 0.5 * dt * (v + state.impactor_velocity);
+        state.plate_displacement =
+          state.impactor_displacement - state.indentation;
+        state.time += dt;
+        history.add(state);
+        // what follows the first touch may be slow
+        dt = std::clamp(0.002 * state.indentation * dt /
+                          std::abs(state.indentation - before),
+                        shortest,
+                        1.01 * dt);
+      }
+    return history;
+  }
+
+
+
+  double
+  zener_restitution(const ContactLaw   &law,
+                    const Impactor     &impactor,
+                    const PlateSection &section)
+  {
+    const double shortest = step_size(law, impactor, section);
+    ZenerSteps   steps(law, impactor, section);
+    double       dt = shortest, alpha = 0.;
+    while (true)
+      {
+        const double next = steps.advance(dt);
+        if (next <= 0.)
+          return -steps.impactor_velocity() / impactor.velocity;
+        // past the peak of a heavily damped impact the indentation creeps back
+        const double slow = 0.002 * next * dt / std::abs(next - alpha);
+        dt                = std::clamp(slow, shortest, 1.01 * dt);
+        alpha             = next;
+        const double v    = steps.impactor_velocity();
+        if (law.potential(alpha) + 0.5 * impactor.mass * v * v <
+            1e-6 * impactor.kinetic_energy())
+          return 0.;
+      }
+  }
+
+
+
+  std::optional<double>
+  zener_loss_factor(const ContactLaw   &law,
+                    const Impactor     &impactor,
+                    const PlateSection &section)
+  {
+    const std::optional<double> k = law.hertz_coefficient();
+    if (!k)
+      return {};
+    const double m = impactor.mass;
+    const double T = std::pow(m / (*k * std::sqrt(impactor.velocity)), 0.4);
+    return m / (impedance(section) * T);
+  }
+
+
+
+  BendingWave
+  contact_wave(const PlateSection &section, const double contact_time)
+  {
+    const double pi        = std::acos(-1.);
+    const double frequency = pi / contact_time;
+    const double speed     = std::sqrt(frequency) *
+      std::pow(section.bending_stiffness(0, 0) / section.mass, 0.25);
+    return {2. * contact_time * speed, 2. * speed};
+  }
+
+
+
+  double
+  chosen_time_step(const TimeParameters &time,
+                   const ContactLaw     &law,
+                   const Impactor       &impactor,
+                   const PlateSection   &section)
+  {
+    const ExpectedPeak exact        = zener_peak(law, impactor, section);
+    const double       contact_time = 2. * exact.time, pi = std::acos(-1.);
+    // by powers of two from a time of the plate alone, the inverse frequency of
+    // thickness shear, so that impactors share steps
+    const double base =
+      std::sqrt(section.rotary_inertia / section.shear_stiffness);
+    double step =
+      base * std::exp2(std::floor(std::log2(contact_time / 8. / base)));
+    // the reference is good to about 1e-5
+    const double tolerance = std::max(time.step_tolerance, 1e-5);
+    while (true)
+      {
+        step *= 0.5;
+        // the largest step misses the peak of a half sine by up to half a step
+        const double missed  = 1. - std::cos(0.5 * pi * step / contact_time);
+        const double changed = std::abs(
+          zener_peak(law, impactor, section, step).force / exact.force - 1.);
+        if (std::max(missed, changed) <= tolerance)
+          return std::min(step, time.end_time);
+      }
+  }
+} // namespace PlateImpact

@@ -1,0 +1,124 @@
+#include "plate_impact/output/console.h"
+
+#include "plate_impact/base/columns.h"
+
+#include <csignal>
+#include <iostream>
+#include <unistd.h>
+
+namespace PlateImpact
+{
+  namespace
+  {
+    /// In the letters that every terminal has.
+    std::string
+    in_ascii(std::string unit)
+    {
+      const std::string micro = "µ";
+      if (unit.compare(0, micro.size(), micro) == 0)
+        unit.replace(0, micro.size(), "u");
+      return unit;
+    }
+  } // namespace
+
+
+
+  Console::Console(const bool quiet)
+    : progress(quiet)
+    , quiet(quiet)
+    , out(STDOUT_FILENO)
+  {
+    std::signal(SIGPIPE, SIG_IGN);
+  }
+
+
+
+  void
+  Console::begin(const Scene &scene)
+  {
+    target    = scene.parameters.adaptivity.target_error;
+    time_unit = PrefixedUnit("s", scene.parameters.time.end_time);
+    if (quiet)
+      return;
+#ifdef DEBUG
+    std::cout << "DEBUG build, many times slower; configure with "
+                 "CMAKE_BUILD_TYPE=Release for results\n";
+#endif
+    std::cout << out.emphasized(scene.name, Emphasis::bold) << "\n"
+              << "cycle   cells unknowns   eta % max xi' peak force N"
+              << right(9, "at " + in_ascii(time_unit.name()))
+              << right(9, "end " + in_ascii(time_unit.name())) << "  seconds"
+              << std::endl;
+  }
+
+
+
+  void
+  Console::cycle(const CycleResult &result)
+  {
+    if (quiet)
+      return;
+    progress.clear();
+    std::optional<double> eta, xi, peak, peak_time, contact_end;
+    if (result.error)
+      {
+        eta = 100. * result.error->eta;
+        xi  = result.over_limit->max_element();
+      }
+    if (result.history)
+      {
+        peak      = result.history->peak().force;
+        peak_time = time_unit(result.history->peak().time);
+        if (const auto end = result.history->first_contact_end())
+          contact_end = time_unit(*end);
+      }
+    std::cout << column(5, "%.0f", result.cycle)
+              << column(8, "%.0f", result.cells)
+              << column(9, "%.0f", result.degrees_of_freedom)
+              << column(8, "%.2f", eta) << column(8, "%.2f", xi)
+              << column(13, "%.6g", peak) << column(9, "%.4g", peak_time)
+              << column(9, "%.5g", contact_end)
+              << column(9, "%.2f", result.seconds.total()) << std::endl;
+  }
+
+
+
+  void
+  Console::end(const std::string              &outcome,
+               const CycleResult              &last,
+               const std::vector<std::string> &warnings,
+               const std::string              &results)
+  {
+    if (!quiet)
+      {
+        std::cout << "\nOutcome     "
+                  << out.emphasized(outcome,
+                                    outcome == "target reached" ||
+                                        outcome == "single mesh" ?
+                                      Emphasis::good :
+                                      Emphasis::warning);
+        if (last.error)
+          std::cout << ", eta " << formatted("%.6g", 100. * last.error->eta)
+                    << " % (target " << formatted("%.6g", 100. * target)
+                    << " %)";
+        if (last.error && last.error->eta <= target &&
+            outcome != "target reached" && last.over_limit->max_element() >= 1.)
+          std::cout << ", largest xi' "
+                    << formatted("%.3g", last.over_limit->max_element())
+                    << " (limit 1)";
+        if (last.cells_at_minimum_size > 0)
+          std::cout << " (cells at the minimum size that keep xi' >= 1: "
+                    << last.cells_at_minimum_size << ")";
+        if (last.history)
+          std::cout << "\nPeak force  "
+                    << out.emphasized(formatted("%.6g N",
+                                                last.history->peak().force),
+                                      Emphasis::bold)
+                    << " at "
+                    << formatted("%.6g ", time_unit(last.history->peak().time))
+                    << in_ascii(time_unit.name());
+        std::cout << "\nResults     " << results << std::endl;
+      }
+    print_warnings(warnings);
+  }
+} // namespace PlateImpact

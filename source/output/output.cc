@@ -1,0 +1,360 @@
+#include "plate_impact/output/output.h"
+
+#include <deal.II/base/timer.h>
+#include <deal.II/fe/fe_dgq.h>
+#include <deal.II/fe/fe_tools.h>
+#include <deal.II/numerics/data_out.h>
+
+#include "plate_impact/adaptation/mesh_adaptation.h"
+#include "plate_impact/base/exceptions.h"
+#include "plate_impact/base/version.h"
+#include "plate_impact/output/deflection_film.h"
+#include "plate_impact/page/mesh_picture.h"
+#include "plate_impact/plate/plate_discretization.h"
+#include "plate_impact/plate/plate_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace PlateImpact
+{
+  using namespace dealii;
+  namespace fs = std::filesystem;
+
+  namespace
+  {
+    void
+    write_element_errors(std::ostream               &out,
+                         const Triangulation<2>     &mesh,
+                         const ErrorOverLimit       &error,
+                         const AdaptivityParameters &adaptivity)
+    {
+      const std::vector<double> sizes = target_sizes(mesh, error, adaptivity);
+      out.precision(17);
+      out << "cell,center_x,center_y,size,element_error,target_size\n";
+      for (const auto &cell : mesh.active_cell_iterators())
+        {
+          const unsigned int c = cell->active_cell_index();
+          out << c << ',' << cell->center()[0] << ',' << cell->center()[1]
+              << ',' << cell_size(cell) << ',' << error.elements[c] << ','
+              << allowed_size(sizes[c], adaptivity) << '\n';
+        }
+    }
+
+
+
+    /// A VTU file holds floats.
+    void
+    require_finite(const Vector<double> &fields, const double time)
+    {
+      // false for what is not a number, too
+      const auto fits = [](const double value) {
+        return std::abs(value) < std::numeric_limits<float>::max();
+      };
+      if (std::all_of(fields.begin(), fields.end(), fits))
+        return;
+      std::ostringstream text;
+      text << "the fields at t = " << time
+           << " s hold values beyond the numbers of a file";
+      throw ComputationError(text.str());
+    }
+
+
+
+    std::string
+    caption_of(const CycleResult &result)
+    {
+      std::ostringstream text;
+      text.precision(3);
+      text << "Cycle " << result.cycle << ": " << result.cells << " cells";
+      if (result.error)
+        text << ", eta = " << 100. * result.error->eta << " %";
+      text << ". Impact at the lower left corner.";
+      return text.str();
+    }
+
+
+
+    nlohmann::ordered_json
+    to_json(const CycleResult &result)
+    {
+      nlohmann::ordered_json cycle;
+      cycle["cycle"]              = result.cycle;
+      cycle["cells"]              = result.cells;
+      cycle["degrees_of_freedom"] = result.degrees_of_freedom;
+      cycle["min_cell_size"]      = result.min_cell_size;
+      if (result.error)
+        {
+          cycle["discretization_error"] = result.error->eta;
+          if (result.error->n_singular_cells > 0)
+            {
+              cycle["singular_cells"] = result.error->n_singular_cells;
+              cycle["discretization_error_of_all_cells"] =
+                result.error->eta_of_all_cells;
+            }
+          cycle["max_element_error"]     = result.over_limit->max_element();
+          cycle["cells_above_limit"]     = result.cells_above_limit;
+          cycle["cells_at_minimum_size"] = result.cells_at_minimum_size;
+        }
+      if (result.history)
+        {
+          const ContactHistory &history = *result.history;
+          const ContactState   &peak    = history.peak();
+          cycle["peak_force"]           = peak.force;
+          cycle["time_of_peak_force"]   = peak.time;
+          if (result.time_error)
+            cycle["time_error"] = *result.time_error;
+          if (result.sensitivity)
+            cycle["sensitivity"] = result.sensitivity->factor;
+          if (const auto end = history.first_contact_end())
+            cycle["first_contact_end"] = *end;
+          cycle["number_of_contacts"] = history.n_contacts();
+          if (result.separation_time)
+            cycle["no_contact_after"] = *result.separation_time;
+          cycle["impulse"] = result.impulse;
+          cycle["final_impactor_velocity"] =
+            history.states().back().impactor_velocity;
+          cycle["max_plate_displacement"] = history.max_plate_displacement();
+          cycle["plate_displacement_at_peak"] = peak.plate_displacement;
+          if (result.error)
+            cycle["max_effective_stress"] = result.error->max_effective_stress;
+          cycle["relative_energy_drift"] = history.relative_energy_drift();
+          cycle["steps"]                 = result.steps;
+          cycle["work"] = {{"factorizations", result.work.factorizations},
+                           {"linear_solves", result.work.linear_solves},
+                           {"contact_steps", result.work.contact_steps},
+                           {"estimator_samples", result.work.estimator_samples},
+                           {"ritz_vectors", result.work.ritz_vectors}};
+        }
+      const Seconds &s = result.seconds;
+      cycle["seconds"] = {{"mesh", s.mesh},
+                          {"assembly", s.assembly},
+                          {"factorization", s.factorization},
+                          {"stepping", s.stepping},
+                          {"estimation", s.estimation},
+                          {"output", s.output},
+                          {"total", s.total()}};
+      return cycle;
+    }
+  } // namespace
+
+
+
+  Output::Output(const Scene &scene)
+    : scene(scene)
+    , directory(scene.parameters.output.directory)
+    , report(scene)
+  {
+    directory.clear();
+    directory.write_scene(scene.name, scene.text);
+  }
+
+
+
+  void
+  Output::write_file(const std::string                         &name,
+                     const std::function<void(std::ostream &)> &write)
+  {
+    directory.write_file(name, write);
+  }
+
+
+
+  void
+  Output::write_cycle(CycleResult               &result,
+                      const PlateDiscretization &model,
+                      const ErrorEstimator      *estimator)
+  {
+    Timer                   timer;
+    const Triangulation<2> &mesh   = model.mesh();
+    const std::string       suffix = "_cycle_" + std::to_string(result.cycle);
+    if (result.history)
+      {
+        if (result.cycle > 1)
+          {
+            const std::string earlier = "contact_history_cycle_" +
+              std::to_string(result.cycle - 1) + ".csv";
+            std::error_code error;
+            fs::rename(directory / "contact_history.csv",
+                       directory / earlier,
+                       error);
+            if (error)
+              throw ComputationError((directory / earlier).string() +
+                                     " cannot be written: " + error.message());
+          }
+        directory.write_file("contact_history.csv", [&](std::ostream &out) {
+          result.history->write(out);
+        });
+      }
+    if (result.error)
+      directory.write_file("element_errors" + suffix + ".csv",
+                           [&](std::ostream &out) {
+                             write_element_errors(out,
+                                                  mesh,
+                                                  *result.over_limit,
+                                                  scene.parameters.adaptivity);
+                           });
+    if (scene.parameters.output.write_meshes)
+      directory.write_file("mesh" + suffix + ".svg", [&](std::ostream &out) {
+        write_mesh_svg(out, mesh, caption_of(result), result.element_errors());
+      });
+    if (scene.parameters.output.write_report)
+      report.add_cycle(result, model, estimator);
+    result.seconds.output += timer.wall_time();
+    cycles.push_back(to_json(result));
+  }
+
+
+
+  void
+  Output::write_fields(CycleResult               &result,
+                       const PlateDiscretization &model,
+                       const ErrorEstimator      &estimator)
+  {
+    Timer                          timer;
+    const unsigned int             n_fields    = 9;
+    const std::vector<std::string> field_names = {"deflection",
+                                                  "rotation_x",
+                                                  "rotation_y",
+                                                  "moment_x",
+                                                  "moment_y",
+                                                  "moment_xy",
+                                                  "shear_force_x",
+                                                  "shear_force_y",
+                                                  "von_mises_stress"};
+    // values of every cell at its own nine nodes: what is recovered may differ
+    // from cell to cell at hanging nodes
+    const FE_DGQ<2>   nodal(2);
+    const FESystem<2> fields_element(nodal, n_fields);
+    DoFHandler<2>     dof_handler(model.mesh());
+    dof_handler.distribute_dofs(fields_element);
+    const std::vector<unsigned int> hierarchic =
+      FETools::lexicographic_to_hierarchic_numbering<2>(2);
+    const FESystem<2> &plate_element = model.element().finite_element();
+
+    std::vector<std::pair<double, std::string>> record;
+    Vector<double>                              fields(dof_handler.n_dofs());
+    Vector<float> element_errors(result.over_limit->elements.begin(),
+                                 result.over_limit->elements.end());
+    std::vector<types::global_dof_index> dofs(fields_element.n_dofs_per_cell());
+    Eigen::MatrixXd                      values;
+    for (const Snapshot &snapshot : result.snapshots)
+      {
+        const Eigen::MatrixXd resultants =
+          estimator.recovered_resultants(snapshot.unknowns,
+                                         nodal.get_unit_support_points());
+        for (const auto &cell : dof_handler.active_cell_iterators())
+          {
+            const unsigned int c = cell->active_cell_index();
+            model.cell_values(c, snapshot.unknowns, values);
+            cell->get_dof_indices(dofs);
+            for (unsigned int node = 0; node < nodal.n_dofs_per_cell(); ++node)
+              {
+                const auto set = [&](const unsigned int field,
+                                     const double       value) {
+                  fields[dofs[fields_element.component_to_system_index(field,
+                                                                       node)]] =
+                    value;
+                };
+                for (unsigned int k = 0; k < n_components; ++k)
+                  set(k,
+                      values(plate_element
+                               .component_to_system_index(k, hierarchic[node]),
+                             0));
+                const Resultants r = resultants.col(c).segment<5>(5 * node);
+                for (unsigned int k = 0; k < 5; ++k)
+                  set(n_components + k, r[k]);
+                set(8,
+                    model.section().surface_von_mises_stress(r[0], r[1], r[2]));
+              }
+          }
+        require_finite(fields, snapshot.time);
+        DataOut<2> data_out;
+        data_out.attach_dof_handler(dof_handler);
+        data_out.add_data_vector(fields, field_names);
+        data_out.add_data_vector(element_errors,
+                                 "element_error",
+                                 DataOut<2>::type_cell_data);
+        data_out.build_patches(2);
+        const std::string name =
+          "fields_" + std::to_string(record.size()) + ".vtu";
+        directory.write_file(name, [&](std::ostream &out) {
+          data_out.write_vtu(out);
+        });
+        record.push_back({snapshot.time, name});
+      }
+    directory.write_file("fields.pvd", [&](std::ostream &out) {
+      DataOutBase::write_pvd_record(out, record);
+    });
+    result.seconds.output += timer.wall_time();
+    cycles.back() = to_json(result);
+  }
+
+
+
+  nlohmann::ordered_json
+  Output::write_summary(const std::string              &outcome,
+                        const std::vector<std::string> &warnings)
+  {
+    nlohmann::ordered_json summary;
+    summary["scene"]    = scene.name;
+    summary["version"]  = PLATE_IMPACT_VERSION;
+    summary["outcome"]  = outcome;
+    summary["warnings"] = warnings;
+    summary["cycles"]   = cycles;
+    directory.write_file("summary.json", [&](std::ostream &out) {
+      out << summary.dump(2) << '\n';
+    });
+    return summary;
+  }
+
+
+
+  void
+  Output::finish(const std::string              &outcome,
+                 const std::vector<std::string> &warnings,
+                 const CycleResult              &last,
+                 const PlateDiscretization      &model)
+  {
+    const nlohmann::ordered_json summary = write_summary(outcome, warnings);
+    if (scene.parameters.output.write_report)
+      directory.write_file("report.html", [&](std::ostream &out) {
+        report.write(out, summary, deflection_film(last, model));
+      });
+  }
+
+
+
+  void
+  Output::write_failure(const std::string &failure)
+  {
+    try
+      {
+        write_summary("failed: " + failure, {});
+      }
+    catch (const ComputationError &)
+      {
+        // the disk that failed first fails again: the first failure is the news
+      }
+  }
+
+
+
+  std::string
+  Output::main_files() const
+  {
+    std::string text;
+    for (const std::string name : {"report.html",
+                                   "comparison.html",
+                                   "comparison.csv",
+                                   "comparison.json",
+                                   "summary.json",
+                                   "contact_history.csv",
+                                   "fields.pvd"})
+      if (fs::exists(directory / name))
+        text += (text.empty() ? "" : ", ") + (directory / name).string();
+    return text;
+  }
+} // namespace PlateImpact

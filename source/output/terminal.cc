@@ -1,0 +1,79 @@
+#include "plate_impact/output/terminal.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <iostream>
+#include <string_view>
+#include <unistd.h>
+
+namespace PlateImpact
+{
+  namespace
+  {
+    std::string_view
+    environment(const char *name)
+    {
+      const char *const value = std::getenv(name);
+      return value != nullptr ? value : "";
+    }
+  } // namespace
+
+
+
+  std::string
+  waiting_time(const double seconds)
+  {
+    const bool in_seconds = seconds < 100., in_minutes = seconds < 6000.;
+    char       text[64];
+    std::snprintf(text,
+                  sizeof(text),
+                  "%.0f %s",
+                  seconds /
+                    (in_seconds   ? 1. :
+                       in_minutes ? 60. :
+                                    3600.),
+                  in_seconds   ? "s" :
+                    in_minutes ? "min" :
+                                 "h");
+    return text;
+  }
+
+
+
+  Terminal::Terminal(const int descriptor)
+    : interactive(isatty(descriptor) != 0 && environment("TERM") != "" &&
+                  environment("TERM") != "dumb")
+    , has_colours(interactive && environment("NO_COLOR").empty())
+  {}
+
+
+
+  bool
+  Terminal::is_interactive() const
+  {
+    return interactive;
+  }
+
+
+
+  std::string
+  Terminal::emphasized(const std::string &text, const Emphasis emphasis) const
+  {
+    if (!has_colours)
+      return text;
+    const char *const codes[] = {"32", "33", "31", "1"};
+    return std::string("\033[") + codes[static_cast<int>(emphasis)] + 'm' +
+      text + "\033[0m";
+  }
+
+
+
+  void
+  print_warnings(const std::vector<std::string> &warnings)
+  {
+    const Terminal err(STDERR_FILENO);
+    for (const std::string &warning : warnings)
+      std::cerr << err.emphasized("warning: ", Emphasis::warning) << warning
+                << std::endl;
+  }
+} // namespace PlateImpact

@@ -1,0 +1,105 @@
+#include "plate_impact/plate/load_distribution.h"
+
+#include <deal.II/base/numbers.h>
+#include <deal.II/base/quadrature_lib.h>
+
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+#include <utility>
+
+namespace PlateImpact
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Quadrature of a load on a disc. Gauss points s in [0,1] for the radius,
+    /// whose radius and density (of the force, integrating to one) are given;
+    /// equidistant angles, which integrate smooth functions with the mirror
+    /// symmetries of the plate to high order.
+    std::vector<LoadPoint>
+    disc(const std::function<double(double)> &radius,
+         const std::function<double(double)> &density)
+    {
+      // Shape functions have kinks at cell sides: many points, not a high order
+      const unsigned int     n_radii = 40, n_angles = 40;
+      const QGauss<1>        radial(n_radii);
+      std::vector<LoadPoint> points;
+      points.reserve(n_radii * n_angles);
+      for (unsigned int i = 0; i < n_radii; ++i)
+        for (unsigned int j = 0; j < n_angles; ++j)
+          {
+            const double s     = radial.point(i)[0];
+            const double angle = (j + 0.5) / n_angles * numbers::PI_2;
+            points.push_back(
+              {radius(s) * Point<2>(std::cos(angle), std::sin(angle)),
+               radial.weight(i) * density(s) / n_angles});
+          }
+      return points;
+    }
+
+
+
+    /// Quadrature of a load along 0 <= x <= l, at distances y from the axis
+    /// with weights that sum to one.
+    std::vector<LoadPoint>
+    strip(const double                                  half_length,
+          const std::vector<std::pair<double, double>> &across)
+    {
+      const unsigned int     n_intervals = 200;
+      const QIterated<1>     along(QGauss<1>(2), n_intervals);
+      std::vector<LoadPoint> points;
+      for (unsigned int i = 0; i < along.size(); ++i)
+        for (const auto &[y, weight] : across)
+          points.push_back({Point<2>(half_length * along.point(i)[0], y),
+                            along.weight(i) * weight});
+      return points;
+    }
+
+
+
+    /// Half of the Hertz pressure of a line contact: y = c sin(phi), so that p
+    /// dy is cos^2(phi) dphi 4 / pi for phi in [0, pi/2].
+    std::vector<std::pair<double, double>>
+    hertz_pressure_across(const double half_width)
+    {
+      const QGauss<1>                        rule(24);
+      std::vector<std::pair<double, double>> across;
+      for (unsigned int i = 0; i < rule.size(); ++i)
+        {
+          const double phi = rule.point(i)[0] * numbers::PI_2;
+          across.emplace_back(half_width * std::sin(phi),
+                              rule.weight(i) * numbers::PI_2 * 4. /
+                                numbers::PI * std::cos(phi) * std::cos(phi));
+        }
+      return across;
+    }
+  } // namespace
+
+
+
+  std::vector<LoadPoint>
+  make_load_distribution(const ContactParameters &contact, const double length)
+  {
+    const double c = contact.patch_radius;
+    switch (contact.load_distribution)
+      {
+        case LoadShape::point:
+          return {{Point<2>(), 1.}};
+        case LoadShape::Hertz_disc:
+          // s = sqrt(1 - (r/c)^2): p r dr is 3 s^2 ds
+          return disc([c](const double s) { return c * std::sqrt(1. - s * s); },
+                      [](const double s) { return 3. * s * s; });
+        case LoadShape::uniform_disc:
+          // s = (r/c)^2: p r dr is ds
+          return disc([c](const double s) { return c * std::sqrt(s); },
+                      [](const double) { return 1.; });
+        case LoadShape::line:
+          return strip(0.5 * length, {{0., 1.}});
+        case LoadShape::strip:
+          return strip(0.5 * length, hertz_pressure_across(c));
+      }
+    throw std::logic_error("no such load distribution");
+  }
+} // namespace PlateImpact

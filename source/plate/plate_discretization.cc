@@ -1,0 +1,370 @@
+#include "plate_impact/plate/plate_discretization.h"
+
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/mapping_q1.h>
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/vector.h>
+#include <deal.II/numerics/vector_tools_interpolate.h>
+
+#include "plate_impact/base/exceptions.h"
+#include "plate_impact/plate/plate_mesh.h"
+#include "plate_impact/plate/support.h"
+
+#include <Epetra_CrsGraph.h>
+#include <Epetra_Map.h>
+#include <Epetra_SerialComm.h>
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+
+namespace PlateImpact
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Corners relative to the first one in units of the tolerance: equal for
+    /// congruent cells of equal orientation.
+    std::array<long, 6>
+    congruence_key(const Triangulation<2>::active_cell_iterator &cell,
+                   const double                                  tolerance)
+    {
+      std::array<long, 6> key;
+      for (unsigned int v = 1; v < 4; ++v)
+        for (unsigned int d = 0; d < 2; ++d)
+          key[2 * (v - 1) + d] =
+            std::lround((cell->vertex(v)[d] - cell->vertex(0)[d]) / tolerance);
+      return key;
+    }
+
+
+
+    /// Unit coordinates of a point within a cell; empty when it lies outside.
+    std::optional<Point<2>>
+    position_in(const Triangulation<2>::active_cell_iterator &cell,
+                const Point<2>                               &point)
+    {
+      try
+        {
+          const Point<2> unit =
+            MappingQ1<2>().transform_real_to_unit_cell(cell, point);
+          if (GeometryInfo<2>::is_inside_unit_cell(unit, 1e-9))
+            return unit;
+        }
+      catch (const Mapping<2>::ExcTransformationFailed &)
+        {
+          // far outside of a distorted cell
+        }
+      return {};
+    }
+
+
+
+    /// A matrix, all zero, with those entries of a sparsity pattern that are
+    /// not excluded.
+    /// @param is_entry  whether a row and column of the pattern have one
+    template <typename IsEntry>
+    std::unique_ptr<Epetra_CrsMatrix>
+    make_matrix(const DynamicSparsityPattern &pattern, const IsEntry &is_entry)
+    {
+      const int               n = pattern.n_rows();
+      const Epetra_SerialComm communicator;
+      const Epetra_Map        map(n, 0, communicator);
+      std::vector<int>        row_lengths(n), columns;
+      for (int row = 0; row < n; ++row)
+        for (unsigned int i = 0; i < pattern.row_length(row); ++i)
+          row_lengths[row] += is_entry(row, pattern.column_number(row, i));
+
+      // local indices of a known column map need no search, and a matrix whose
+      // graph is complete takes its values at once
+      Epetra_CrsGraph graph(Copy, map, map, row_lengths.data(), true);
+      for (int row = 0; row < n; ++row)
+        {
+          columns.clear();
+          for (unsigned int i = 0; i < pattern.row_length(row); ++i)
+            if (const int column = pattern.column_number(row, i);
+                is_entry(row, column))
+              columns.push_back(column);
+          graph.InsertMyIndices(row, columns.size(), columns.data());
+        }
+      graph.FillComplete();
+      graph.OptimizeStorage();
+      auto matrix = std::make_unique<Epetra_CrsMatrix>(Copy, graph);
+      matrix->FillComplete();
+      return matrix;
+    }
+  } // namespace
+
+
+
+  PlateDiscretization::PlateDiscretization(const Triangulation<2> &mesh,
+                                           const PlateElement     &element,
+                                           const PlateParameters  &plate,
+                                           const double            multiplicity)
+    : plate_element(element)
+    , plate_section(plate)
+    , multiplicity(multiplicity)
+    , dof_handler(mesh)
+  {
+    dof_handler.distribute_dofs(element.finite_element());
+    constrain(plate);
+    unknowns.reinit(dof_handler, constraints);
+    find_shapes();
+  }
+
+
+
+  void
+  PlateDiscretization::constrain(const PlateParameters &plate)
+  {
+    DoFTools::make_hanging_node_constraints(dof_handler, constraints);
+    plate_element.add_internal_constraints(dof_handler, constraints);
+
+    const Support &support_x = find_support(plate.support.front());
+    const Support &support_y = find_support(plate.support.back());
+    const auto     hold      = [&](const PlateBoundary boundary,
+                          const Support      &support) {
+      const bool normal_is_x = boundary == symmetry_x || boundary == edge_x;
+      const ComponentMask mask = support.held_components(normal_is_x);
+      if (mask.n_selected_components() > 0)
+        DoFTools::make_zero_boundary_constraints(dof_handler,
+                                                 boundary,
+                                                 constraints,
+                                                 mask);
+    };
+    hold(symmetry_x, symmetry_plane());
+    hold(symmetry_y, symmetry_plane());
+    hold(edge_x, support_x);
+    hold(edge_y, support_y);
+    constraints.close();
+    holds_deflection = support_x.deflection || support_y.deflection;
+  }
+
+
+
+  void
+  PlateDiscretization::find_shapes()
+  {
+    const auto  &mesh      = dof_handler.get_triangulation();
+    const double tolerance = 1e-10 * mesh.begin_active(0)->diameter();
+    std::map<std::array<long, 6>, unsigned int> known;
+    shape_of_cell.resize(mesh.n_active_cells());
+    for (const auto &cell : mesh.active_cell_iterators())
+      {
+        const auto [shape, is_new] =
+          known.insert({congruence_key(cell, tolerance), shapes.size()});
+        if (is_new)
+          shapes.push_back(plate_element.shape(cell));
+        shape_of_cell[cell->active_cell_index()] = shape->second;
+      }
+  }
+
+
+
+  void
+  PlateDiscretization::assemble()
+  {
+    DynamicSparsityPattern pattern(n_unknowns(), n_unknowns());
+    for (unsigned int cell = 0; cell < shape_of_cell.size(); ++cell)
+      {
+        const auto of_cell = unknowns.of_cell(cell);
+        for (const types::global_dof_index row : of_cell)
+          pattern.add_entries(row,
+                              of_cell.begin(),
+                              of_cell.end(),
+                              /*indices_are_sorted=*/true);
+      }
+    K = make_matrix(pattern, [](int, int) { return true; });
+    // inertia couples no component with another
+    M = make_matrix(pattern, [this](const int row, const int column) {
+      return unknowns.component(row) == unknowns.component(column);
+    });
+
+    // congruent cells share their matrices
+    std::vector<CellMatrix> K_of_shape, M_of_shape;
+    for (const CellShape &shape : shapes)
+      {
+        K_of_shape.push_back(multiplicity *
+                             plate_element.stiffness(shape, plate_section));
+        M_of_shape.push_back(multiplicity *
+                             plate_element.mass(shape, plate_section));
+      }
+    for (unsigned int cell = 0; cell < shape_of_cell.size(); ++cell)
+      {
+        add_cell_matrix(cell, K_of_shape[shape_of_cell[cell]], *K);
+        add_cell_matrix(cell, M_of_shape[shape_of_cell[cell]], *M);
+      }
+  }
+
+
+
+  void
+  PlateDiscretization::add_cell_matrix(const unsigned int cell,
+                                       const CellMatrix  &matrix,
+                                       Epetra_CrsMatrix  &sum) const
+  {
+    const auto      of_cell = unknowns.of_cell(cell);
+    Eigen::MatrixXd A;
+    unknowns.resolve_constraints(cell, of_cell, matrix, A);
+    // symmetric, so that a column is a row
+    std::vector<int>    columns;
+    std::vector<double> values;
+    for (Eigen::Index j = 0; j < A.cols(); ++j)
+      {
+        columns.clear();
+        values.clear();
+        for (Eigen::Index i = 0; i < A.rows(); ++i)
+          if (A(i, j) != 0.)
+            {
+              columns.push_back(of_cell[i]);
+              values.push_back(A(i, j));
+            }
+        sum.SumIntoMyValues(of_cell[j],
+                            columns.size(),
+                            values.data(),
+                            columns.data());
+      }
+  }
+
+
+
+  unsigned int
+  PlateDiscretization::n_unknowns() const
+  {
+    return unknowns.size();
+  }
+
+
+
+  const Epetra_CrsMatrix &
+  PlateDiscretization::stiffness() const
+  {
+    return *K;
+  }
+
+
+
+  const Epetra_CrsMatrix &
+  PlateDiscretization::mass() const
+  {
+    return *M;
+  }
+
+
+
+  Eigen::VectorXd
+  PlateDiscretization::load(const std::vector<LoadPoint> &points) const
+  {
+    Eigen::VectorXd    u  = Eigen::VectorXd::Zero(n_unknowns());
+    const FESystem<2> &fe = plate_element.finite_element();
+    std::vector<bool>  is_found(points.size(), false);
+    unsigned int       n_found = 0;
+
+    for (const auto &cell : mesh().active_cell_iterators())
+      {
+        const auto box = cell->bounding_box();
+        for (std::size_t p = 0; p < points.size(); ++p)
+          if (!is_found[p] && box.point_inside(points[p].point, 1e-9))
+            {
+              const std::optional<Point<2>> unit =
+                position_in(cell, points[p].point);
+              if (!unit)
+                continue;
+              is_found[p] = true;
+              ++n_found;
+              for (int node = 0; node < n_cell_dofs / int(n_components); ++node)
+                {
+                  const int i = fe.component_to_system_index(deflection, node);
+                  const double value =
+                    fe.base_element(0).shape_value(node, *unit);
+                  unknowns.add_force(cell->active_cell_index(),
+                                     i,
+                                     points[p].weight * value,
+                                     u);
+                }
+            }
+        if (n_found == points.size())
+          return u;
+      }
+    throw ComputationError("the load distribution reaches beyond the mesh");
+  }
+
+
+
+  Eigen::VectorXd
+  PlateDiscretization::interpolate(const Function<2> &field) const
+  {
+    Vector<double> values(dof_handler.n_dofs());
+    VectorTools::interpolate(dof_handler, field, values);
+    return unknowns.of_nodal_values(values);
+  }
+
+
+
+  void
+  PlateDiscretization::cell_values(
+    const unsigned int                       cell,
+    const Eigen::Ref<const Eigen::MatrixXd> &vectors,
+    Eigen::MatrixXd                         &values) const
+  {
+    unknowns.cell_values(cell, vectors, values);
+  }
+
+
+
+  Vector<double>
+  PlateDiscretization::nodal_values(const Eigen::VectorXd &vector) const
+  {
+    return unknowns.nodal_values(vector);
+  }
+
+
+
+  const DoFHandler<2> &
+  PlateDiscretization::dofs() const
+  {
+    return dof_handler;
+  }
+
+
+
+  const CellShape &
+  PlateDiscretization::shape(const unsigned int cell) const
+  {
+    return shapes[shape_of_cell[cell]];
+  }
+
+
+
+  const Triangulation<2> &
+  PlateDiscretization::mesh() const
+  {
+    return dof_handler.get_triangulation();
+  }
+
+
+
+  bool
+  PlateDiscretization::is_free() const
+  {
+    return !holds_deflection;
+  }
+
+
+
+  const PlateElement &
+  PlateDiscretization::element() const
+  {
+    return plate_element;
+  }
+
+
+
+  const PlateSection &
+  PlateDiscretization::section() const
+  {
+    return plate_section;
+  }
+} // namespace PlateImpact

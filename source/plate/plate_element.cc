@@ -1,0 +1,222 @@
+#include "plate_impact/plate/plate_element.h"
+
+#include <stdexcept>
+
+namespace PlateImpact
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <typename Shear>
+    std::unique_ptr<const AssumedShear>
+    make()
+    {
+      return std::make_unique<Shear>();
+    }
+
+
+
+    struct ElementRow
+    {
+      ElementType                    type;
+      std::array<bool, n_components> centre_is_constrained;
+      std::unique_ptr<const AssumedShear> (*make_assumed_shear)();
+    };
+
+    const std::vector<ElementRow> elements = {
+      {ElementType::serendipity, {{true, true, true}}, make<ReducedShear>},
+      {ElementType::heterosis, {{true, false, false}}, make<ReducedShear>},
+      {ElementType::Lagrange, {{false, false, false}}, make<ReducedShear>},
+      {ElementType::MITC9, {{false, false, false}}, make<MixedShear>}};
+
+
+
+    const ElementRow &
+    find_element(const ElementType type)
+    {
+      for (const ElementRow &row : elements)
+        if (row.type == type)
+          return row;
+      throw std::logic_error("no such element");
+    }
+  } // namespace
+
+
+
+  PlateElement::PlateElement(const ElementType type)
+    : centre_is_constrained(find_element(type).centre_is_constrained)
+    , assumed_shear(find_element(type).make_assumed_shear())
+    , scalar_element(2)
+    , element(scalar_element, n_components)
+    , quadrature_points(3)
+    , samples(2)
+  {}
+
+
+
+  const FESystem<2> &
+  PlateElement::finite_element() const
+  {
+    return element;
+  }
+
+
+
+  const Quadrature<2> &
+  PlateElement::quadrature() const
+  {
+    return quadrature_points;
+  }
+
+
+
+  const Quadrature<2> &
+  PlateElement::sample_points() const
+  {
+    return samples;
+  }
+
+
+
+  void
+  PlateElement::add_internal_constraints(
+    const DoFHandler<2>       &dof_handler,
+    AffineConstraints<double> &constraints) const
+  {
+    // FE_Q(2) numbers the four corners first, then the midsides, then the
+    // centre
+    const unsigned int                   centre = 8;
+    std::vector<types::global_dof_index> dofs(n_cell_dofs);
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      {
+        cell->get_dof_indices(dofs);
+        for (unsigned int c = 0; c < n_components; ++c)
+          if (centre_is_constrained[c])
+            {
+              const auto line =
+                dofs[element.component_to_system_index(c, centre)];
+              constraints.add_line(line);
+              for (unsigned int node = 0; node < centre; ++node)
+                constraints.add_entry(
+                  line,
+                  dofs[element.component_to_system_index(c, node)],
+                  node < 4 ? -0.25 : 0.5);
+            }
+      }
+  }
+
+
+
+  CellOperator
+  PlateElement::strains(const Triangulation<2>::active_cell_iterator &cell,
+                        const FEValues<2> &values) const
+  {
+    FEValues<2> tying(scalar_element,
+                      assumed_shear->tying_points(),
+                      update_values | update_gradients | update_jacobians);
+    tying.reinit(cell);
+    const unsigned int n_tying = tying.n_quadrature_points,
+                       n       = values.n_quadrature_points;
+
+    CellOperator result = CellOperator::Zero(5 * n, n_cell_dofs);
+    CellOperator tied   = CellOperator::Zero(2 * n_tying, n_cell_dofs);
+    for (unsigned int i = 0; i < n_cell_dofs; ++i)
+      {
+        const auto [component, node] = element.system_to_component_index(i);
+        // curvatures
+        for (unsigned int q = 0; q < n; ++q)
+          {
+            const Tensor<1, 2> dN = values.shape_grad(node, q);
+            if (component == rotation_x)
+              result.col(i).segment<3>(5 * q) << dN[0], 0., dN[1];
+            else if (component == rotation_y)
+              result.col(i).segment<3>(5 * q) << 0., dN[1], dN[0];
+          }
+        // gamma = grad w - theta
+        for (unsigned int t = 0; t < n_tying; ++t)
+          {
+            const Tensor<1, 2> dN = tying.shape_grad(node, t);
+            const double       N  = tying.shape_value(node, t);
+            if (component == deflection)
+              tied.col(i).segment<2>(2 * t) << dN[0], dN[1];
+            else
+              tied(2 * t + (component == rotation_x ? 0 : 1), i) = -N;
+          }
+      }
+
+    const CellOperator shear = assumed_shear->interpolate(tied, tying, values);
+    for (unsigned int q = 0; q < n; ++q)
+      result.middleRows<2>(5 * q + 3) = shear.middleRows<2>(2 * q);
+    return result;
+  }
+
+
+
+  CellShape
+  PlateElement::shape(const Triangulation<2>::active_cell_iterator &cell) const
+  {
+    const UpdateFlags flags = update_values | update_gradients |
+      update_inverse_jacobians | update_JxW_values;
+    FEValues<2> values(scalar_element, quadrature_points, flags);
+    FEValues<2> sample_values(scalar_element, samples, flags);
+    values.reinit(cell);
+    sample_values.reinit(cell);
+
+    CellShape shape;
+    shape.strains_at_quadrature = strains(cell, values);
+    shape.strains_at_samples    = strains(cell, sample_values);
+    shape.weights               = values.get_JxW_values();
+    shape.shape_values.resize(quadrature_points.size(),
+                              scalar_element.n_dofs_per_cell());
+    for (unsigned int q = 0; q < quadrature_points.size(); ++q)
+      for (unsigned int node = 0; node < scalar_element.n_dofs_per_cell();
+           ++node)
+        shape.shape_values(q, node) = values.shape_value(node, q);
+    return shape;
+  }
+
+
+
+  CellMatrix
+  PlateElement::stiffness(const CellShape    &shape,
+                          const PlateSection &section) const
+  {
+    CellMatrix K = CellMatrix::Zero();
+    for (unsigned int q = 0; q < shape.weights.size(); ++q)
+      {
+        const auto   B = shape.strains_at_quadrature.middleRows<5>(5 * q);
+        CellOperator resultants = shape.weights[q] * B;
+        resultants.topRows<3>() =
+          section.bending_stiffness * resultants.topRows<3>().eval();
+        resultants.bottomRows<2>() *= section.shear_stiffness;
+        K.noalias() += B.transpose() * resultants;
+      }
+    return K;
+  }
+
+
+
+  CellMatrix
+  PlateElement::mass(const CellShape &shape, const PlateSection &section) const
+  {
+    const Eigen::Map<const Eigen::VectorXd> weights(shape.weights.data(),
+                                                    shape.weights.size());
+    const Eigen::MatrixXd scalar_mass = shape.shape_values.transpose() *
+      weights.asDiagonal() * shape.shape_values;
+    CellMatrix M = CellMatrix::Zero();
+    for (unsigned int i = 0; i < n_cell_dofs; ++i)
+      for (unsigned int j = 0; j < n_cell_dofs; ++j)
+        {
+          const auto [component_i, node_i] =
+            element.system_to_component_index(i);
+          const auto [component_j, node_j] =
+            element.system_to_component_index(j);
+          if (component_i == component_j)
+            M(i, j) = scalar_mass(node_i, node_j) *
+              (component_i == deflection ? section.mass :
+                                           section.rotary_inertia);
+        }
+    return M;
+  }
+} // namespace PlateImpact

@@ -1,0 +1,255 @@
+#include "plate_impact/scene/allowed.h"
+
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace PlateImpact
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// The whole text as a finite number; no other word than a number matches.
+    template <typename T>
+    bool
+    to_number(const std::string &text, T &value)
+    {
+      const char *begin = text.data(), *end = begin + text.size();
+      if (text.size() > 1 && text[0] == '+' && text[1] != '-')
+        ++begin;
+      const auto [last, error] = std::from_chars(begin, end, value);
+      return error == std::errc() && last == end &&
+        std::isfinite(static_cast<double>(value));
+    }
+
+
+
+    Allowed
+    number(const std::string                 &words,
+           const std::function<bool(double)> &in_range)
+    {
+      return {words, [in_range](const std::string &text) {
+                double value;
+                return to_number(text, value) && in_range(value);
+              }};
+    }
+
+
+
+    template <typename T>
+    void
+    convert_pair(const std::string &text, std::array<T, 2> &value)
+    {
+      const std::vector<std::string> items =
+        Utilities::split_string_list(text, ',');
+      convert(items.at(0), value[0]);
+      convert(items.at(1), value[1]);
+    }
+  } // namespace
+
+
+
+  Allowed::Allowed(const std::string                              &words,
+                   const std::function<bool(const std::string &)> &test)
+    : words(words)
+    , test(test)
+  {}
+
+
+
+  bool
+  Allowed::match(const std::string &value) const
+  {
+    return test(value);
+  }
+
+
+
+  std::string
+  Allowed::description(const OutputStyle) const
+  {
+    return words;
+  }
+
+
+
+  std::unique_ptr<Patterns::PatternBase>
+  Allowed::clone() const
+  {
+    return std::make_unique<Allowed>(*this);
+  }
+
+
+
+  Allowed
+  Allowed::number_above(const double bound)
+  {
+    return number("a number above " + shortest(bound),
+                  [bound](const double x) { return x > bound; });
+  }
+
+
+
+  Allowed
+  Allowed::number_from(const double first)
+  {
+    return number("a number not below " + shortest(first),
+                  [first](const double x) { return x >= first; });
+  }
+
+
+
+  Allowed
+  Allowed::number_between(const double lower, const double upper)
+  {
+    return number("a number above " + shortest(lower) + " and below " +
+                    shortest(upper),
+                  [lower, upper](const double x) {
+                    return x > lower && x < upper;
+                  });
+  }
+
+
+
+  Allowed
+  Allowed::number_up_to(const double lower, const double upper)
+  {
+    return number("a number above " + shortest(lower) + " and up to " +
+                    shortest(upper),
+                  [lower, upper](const double x) {
+                    return x > lower && x <= upper;
+                  });
+  }
+
+
+
+  Allowed
+  Allowed::whole_number(const unsigned int first, const unsigned int last)
+  {
+    return {"a whole number from " + std::to_string(first) + " to " +
+              std::to_string(last),
+            [first, last](const std::string &text) {
+              unsigned int value;
+              return to_number(text, value) && value >= first && value <= last;
+            }};
+  }
+
+
+
+  Allowed
+  Allowed::one_of(const std::vector<std::string> &words)
+  {
+    std::string list;
+    for (const std::string &word : words)
+      list += (list.empty() ? "" : " | ") + word;
+    return {list, [words](const std::string &text) {
+              return std::find(words.begin(), words.end(), text) != words.end();
+            }};
+  }
+
+
+
+  Allowed
+  Allowed::truth()
+  {
+    return one_of({"true", "false"});
+  }
+
+
+
+  Allowed
+  Allowed::anything(const std::string &words)
+  {
+    return {words, [](const std::string &) { return true; }};
+  }
+
+
+
+  Allowed
+  Allowed::list(const Allowed     &item,
+                const unsigned int first,
+                const unsigned int last)
+  {
+    const std::string number = first == last ?
+      std::to_string(first) :
+      std::to_string(first) + " to " + std::to_string(last);
+    return {number + " values separated by commas, each: " + item.words,
+            [item, first, last](const std::string &text) {
+              const std::vector<std::string> items =
+                Utilities::split_string_list(text, ',');
+              const bool ends_open = !text.empty() && text.back() == ',';
+              return !ends_open && items.size() >= first &&
+                items.size() <= last &&
+                std::all_of(items.begin(), items.end(), item.test);
+            }};
+  }
+
+
+
+  void
+  convert(const std::string &text, double &value)
+  {
+    to_number(text, value);
+  }
+
+
+
+  void
+  convert(const std::string &text, unsigned int &value)
+  {
+    to_number(text, value);
+  }
+
+
+
+  void
+  convert(const std::string &text, bool &value)
+  {
+    value = text == "true";
+  }
+
+
+
+  void
+  convert(const std::string &text, std::string &value)
+  {
+    value = text;
+  }
+
+
+
+  void
+  convert(const std::string &text, std::vector<std::string> &words)
+  {
+    words = Utilities::split_string_list(text, ',');
+  }
+
+
+
+  void
+  convert(const std::string &text, std::array<double, 2> &value)
+  {
+    convert_pair(text, value);
+  }
+
+
+
+  void
+  convert(const std::string &text, std::array<unsigned int, 2> &value)
+  {
+    convert_pair(text, value);
+  }
+
+
+
+  std::string
+  shortest(const double value)
+  {
+    char       text[32];
+    const auto end = std::to_chars(text, text + sizeof(text), value).ptr;
+    return {text, end};
+  }
+} // namespace PlateImpact

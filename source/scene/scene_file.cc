@@ -1,0 +1,233 @@
+#include "plate_impact/scene/scene_file.h"
+
+#include "plate_impact/base/exceptions.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+namespace PlateImpact
+{
+  namespace
+  {
+    /// Without white space at both ends and with single spaces within.
+    std::string
+    simplified(const std::string &text)
+    {
+      std::string result;
+      for (const char c : text)
+        if (c == ' ' || c == '\t' || c == '\r')
+          {
+            if (!result.empty() && result.back() != ' ')
+              result += ' ';
+          }
+        else
+          result += c;
+      if (!result.empty() && result.back() == ' ')
+        result.pop_back();
+      return result;
+    }
+
+
+
+    bool
+    is_text(const std::string &line)
+    {
+      return std::none_of(line.begin(), line.end(), [](const unsigned char c) {
+        return (c < 0x20 && c != '\t') || c == 0x7f;
+      });
+    }
+
+
+
+    /// The lines of a scene; each call of read_line() adds what it finds.
+    class Scanner
+    {
+    public:
+      explicit Scanner(const std::string &name)
+        : name(name)
+      {}
+
+      void
+      read_line(const std::string &raw)
+      {
+        origin = name + ":" + std::to_string(++line_number);
+        if (is_binary)
+          return; // said once
+        if (!is_text(raw.substr(0, raw.find_last_not_of('\r') + 1)))
+          {
+            is_binary = true;
+            return mistake("this line holds control characters; a scene is a "
+                           "text file");
+          }
+        const std::string line = simplified(raw.substr(0, raw.find('#')));
+        if (line.empty())
+          return;
+
+        const std::string command = line.substr(0, line.find(' '));
+        const std::string rest    = simplified(line.substr(command.size()));
+        if (command == "subsection")
+          open(rest);
+        else if (command == "end" && rest.empty())
+          close();
+        else if (command == "set")
+          set(rest);
+        else
+          mistake("'" + line +
+                  "' is not understood; a line is 'subsection NAME', 'set "
+                  "ENTRY = VALUE', 'end' or a comment after '#'");
+      }
+
+      SceneFile
+      finish()
+      {
+        if (!open_sections.empty() && !is_binary)
+          mistake("the file ends within subsection " + open_sections.back() +
+                  "; an 'end' is missing");
+        return std::move(scene);
+      }
+
+    private:
+      void
+      mistake(const std::string &text)
+      {
+        scene.mistakes.push_back(origin + ": " + text);
+      }
+
+      void
+      open(const std::string &name_of_section)
+      {
+        if (name_of_section.empty())
+          mistake("'subsection' needs a name");
+        else
+          {
+            if (!open_sections.empty())
+              mistake("subsection " + name_of_section +
+                      " begins within subsection " + open_sections.back() +
+                      "; an 'end' is missing before it");
+            scene.sections.push_back({name_of_section, "", "", origin});
+          }
+        open_sections.push_back(name_of_section);
+      }
+
+      void
+      close()
+      {
+        if (open_sections.empty())
+          mistake("'end' without a 'subsection' before it");
+        else
+          open_sections.pop_back();
+      }
+
+      void
+      set(const std::string &text)
+      {
+        const std::size_t equals = text.find('=');
+        const std::string entry  = simplified(text.substr(0, equals));
+        if (equals == std::string::npos || entry.empty())
+          return mistake("'set " + text +
+                         "' is not of the form 'set ENTRY = "
+                         "VALUE'");
+        if (open_sections.empty())
+          return mistake("'" + entry + "' is set outside of any subsection");
+        const std::string &section = open_sections.back();
+        if (section.empty())
+          return; // its missing name is the mistake
+
+        const std::string path     = section + "/" + entry;
+        const auto [first, is_new] = first_set.insert({path, line_number});
+        if (!is_new)
+          return mistake(path + " is set twice, first in line " +
+                         std::to_string(first->second));
+        scene.assignments.push_back(
+          {section, entry, simplified(text.substr(equals + 1)), origin});
+      }
+
+      const std::string                   name;
+      SceneFile                           scene;
+      std::string                         origin;
+      std::vector<std::string>            open_sections;
+      bool                                is_binary   = false;
+      unsigned int                        line_number = 0;
+      std::map<std::string, unsigned int> first_set;
+    };
+  } // namespace
+
+
+
+  SceneFile
+  scan_scene(std::istream &in, const std::string &name)
+  {
+    Scanner     scanner(name);
+    std::string line;
+    for (bool first = true; std::getline(in, line); first = false)
+      {
+        if (first && line.compare(0, 3, "\xEF\xBB\xBF") == 0)
+          line.erase(0, 3);
+        scanner.read_line(line);
+      }
+    return scanner.finish();
+  }
+
+
+
+  Assignment
+  parse_override(const std::string &text)
+  {
+    const std::size_t equals = text.find('=');
+    const std::size_t slash  = text.substr(0, equals).find('/');
+    Assignment        assignment;
+    if (equals != std::string::npos && slash != std::string::npos)
+      assignment = {simplified(text.substr(0, slash)),
+                    simplified(text.substr(slash + 1, equals - slash - 1)),
+                    simplified(text.substr(equals + 1)),
+                    "--set"};
+    if (assignment.section.empty() || assignment.entry.empty())
+      throw InputError(
+        {"--set '" + text + "' is not of the form 'Section/Entry=value'"});
+    if (text.find('#') != std::string::npos || !is_text(text))
+      throw InputError({"--set '" + text +
+                        "' holds a character that a scene cannot: '#' or a "
+                        "control character"});
+    return assignment;
+  }
+
+
+
+  std::string
+  closest_name(const std::string              &name,
+               const std::vector<std::string> &candidates)
+  {
+    // Levenshtein distance, row by row
+    const auto distance = [](const std::string &a, const std::string &b) {
+      std::vector<std::size_t> row(b.size() + 1);
+      std::iota(row.begin(), row.end(), 0);
+      for (std::size_t i = 0; i < a.size(); ++i)
+        {
+          std::size_t diagonal = row[0];
+          row[0]               = i + 1;
+          for (std::size_t j = 0; j < b.size(); ++j)
+            {
+              const bool same =
+                std::tolower(static_cast<unsigned char>(a[i])) ==
+                std::tolower(static_cast<unsigned char>(b[j]));
+              const std::size_t substituted = diagonal + (same ? 0 : 1);
+              diagonal                      = row[j + 1];
+              row[j + 1] = std::min({substituted, diagonal + 1, row[j] + 1});
+            }
+        }
+      return row.back();
+    };
+
+    std::string closest;
+    std::size_t best = std::string::npos;
+    for (const std::string &candidate : candidates)
+      if (const std::size_t d = distance(name, candidate);
+          d < best && d <= 1 + candidate.size() / 3)
+        {
+          best    = d;
+          closest = candidate;
+        }
+    return closest;
+  }
+} // namespace PlateImpact

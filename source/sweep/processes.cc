@@ -1,0 +1,201 @@
+#include "plate_impact/sweep/processes.h"
+
+#include <cstdlib>
+#include <list>
+#include <mpi.h>
+
+namespace PlateImpact
+{
+  namespace
+  {
+    /// Whether mpirun or a batch system has started this process, by the
+    /// variables of Open MPI, of MPICH and its relatives, and of PMIx.
+    bool
+    is_started_by_mpi()
+    {
+      for (const char *name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_RANK"})
+        if (std::getenv(name) != nullptr)
+          return true;
+      return false;
+    }
+  } // namespace
+
+
+
+  /// What needs MPI: the shared counter and messages on their way.
+  struct Processes::Connection
+  {
+    struct Message
+    {
+      std::vector<char> bytes;
+      MPI_Request       request;
+    };
+
+    Connection()
+    {
+      MPI_Init(nullptr, nullptr);
+      int number;
+      MPI_Comm_rank(MPI_COMM_WORLD, &number);
+      rank = number;
+      MPI_Comm_size(MPI_COMM_WORLD, &number);
+      size = number;
+      MPI_Win_allocate(rank == 0 ? sizeof(*counter) : 0,
+                       sizeof(*counter),
+                       MPI_INFO_NULL,
+                       MPI_COMM_WORLD,
+                       &counter,
+                       &window);
+      if (rank == 0)
+        {
+          MPI_Win_lock(MPI_LOCK_EXCLUSIVE, 0, 0, window);
+          *counter = 0;
+          MPI_Win_unlock(0, window);
+        }
+      MPI_Barrier(MPI_COMM_WORLD);
+    }
+
+    ~Connection()
+    {
+      for (Message &message : sent)
+        MPI_Wait(&message.request, MPI_STATUS_IGNORE);
+      MPI_Win_free(&window);
+      MPI_Finalize();
+    }
+
+    unsigned int       rank, size;
+    MPI_Win            window;
+    unsigned long     *counter = nullptr; ///< on the first process
+    std::list<Message> sent;
+  };
+
+
+
+  Processes::Processes()
+  {
+    if (is_started_by_mpi())
+      connection = std::make_unique<Connection>();
+  }
+
+
+
+  Processes::~Processes() = default;
+
+
+
+  unsigned int
+  Processes::size() const
+  {
+    return connection ? connection->size : 1;
+  }
+
+
+
+  bool
+  Processes::is_first() const
+  {
+    return !connection || connection->rank == 0;
+  }
+
+
+
+  std::size_t
+  Processes::next_task()
+  {
+    if (!connection)
+      return counter++;
+    const unsigned long one = 1;
+    unsigned long       task;
+    MPI_Win_lock(MPI_LOCK_SHARED, 0, 0, connection->window);
+    MPI_Fetch_and_op(&one,
+                     &task,
+                     MPI_UNSIGNED_LONG,
+                     0,
+                     0,
+                     MPI_SUM,
+                     connection->window);
+    MPI_Win_unlock(0, connection->window);
+    return task;
+  }
+
+
+
+  void
+  Processes::broadcast(std::vector<std::size_t> &numbers) const
+  {
+    if (!connection)
+      return;
+    std::size_t n = numbers.size();
+    MPI_Bcast(&n, 1, MPI_UNSIGNED_LONG, 0, MPI_COMM_WORLD);
+    numbers.resize(n);
+    MPI_Bcast(numbers.data(),
+              static_cast<int>(n),
+              MPI_UNSIGNED_LONG,
+              0,
+              MPI_COMM_WORLD);
+  }
+
+
+
+  void
+  Processes::send(const std::vector<char> &bytes)
+  {
+    auto &sent = connection->sent;
+    for (auto message = sent.begin(); message != sent.end();)
+      {
+        int arrived;
+        MPI_Test(&message->request, &arrived, MPI_STATUS_IGNORE);
+        message = arrived ? sent.erase(message) : std::next(message);
+      }
+    sent.push_back({bytes, MPI_REQUEST_NULL});
+    MPI_Isend(sent.back().bytes.data(),
+              static_cast<int>(bytes.size()),
+              MPI_CHAR,
+              0,
+              0,
+              MPI_COMM_WORLD,
+              &sent.back().request);
+  }
+
+
+
+  std::vector<std::vector<char>>
+  Processes::receive(bool wait)
+  {
+    std::vector<std::vector<char>> messages;
+    while (connection && n_ended + 1 < size())
+      {
+        int        has_come = 1;
+        MPI_Status status;
+        if (wait)
+          MPI_Probe(MPI_ANY_SOURCE, 0, MPI_COMM_WORLD, &status);
+        else
+          MPI_Iprobe(MPI_ANY_SOURCE, 0, MPI_COMM_WORLD, &has_come, &status);
+        if (!has_come)
+          break;
+        wait = false;
+        int n_bytes;
+        MPI_Get_count(&status, MPI_CHAR, &n_bytes);
+        std::vector<char> bytes(n_bytes);
+        MPI_Recv(bytes.data(),
+                 n_bytes,
+                 MPI_CHAR,
+                 status.MPI_SOURCE,
+                 0,
+                 MPI_COMM_WORLD,
+                 MPI_STATUS_IGNORE);
+        if (bytes.empty())
+          ++n_ended;
+        else
+          messages.push_back(std::move(bytes));
+      }
+    return messages;
+  }
+
+
+
+  bool
+  Processes::all_ended() const
+  {
+    return n_ended + 1 >= size();
+  }
+} // namespace PlateImpact

@@ -1,0 +1,290 @@
+#include "plate_impact/sweep/sweep_computation.h"
+
+#include "plate_impact/analysis/impact_analysis.h"
+#include "plate_impact/analysis/impact_figures.h"
+#include "plate_impact/analysis/reliability.h"
+#include "plate_impact/base/exceptions.h"
+#include "plate_impact/plate/plate_mesh.h"
+#include "plate_impact/transient/sensitivity.h"
+
+#include <new>
+#include <sstream>
+#include <tuple>
+#include <utility>
+
+namespace PlateImpact
+{
+  using namespace dealii;
+
+  namespace
+  {
+    std::unique_ptr<Triangulation<2>>
+    copy_of(const Triangulation<2> &mesh)
+    {
+      auto copy = std::make_unique<Triangulation<2>>();
+      copy->copy_triangulation(mesh);
+      return copy;
+    }
+
+
+
+    bool
+    is_adaptive(const Parameters &parameters)
+    {
+      return parameters.adaptivity.is_adaptive();
+    }
+
+
+
+    /// Computes on one mesh after another to the last.
+    CycleResult
+    run_cycles(ImpactAnalysis &analysis, const double target_error)
+    {
+      while (true)
+        {
+          CycleResult result = analysis.compute_cycle();
+          if (analysis.outcome(result) || analysis.adapt(result, target_error))
+            return result;
+        }
+    }
+
+
+
+    /// A message in one line.
+    std::string
+    in_one_line(std::string text)
+    {
+      for (std::size_t end; (end = text.find('\n')) != std::string::npos;)
+        text.replace(end, 1, "; ");
+      return text;
+    }
+
+
+
+    /// Calls a function.
+    /// @return why it failed, empty when it did not
+    template <typename Function>
+    std::string
+    failure_of(const Function &function)
+    {
+      try
+        {
+          function();
+          return {};
+        }
+      catch (const std::bad_alloc &)
+        {
+          return "not enough memory";
+        }
+      catch (const ExceptionBase &error)
+        {
+          return std::string("an internal error: ") + error.get_exc_name();
+        }
+      catch (const std::exception &error)
+        {
+          return in_one_line(error.what());
+        }
+    }
+  } // namespace
+
+
+
+  SweepWork &
+  SweepWork::operator+=(const SweepWork &other)
+  {
+    meshes += other.meshes;
+    plates += other.plates;
+    loads += other.loads;
+    return *this;
+  }
+
+
+
+  SweepComputation::SweepComputation(SweepScene        &scene,
+                                     const SweepGroups &groups)
+    : scene(scene)
+    , groups(groups)
+  {}
+
+
+
+  const SweepWork &
+  SweepComputation::work() const
+  {
+    return done;
+  }
+
+
+
+  std::pair<SweepRow, std::optional<ContactHistory>>
+  SweepComputation::compute(const std::size_t group, const std::size_t point)
+  {
+    SweepRow                      row;
+    std::optional<ContactHistory> history;
+    row.point   = point;
+    row.failure = failure_of([&] {
+      const SweepPoint valid    = scene.point(point);
+      Computed         computed = compute(group, valid);
+      row.figures               = values_of_figures(computed.impact,
+                                      valid.parameters,
+                                      valid.expected,
+                                      computed.discretization_error);
+      row.warnings              = std::move(computed.warnings);
+      if (valid.parameters.sweep.write_histories)
+        history = std::move(computed.impact.history);
+    });
+    return {row, history};
+  }
+
+
+
+  SweepComputation::Computed
+  SweepComputation::compute(const std::size_t group, const SweepPoint &point)
+  {
+    const Parameters &parameters = point.parameters;
+    if (is_adaptive(parameters) &&
+        parameters.sweep.adapt == SweepAdaptation::each_point)
+      return analyse(parameters, nullptr);
+
+    if (current_group != group)
+      {
+        struck_plate.reset();
+        warning.clear();
+        current_group = group;
+        failure       = failure_of([&] {
+          auto mesh = make_mesh(group, point);
+          struck_plate =
+            std::make_unique<StruckPlate>(parameters.plate,
+                                          parameters.discretization,
+                                          std::move(mesh));
+          ++done.plates;
+        });
+      }
+    if (struck_plate == nullptr)
+      throw ComputationError("the plate of this point: " + failure);
+
+    if (parameters.sweep.estimate_error)
+      {
+        Parameters on_mesh          = parameters;
+        on_mesh.adaptivity.strategy = AdaptationStrategy::none;
+        return analyse(on_mesh, copy_of(struck_plate->model().mesh()));
+      }
+    return strike(point);
+  }
+
+
+
+  SweepComputation::Computed
+  SweepComputation::strike(const SweepPoint &point)
+  {
+    const Parameters  &parameters   = point.parameters;
+    const unsigned int loads_before = struck_plate->n_loads();
+    Computed           computed{struck_plate->strike(parameters), {}, {}};
+    done.loads += struck_plate->n_loads() - loads_before;
+
+    const PlateDiscretization &model = struck_plate->model();
+    CycleResult                result;
+    result.history = computed.impact.history;
+    if (result.history->n_contacts() > 1)
+      result.sensitivity =
+        sensitivity_to_velocity(*result.history,
+                                make_impactor(parameters.impactor),
+                                [&](const Impactor &other) {
+                                  Parameters changed        = parameters;
+                                  changed.impactor.velocity = other.velocity;
+                                  return struck_plate->strike(changed).history;
+                                });
+    result.min_cell_size = smallest_cell_size(model.mesh());
+    // an adapted mesh was judged with the worst point
+    computed.warnings = is_adaptive(parameters) ?
+      impact_warnings(parameters,
+                      model.section(),
+                      2. * point.expected.time,
+                      result) :
+      reliability_warnings(parameters,
+                           model.mesh(),
+                           model.section(),
+                           *make_contact_law(parameters),
+                           result);
+    if (!warning.empty())
+      computed.warnings.push_back(warning);
+    return computed;
+  }
+
+
+
+  std::unique_ptr<Triangulation<2>>
+  SweepComputation::make_mesh(const std::size_t group, const SweepPoint &point)
+  {
+    ++done.meshes;
+    if (!is_adaptive(point.parameters))
+      return make_plate_quadrant(point.parameters.plate,
+                                 point.parameters.discretization.initial_cells);
+    const SweepPoint  worst = worst_point(group);
+    ImpactAnalysis    analysis(worst.parameters);
+    const CycleResult last =
+      run_cycles(analysis, worst.parameters.adaptivity.target_error);
+    done.meshes += last.cycle - 1;
+    if (last.error->eta > worst.parameters.adaptivity.target_error)
+      {
+        std::ostringstream text;
+        text.precision(3);
+        text << "eta is " << 100. * last.error->eta
+             << " % on the mesh of the plate for its hardest point, more than "
+                "Adaptivity/Target error = "
+             << 100. * worst.parameters.adaptivity.target_error << " %";
+        warning = text.str();
+      }
+    return copy_of(analysis.mesh());
+  }
+
+
+
+  SweepPoint
+  SweepComputation::worst_point(const std::size_t group)
+  {
+    std::optional<SweepPoint> worst;
+    const auto                severity = [](const SweepPoint &point) {
+      return std::make_tuple(-point.expected.time, point.expected.force);
+    };
+    for (const std::size_t index : groups.groups()[group])
+      try
+        {
+          const SweepPoint point = scene.point(index);
+          if (!worst || severity(point) > severity(*worst))
+            worst = point;
+        }
+      catch (const InputError &)
+        {
+          // it gets its row when its turn comes
+        }
+    return *worst;
+  }
+
+
+
+  SweepComputation::Computed
+  SweepComputation::analyse(const Parameters                 &parameters,
+                            std::unique_ptr<Triangulation<2>> mesh)
+  {
+    Parameters with_estimator           = parameters;
+    with_estimator.output.write_report  = true;
+    with_estimator.output.field_samples = 0;
+    ImpactAnalysis analysis(with_estimator, {}, std::move(mesh));
+    CycleResult last = run_cycles(analysis, parameters.adaptivity.target_error);
+    if (is_adaptive(parameters))
+      {
+        done.meshes += last.cycle;
+        done.plates += last.cycle;
+      }
+    done.loads += last.cycle;
+    auto warnings = reliability_warnings(parameters,
+                                         analysis.mesh(),
+                                         analysis.model().section(),
+                                         *analysis.contact_law(),
+                                         last);
+    return {{std::move(*last.history), last.impulse},
+            last.error->eta,
+            std::move(warnings)};
+  }
+} // namespace PlateImpact

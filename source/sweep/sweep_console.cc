@@ -1,0 +1,175 @@
+#include "plate_impact/sweep/sweep_console.h"
+
+#include "plate_impact/analysis/impact_figures.h"
+#include "plate_impact/base/columns.h"
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <iostream>
+#include <unistd.h>
+
+namespace PlateImpact
+{
+  namespace
+  {
+    /// Sweeps up to this size have a line for every point.
+    constexpr std::size_t most_lines = 40;
+
+    /// A figure in a line: its name in impact_figures(), and how it is shown.
+    struct Column
+    {
+      const char *figure, *title, *format;
+      double      factor;
+    };
+
+    const Column columns[] = {
+      {"peak_force", "peak force N", "%.6g", 1.},
+      {"time_of_peak_force", "at us", "%.4g", 1e6},
+      {"first_contact_end", "contact end", "%.5g", 1e6},
+      {"number_of_contacts", "contacts", "%.0f", 1.},
+      {"coefficient_of_restitution", "restitution", "%.4f", 1.}};
+
+
+
+    std::size_t
+    width_of(const SweptEntry &entry)
+    {
+      std::size_t width = entry.path.size();
+      for (const std::string &value : entry.values)
+        width = std::max(width, value.size());
+      return width + 2;
+    }
+
+
+
+    std::string
+    counted(const std::size_t n, const std::string &noun)
+    {
+      const std::string plural = noun.back() == 'h' ? noun + "es" : noun + "s";
+      return std::to_string(n) + ' ' + (n == 1 ? noun : plural);
+    }
+  } // namespace
+
+
+
+  SweepConsole::SweepConsole(const bool quiet)
+    : quiet(quiet)
+    , out(STDOUT_FILENO)
+    // mpirun makes its processes' output a terminal where it has none itself,
+    // but not their input
+    , shows_progress(!quiet && out.is_interactive() && isatty(STDIN_FILENO))
+    , start(std::chrono::steady_clock::now())
+    , last_progress(start)
+  {
+    std::signal(SIGPIPE, SIG_IGN);
+  }
+
+
+
+  void
+  SweepConsole::begin(const SweepScene &scene,
+                      const std::size_t n_groups,
+                      const std::size_t n_done)
+  {
+    plan     = scene.plan();
+    n_points = plan->n_points() - n_done;
+    if (quiet)
+      return;
+    std::string names;
+    for (const SweptEntry &entry : plan->entries())
+      names += (names.empty() ? "" : ", ") + entry.path;
+    std::cout << out.emphasized(scene.name(), Emphasis::bold) << ": "
+              << counted(plan->n_points(), "point") << " of " << names << " on "
+              << counted(n_groups, "plate");
+    if (scene.may_adapt())
+      std::cout << (scene.parameters().sweep.adapt ==
+                        SweepAdaptation::each_point ?
+                      ", a mesh for each point" :
+                      ", each mesh adapted for its shortest contact");
+    if (n_done > 0)
+      std::cout << ", " << n_done << " of them done before";
+    std::cout << '\n';
+    if (n_points > most_lines || n_points == 0)
+      return;
+    for (const SweptEntry &entry : plan->entries())
+      std::cout << right(width_of(entry), entry.path);
+    for (const Column &column : columns)
+      std::cout << right(14, column.title);
+    std::cout << std::endl;
+  }
+
+
+
+  void
+  SweepConsole::row(const SweepRow &row)
+  {
+    ++n_computed;
+    if (quiet)
+      return;
+    if (n_points > most_lines)
+      {
+        const auto now = std::chrono::steady_clock::now();
+        if (!shows_progress ||
+            (has_progress &&
+             now - last_progress < std::chrono::milliseconds(500)))
+          return;
+        last_progress                               = now;
+        has_progress                                = true;
+        const std::chrono::duration<double> elapsed = now - start;
+        std::cout << "\r\033[K " << n_computed << " of " << n_points << ", "
+                  << waiting_time(elapsed.count() * (n_points - n_computed) /
+                                  n_computed)
+                  << " left" << std::flush;
+        return;
+      }
+    const std::vector<std::string> values = plan->values(row.point);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      std::cout << right(width_of(plan->entries()[i]), values[i]);
+    if (!row.failure.empty())
+      std::cout << "  " << row.failure;
+    else
+      for (const Column &column : columns)
+        for (std::size_t i = 0; i < impact_figures().size(); ++i)
+          if (impact_figures()[i].name == column.figure)
+            {
+              char text[32] = "-";
+              if (row.figures[i])
+                std::snprintf(text,
+                              sizeof(text),
+                              column.format,
+                              column.factor * *row.figures[i]);
+              std::cout << right(14, text);
+            }
+    std::cout << std::endl;
+  }
+
+
+
+  void
+  SweepConsole::end(const SweepWork                &work,
+                    const std::vector<std::string> &warnings,
+                    const std::string              &results)
+  {
+    const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
+        .count();
+    if (!quiet)
+      {
+        if (has_progress)
+          std::cout << "\r\033[K";
+        char speed[64];
+        std::snprintf(speed,
+                      sizeof(speed),
+                      "%.3g s, %.3g points/s",
+                      seconds,
+                      n_computed / seconds);
+        std::cout << "\nComputed    " << counted(n_computed, "point") << " in "
+                  << speed << "\nMade        " << counted(work.meshes, "mesh")
+                  << ", " << counted(work.plates, "plate model") << ", "
+                  << counted(work.loads, "response") << " to a load"
+                  << "\nResults     " << results << std::endl;
+      }
+    print_warnings(warnings);
+  }
+} // namespace PlateImpact

@@ -1,0 +1,129 @@
+#include "plate_impact/transient/impactor_stepper.h"
+
+#include "plate_impact/base/exceptions.h"
+
+#include <cmath>
+#include <sstream>
+#include <string>
+
+namespace PlateImpact
+{
+  ImpactorStepper::ImpactorStepper(const NewmarkScheme      &scheme,
+                                   const ContactLaw         &law,
+                                   const ContactIntegration &integration,
+                                   const Impactor           &impactor)
+    : scheme(scheme)
+    , law(law)
+    , integration(integration)
+    , impactor(impactor)
+  {
+    current.impactor_velocity = impactor.velocity;
+    current.impactor_energy   = impactor.kinetic_energy();
+  }
+
+
+
+  double
+  ImpactorStepper::begin_step()
+  {
+    ++step;
+    known = integration.known_begin_force(current.force);
+    return known;
+  }
+
+
+
+  double
+  ImpactorStepper::contact_force(const double plate_free,
+                                 const double plate_compliance) const
+  {
+    const double beta = scheme.beta, dt = scheme.dt;
+    const double impactor_free = impactor.displacement +
+      dt * impactor.velocity - dt * dt / impactor.mass * (0.5 - beta) * known;
+    const double at_begin   = integration.acts_at_begin() ? 1. : 0.;
+    const double compliance = plate_compliance +
+      dt * dt / impactor.mass * (beta + (0.5 - beta) * at_begin);
+    try
+      {
+        return solve_contact(integration,
+                             law,
+                             current.indentation,
+                             impactor_free - plate_free,
+                             compliance);
+      }
+    catch (const ComputationError &error)
+      {
+        throw ComputationError("step " + std::to_string(step) + ": " +
+                               error.what());
+      }
+  }
+
+
+
+  void
+  ImpactorStepper::end_step(const double phi,
+                            const double plate_displacement,
+                            const double plate_energy)
+  {
+    const double beta = scheme.beta, gamma = scheme.gamma, dt = scheme.dt;
+    const double begin = known + (integration.acts_at_begin() ? phi : 0.);
+    impactor.displacement += dt * impactor.velocity -
+      dt * dt / impactor.mass * ((0.5 - beta) * begin + beta * phi);
+    const double impulse = dt * ((1. - gamma) * begin + gamma * phi);
+    impactor.velocity -= impulse / impactor.mass;
+    total_impulse += impulse;
+    if (phi != 0.)
+      ++n_contacts;
+
+    current.time                  = dt * step;
+    current.plate_displacement    = plate_displacement;
+    current.impactor_displacement = impactor.displacement;
+    current.impactor_velocity     = impactor.velocity;
+    current.indentation           = impactor.displacement - plate_displacement;
+    current.force                 = law.force(current.indentation);
+    current.plate_energy          = plate_energy;
+    current.contact_energy        = law.potential(current.indentation);
+    current.impactor_energy       = impactor.kinetic_energy();
+    require_finite(current.plate_displacement, "plate displacement");
+    require_finite(current.total_energy(), "total energy");
+  }
+
+
+
+  void
+  ImpactorStepper::require_finite(const double value,
+                                  const char  *quantity) const
+  {
+    if (std::isfinite(value))
+      return;
+    std::ostringstream text;
+    text << "step " << step << " (t = " << current.time << " s): the "
+         << quantity << " is not finite (" << value
+         << "); try a smaller Time/Time step";
+    throw ComputationError(text.str());
+  }
+
+
+
+  const ContactState &
+  ImpactorStepper::state() const
+  {
+    return current;
+  }
+
+
+
+  double
+  ImpactorStepper::impulse() const
+  {
+    return total_impulse;
+  }
+
+
+
+  unsigned int
+  ImpactorStepper::n_contact_steps() const
+  {
+    return n_contacts;
+  }
+} // namespace PlateImpact

@@ -1,0 +1,206 @@
+#include "plate_impact/transient/linear_solver.h"
+
+#include "plate_impact/base/exceptions.h"
+#include "plate_impact/transient/blas.h"
+
+#include <Amesos.h>
+#include <Amesos_BaseSolver.h>
+#include <Epetra_CrsMatrix.h>
+#include <Epetra_LinearProblem.h>
+#include <Epetra_Vector.h>
+#include <cholmod.h>
+
+#include <new>
+#include <sstream>
+#include <stdexcept>
+#include <unistd.h>
+
+namespace PlateImpact
+{
+  namespace
+  {
+    /// The system would end the process without a word.
+    void
+    require_memory(const double bytes, const std::size_t n_unknowns)
+    {
+      const double physical = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
+        static_cast<double>(sysconf(_SC_PAGESIZE));
+      if (bytes < physical)
+        return;
+      std::ostringstream text;
+      text << "the factor of the effective stiffness matrix of " << n_unknowns
+           << " unknowns needs " << bytes * 1e-9 << " GB of memory, of "
+           << physical * 1e-9
+           << " GB; try fewer cells or a larger Adaptivity/Minimum cell size";
+      throw ComputationError(text.str());
+    }
+
+
+
+    /// CHOLMOD, called directly so that its work arrays serve all solves.
+    class CholmodSolver : public LinearSolver
+    {
+    public:
+      CholmodSolver()
+      {
+        prepare_blas();
+        cholmod_start(&common);
+        common.supernodal = CHOLMOD_SUPERNODAL;
+        common.nmethods   = 1;
+        // METIS' nested dissection costs as much as twenty solves and makes
+        // them faster by a few per cent, if at all, up to a million unknowns
+        common.method[0].ordering = CHOLMOD_AMD;
+        common.print              = 0;
+      }
+
+      ~CholmodSolver() override
+      {
+        cholmod_free_factor(&factor, &common);
+        cholmod_free_dense(&solution, &common);
+        cholmod_free_dense(&work_y, &common);
+        cholmod_free_dense(&work_e, &common);
+        cholmod_finish(&common);
+      }
+
+      CholmodSolver(const CholmodSolver &) = delete;
+      CholmodSolver &
+      operator=(const CholmodSolver &) = delete;
+
+      void
+      factorize(Epetra_CrsMatrix &matrix) override
+      {
+        // rows of a symmetric matrix are its columns: no copy
+        int    *rows, *columns;
+        double *values;
+        matrix.ExtractCrsDataPointers(rows, columns, values);
+        cholmod_sparse A = {};
+        A.nrow = A.ncol = matrix.NumMyRows();
+        A.nzmax         = matrix.NumMyNonzeros();
+        A.p             = rows;
+        A.i             = columns;
+        A.x             = values;
+        A.stype         = 1;
+        A.itype         = CHOLMOD_INT;
+        A.xtype         = CHOLMOD_REAL;
+        A.dtype         = CHOLMOD_DOUBLE;
+        A.packed        = 1;
+
+        // ordering and symbolic factorization hold for all matrices
+        if (factor == nullptr)
+          factor = cholmod_analyze(&A, &common);
+        if (factor != nullptr)
+          {
+            require_memory(factor->xsize * sizeof(double), A.nrow);
+            cholmod_factorize(&A, factor, &common);
+          }
+        if (common.status == CHOLMOD_OUT_OF_MEMORY ||
+            common.status == CHOLMOD_TOO_LARGE)
+          throw std::bad_alloc();
+        if (common.status == CHOLMOD_NOT_POSDEF)
+          throw ComputationError("the effective stiffness matrix is not "
+                                 "positive definite");
+        if (common.status != CHOLMOD_OK)
+          throw ComputationError(
+            "CHOLMOD cannot factorize the effective stiffness matrix of " +
+            std::to_string(A.nrow) + " unknowns (status " +
+            std::to_string(common.status) + ")");
+      }
+
+      void
+      solve(const Eigen::VectorXd &right_hand_side, Eigen::VectorXd &x) override
+      {
+        cholmod_dense b = {};
+        b.nrow = b.nzmax = b.d = right_hand_side.size();
+        b.ncol                 = 1;
+        b.x                    = const_cast<double *>(right_hand_side.data());
+        b.xtype                = CHOLMOD_REAL;
+        b.dtype                = CHOLMOD_DOUBLE;
+        if (!cholmod_solve2(CHOLMOD_A,
+                            factor,
+                            &b,
+                            nullptr,
+                            &solution,
+                            nullptr,
+                            &work_y,
+                            &work_e,
+                            &common))
+          throw ComputationError("CHOLMOD cannot solve (status " +
+                                 std::to_string(common.status) + ")");
+        x = Eigen::Map<const Eigen::VectorXd>(static_cast<const double *>(
+                                                solution->x),
+                                              right_hand_side.size());
+      }
+
+      double
+      factor_size() const override
+      {
+        return factor != nullptr ? factor->xsize * sizeof(double) : 0.;
+      }
+
+    private:
+      cholmod_common  common;
+      cholmod_factor *factor   = nullptr;
+      cholmod_dense  *solution = nullptr;
+      cholmod_dense  *work_y   = nullptr;
+      cholmod_dense  *work_e   = nullptr;
+    };
+
+
+
+    /// A direct solver of Trilinos' Amesos.
+    class AmesosSolver : public LinearSolver
+    {
+    public:
+      explicit AmesosSolver(const std::string &name)
+        : name(name)
+      {}
+
+      void
+      factorize(Epetra_CrsMatrix &matrix) override
+      {
+        problem.SetOperator(&matrix);
+        solver.reset(Amesos().Create(name, problem));
+        if (solver == nullptr || solver->SymbolicFactorization() != 0 ||
+            solver->NumericFactorization() != 0)
+          throw ComputationError(
+            name + " cannot factorize the effective stiffness matrix of " +
+            std::to_string(matrix.NumMyRows()) + " unknowns");
+      }
+
+      void
+      solve(const Eigen::VectorXd &right_hand_side, Eigen::VectorXd &x) override
+      {
+        x.resize(right_hand_side.size());
+        const Epetra_Map &map = problem.GetOperator()->OperatorDomainMap();
+        Epetra_Vector     b(View,
+                        map,
+                        const_cast<double *>(right_hand_side.data()));
+        Epetra_Vector     solution(View, map, x.data());
+        problem.SetRHS(&b);
+        problem.SetLHS(&solution);
+        if (solver->Solve() != 0)
+          throw ComputationError(name + " cannot solve");
+      }
+
+    private:
+      const std::string                  name;
+      Epetra_LinearProblem               problem;
+      std::unique_ptr<Amesos_BaseSolver> solver;
+    };
+  } // namespace
+
+
+
+  std::unique_ptr<LinearSolver>
+  make_linear_solver(const SolverType type)
+  {
+    switch (type)
+      {
+        case SolverType::CHOLMOD:
+          return std::make_unique<CholmodSolver>();
+        case SolverType::KLU:
+          return std::make_unique<AmesosSolver>("Amesos_Klu");
+      }
+    throw std::logic_error("no such linear solver");
+  }
+} // namespace PlateImpact

@@ -1,0 +1,120 @@
+#include "plate_impact/transient/plate_stepper.h"
+
+namespace PlateImpact
+{
+  PlateStepper::PlateStepper(const NewmarkScheme &scheme,
+                             SemidiscreteSystem  &plate)
+    : scheme(scheme)
+    , plate(plate)
+  {
+    plate.factorize(scheme.c0);
+    plate.solve(plate.load(), unit_response);
+    n_solves           = 1;
+    w_of_unit_response = plate.load().dot(unit_response);
+
+    // at rest, without force
+    z = v = Kz = Mv = Eigen::VectorXd::Zero(plate.load().size());
+    if (scheme.gamma != 2. * scheme.beta)
+      a = Ma = z;
+  }
+
+
+
+  double
+  PlateStepper::begin_step(const double known)
+  {
+    const double c1 = scheme.c1, c2 = scheme.c2;
+    right_hand_side = c1 * Mv - (1. + c2) * Kz + (c2 * known) * plate.load();
+    const bool is_at_rest = increment.size() == 0;
+    if (is_at_rest && known == 0.)
+      increment.setZero(z.size());
+    else
+      {
+        plate.solve(right_hand_side, increment);
+        ++n_solves;
+      }
+    return w + plate.load().dot(increment);
+  }
+
+
+
+  double
+  PlateStepper::unit_displacement() const
+  {
+    return w_of_unit_response;
+  }
+
+
+
+  void
+  PlateStepper::end_step(const double at_begin, const double at_end)
+  {
+    const double force = at_end + scheme.c2 * at_begin;
+    if (force != 0.)
+      {
+        right_hand_side += force * plate.load();
+        increment += force * unit_response;
+      }
+
+    // velocities by eqs. 3 and 4 in terms of the increment
+    const double beta = scheme.beta, gamma = scheme.gamma, dt = scheme.dt,
+                 c0             = scheme.c0;
+    const double from_increment = gamma / (beta * dt),
+                 from_v         = 1. - gamma / beta,
+                 from_a         = dt * (1. - gamma / (2. * beta));
+    const bool has_a            = a.size() > 0;
+
+    plate.multiply_stiffness(increment, K_increment);
+    z += increment;
+    Kz += K_increment;
+    w += plate.load().dot(increment);
+    // M d = (K* d - K d) / c_0
+    if (has_a)
+      {
+        const Eigen::VectorXd v_begin = v, Mv_begin = Mv;
+        v  = from_increment * increment + from_v * v + from_a * a;
+        Mv = from_increment / c0 * (right_hand_side - K_increment) +
+          from_v * Mv + from_a * Ma;
+        a  = c0 * increment - scheme.c1 * v_begin - scheme.c2 * a;
+        Ma = at_end * plate.load() - Kz;
+      }
+    else
+      {
+        v = from_increment * increment + from_v * v;
+        Mv =
+          from_increment / c0 * (right_hand_side - K_increment) + from_v * Mv;
+      }
+  }
+
+
+
+  double
+  PlateStepper::displacement() const
+  {
+    return w;
+  }
+
+
+
+  double
+  PlateStepper::energy() const
+  {
+    return 0.5 * (v.dot(Mv) + z.dot(Kz));
+  }
+
+
+
+  const Eigen::VectorXd &
+  PlateStepper::unknowns() const
+  {
+    return z;
+  }
+
+
+
+  unsigned int
+  PlateStepper::n_linear_solves() const
+  {
+    return n_solves;
+  }
+} // namespace PlateImpact

@@ -1,0 +1,313 @@
+#include "plate_impact/transient/ritz_reduction.h"
+
+#include "plate_impact/base/exceptions.h"
+#include "plate_impact/contact/zener.h"
+#include "plate_impact/transient/time_stepper.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <vector>
+
+namespace PlateImpact
+{
+  namespace
+  {
+    /// Share of what lies beyond the basis before in the displacements, in the
+    /// norm of K + sigma M, below which fields are right: measured, eta is then
+    /// that of the mesh to better than 1 % of itself.
+    constexpr double field_tolerance = 1e-3;
+
+
+
+    /// Numbers in the vectors: 1.6 GB.
+    constexpr double most_numbers = 2e8;
+
+
+
+    /// Mean square over the contact of the difference of two histories, in
+    /// units of the square of the peak of the second.
+    double
+    squared_difference(const std::vector<double> &a,
+                       const std::vector<double> &b)
+    {
+      double       sum = 0., peak = 0.;
+      unsigned int n_contact = 0;
+      for (std::size_t n = 0; n < b.size(); ++n)
+        if (a[n] != 0. || b[n] != 0.)
+          {
+            sum += (a[n] - b[n]) * (a[n] - b[n]);
+            peak = std::max(peak, b[n]);
+            ++n_contact;
+          }
+      return n_contact > 0 ? sum / (n_contact * peak * peak) : 0.;
+    }
+
+
+
+    /// Estimated error of the last force history of three, the root of its mean
+    /// square over the contact relative to the peak. Once waves no longer come
+    /// back from the end of the string of vectors, the errors of different
+    /// bases are uncorrelated ringing: differences are |a - b|^2 = e_a^2 +
+    /// e_b^2, and three of them tell the error of each. An estimate below what
+    /// two equal errors would differ by is not trusted.
+    double
+    estimated_error(const std::vector<double> &first,
+                    const std::vector<double> &second,
+                    const std::vector<double> &third)
+    {
+      const double of_last = squared_difference(second, third);
+      return std::sqrt(std::max(0.5 * of_last,
+                                0.5 *
+                                  (squared_difference(first, third) + of_last -
+                                   squared_difference(first, second))));
+    }
+
+
+
+    double
+    frequency(const int half_octave)
+    {
+      return std::exp2(0.5 * half_octave);
+    }
+
+
+
+    /// The nearest of two numbers an octave, less than a fifth away.
+    double
+    round_number(const double value, const double unit)
+    {
+      return unit * std::exp2(0.5 * std::lround(2. * std::log2(value / unit)));
+    }
+
+
+
+    /// An impactor whose numbers are round in units of the plate.
+    ImpactorParameters
+    nearby(ImpactorParameters impactor, const PlateParameters &plate)
+    {
+      const double h = plate.thickness, E = plate.youngs_modulus,
+                   density = plate.density;
+      impactor.mass =
+        round_number(make_impactor(impactor).mass, density * h * h * h);
+      impactor.density        = 0.; // what counts is the mass
+      impactor.radius         = round_number(impactor.radius, h);
+      impactor.youngs_modulus = round_number(impactor.youngs_modulus, E);
+      impactor.velocity =
+        round_number(impactor.velocity, std::sqrt(E / density));
+      return impactor;
+    }
+  } // namespace
+
+
+
+  RitzReduction::RitzReduction(FullSystem               &plate,
+                               const PlateSection       &section,
+                               const TimeParameters     &time,
+                               const ContactIntegration &integration,
+                               const bool                needs_fields)
+    : plate(plate)
+    , section(section)
+    , time(time)
+    , integration(integration)
+    , needs_fields(needs_fields)
+  {}
+
+
+
+  std::vector<double>
+  RitzReduction::forces(ReducedSystem    &reduced,
+                        const ContactLaw &law,
+                        const Impactor   &impactor)
+  {
+    const NewmarkScheme scheme(time);
+    const auto          of_all_steps = [&](const ContactHistory &history) {
+      std::vector<double> result;
+      result.reserve(scheme.n_steps);
+      for (std::size_t step = 1; step < history.states().size(); ++step)
+        result.push_back(history.states()[step].force);
+      return result;
+    };
+    if (!scheme.conserves_energy())
+      {
+        TimeStepper stepper(time, reduced, law, integration, impactor);
+        return of_all_steps(history_to_end(stepper));
+      }
+    return of_all_steps(response(reduced).impact(law, impactor).history);
+  }
+
+
+
+  const PlateResponse &
+  RitzReduction::response(ReducedSystem &reduced)
+  {
+    return responses
+      .try_emplace(&reduced, NewmarkScheme(time), reduced, integration)
+      .first->second;
+  }
+
+
+
+  double
+  RitzReduction::share_beyond(const unsigned int first,
+                              ReducedSystem     &reduced,
+                              const ContactLaw  &law,
+                              const Impactor    &impactor) const
+  {
+    TimeStepper        stepper(time, reduced, law, integration, impactor);
+    const unsigned int interval = std::max(1u, stepper.n_steps() / 100);
+    const Eigen::Index n_beyond = reduced.load().size() - first;
+    double             beyond = 0., all = 0.;
+    for (unsigned int step = 1; step <= stepper.n_steps(); ++step)
+      {
+        stepper.advance();
+        if (step % interval != 0)
+          continue;
+        beyond += stepper.displacement().tail(n_beyond).squaredNorm();
+        all += stepper.displacement().squaredNorm();
+      }
+    return all > 0. ? std::sqrt(beyond / all) : 0.;
+  }
+
+
+
+  ReducedSystem *
+  RitzReduction::settle(const Parameters &parameters)
+  {
+    Parameters                rounded  = parameters;
+    const ImpactorParameters &impactor = rounded.impactor =
+      nearby(parameters.impactor, parameters.plate);
+    const auto [known, is_new] =
+      settled.try_emplace({parameters.contact, impactor});
+    if (is_new)
+      {
+        const auto     law    = make_contact_law(rounded);
+        const Impactor struck = make_impactor(impactor);
+        if (!steps_are_fewer(*law, struck, parameters.plate))
+          known->second = settle(*law, struck);
+      }
+    return known->second;
+  }
+
+
+
+  bool
+  RitzReduction::steps_are_fewer(const ContactLaw      &law,
+                                 const Impactor        &impactor,
+                                 const PlateParameters &dimensions) const
+  {
+    // Until waves come back from an edge, the string that is joined to the
+    // vectors stands for the plate. After that a wave of frequency omega which
+    // is followed for T takes T (sigma + omega^2) / (2 sigma^{1/2}) vectors,
+    // T omega at the best sigma, and the waves of a contact reach up to some
+    // 5 pi / contact_time, where the mesh carries them: coarse ones have fewer
+    // vectors. Zener's contact is that of a point.
+    if (law.hertz_coefficient() == std::nullopt ||
+        plate.load().size() < 3. * time.end_time / time.time_step)
+      return false;
+    const double contact_time = 2. * zener_peak(law, impactor, section).time;
+    const double echo =
+      std::min(dimensions.side_lengths[0], dimensions.side_lengths[1]) /
+      contact_wave(section, contact_time).group_speed;
+    return time.end_time > echo && contact_time < 16. * time.time_step;
+  }
+
+
+
+  int
+  RitzReduction::half_octave(const ContactLaw &law,
+                             const Impactor   &impactor) const
+  {
+    // The fewer vectors the smaller sigma is, for waves to run along them until
+    // the end time T; but below this number what is joined to their end shows
+    // in the force. Measured for 0.5 to 21 contact times, and rounded, so that
+    // impactors share bases.
+    const double contact_time =
+      std::min(time.end_time, 2. * zener_peak(law, impactor, section).time);
+    const double duration =
+      std::pow(contact_time, 0.6) * std::pow(time.end_time, 0.4);
+    return std::lround(2. * std::log2(12. * std::acos(-1.) / duration));
+  }
+
+
+
+  ReducedSystem *
+  RitzReduction::settle(const ContactLaw &law, const Impactor &impactor)
+  {
+    // Waves run along the vectors at this speed; a force is right when those
+    // that the end reflects cannot be back before the end time. Fields may
+    // follow with the third basis, the first that is judged.
+    const int    octave   = half_octave(law, impactor);
+    const double distance = frequency(octave) * time.end_time;
+    const double n_first = std::max(12., 0.24 * distance), growth = 1.15;
+    // once the vectors have cost as many solves as the steps would, or fill the
+    // memory, the steps are made after all
+    const double n_most =
+      std::min(std::max(16., time.end_time / time.time_step),
+               most_numbers / plate.load().size());
+    const double n_unknowns = plate.load().size();
+    if (n_most < std::min(n_first * growth * growth, n_unknowns))
+      return nullptr;
+    std::deque<std::vector<double>> histories; // the last three
+    unsigned int                    n_before = 0;
+    for (double n = n_first; n <= n_most; n *= growth)
+      {
+        const unsigned int n_wanted = static_cast<unsigned int>(n);
+        ReducedSystem     &reduced  = reduced_plate(octave, n_wanted);
+        if (reduced.n_vectors() < n_wanted)
+          return &reduced; // there are no more
+        try
+          {
+            histories.push_back(forces(reduced, law, impactor));
+            // The force is a scalar product of displacements with the load,
+            // and settles before they do.
+            if (histories.size() == 3 &&
+                estimated_error(histories[0], histories[1], histories[2]) <=
+                  time.ritz_tolerance &&
+                (!needs_fields ||
+                 share_beyond(n_before, reduced, law, impactor) <=
+                   field_tolerance))
+              return &reduced;
+          }
+        catch (const ComputationError &)
+          {
+            // if it is not the reduction that fails, the mesh will tell
+            return nullptr;
+          }
+        if (histories.size() == 3)
+          histories.pop_front();
+        n_before = n_wanted;
+      }
+    return nullptr;
+  }
+
+
+
+  ReducedSystem &
+  RitzReduction::reduced_plate(const int half_octave, const unsigned int n)
+  {
+    const double omega = frequency(half_octave);
+    RitzBasis   &basis =
+      bases.try_emplace(half_octave, plate, omega * omega).first->second;
+    basis.grow(n);
+    // a longer string changes little
+    const unsigned int n_beyond = std::min(500., 7. * omega * time.end_time);
+    return reduced_plates
+      .try_emplace({half_octave, n},
+                   basis,
+                   std::min(n, basis.n_vectors()),
+                   n_beyond)
+      .first->second;
+  }
+
+
+
+  unsigned int
+  RitzReduction::n_vectors() const
+  {
+    unsigned int n = 0;
+    for (const auto &[half_octave, basis] : bases)
+      n += basis.n_vectors();
+    return n;
+  }
+} // namespace PlateImpact
