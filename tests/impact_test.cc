@@ -163,13 +163,12 @@ namespace PlateImpact
           const Parameters parameters =
             parameters_with({"Discretization/Initial cells=4,6",
                              "Time/Integrator=" + integrator});
-          const Timer       timer; // the whole
-          ImpactAnalysis    analysis(parameters);
-          const CycleResult result  = analysis.compute_cycle();
-          const Seconds    &seconds = result.seconds;
+          const Timer    timer; // the whole
+          ImpactAnalysis analysis(parameters);
+          analysis.run();
+          const CycleResult &result  = analysis.last_cycle().result;
+          const Seconds     &seconds = result.seconds;
           EXPECT_LE(seconds.total(), timer.wall_time()) << integrator;
-          EXPECT_EQ(result.time_error.has_value(),
-                    integrator == "Ritz vectors");
           for (const double stage : {seconds.mesh,
                                      seconds.assembly,
                                      seconds.factorization,

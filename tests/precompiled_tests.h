@@ -3,7 +3,7 @@
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
 
-#include "plate_impact/estimator/error_estimator.h"
+#include "plate_impact/estimator/energy_norm_estimator.h"
 #include "plate_impact/plate/plate_discretization.h"
 #include "plate_impact/plate/plate_mesh.h"
 

@@ -215,7 +215,7 @@ namespace PlateImpact
                                           element,
                                           unit_plate(EdgeSupport::free, 0.1),
                                           1.);
-          ErrorEstimator            estimator(model);
+          MeshEstimator             estimator(model);
           estimator.add_samples({1.}, model.interpolate(field));
           const ErrorEstimate estimate = estimator.estimate();
           EXPECT_LT(estimate.eta, 1e-10) << name;
@@ -254,7 +254,7 @@ namespace PlateImpact
                                       element,
                                       unit_plate(EdgeSupport::clamped, 0.1),
                                       1.);
-      ErrorEstimator            estimator(model);
+      MeshEstimator             estimator(model);
       estimator.add_samples({1.}, Eigen::VectorXd::Zero(model.n_unknowns()));
       EXPECT_EQ(estimator.estimate().eta, 0.);
       for (const double error : estimator.estimate().element_errors)
@@ -272,7 +272,7 @@ namespace PlateImpact
                                       element,
                                       unit_plate(EdgeSupport::free, 0.1),
                                       1.);
-      ErrorEstimator            estimator(model, /*singular_cells=*/{0});
+      MeshEstimator             estimator(model, /*singular_cells=*/{0});
       estimator
         .add_samples({1.}, model.interpolate(Field([](const Point<2> &p) {
           return Field::Values{
@@ -311,7 +311,7 @@ namespace PlateImpact
       const Eigen::VectorXd z = model.interpolate(Field([](const Point<2> &p) {
         return Field::Values{{std::sin(3. * p[0]), p[1] * p[1] * p[1], 0.}};
       }));
-      ErrorEstimator        once(model), often(model);
+      MeshEstimator         once(model), often(model);
       once.add_samples({2.}, z);
       for (unsigned int n = 1; n <= 40; ++n)
         often.add_samples({0.1 * n}, (n + 1) * z);
@@ -383,7 +383,7 @@ namespace PlateImpact
                        return std::cos(numbers::PI * p[0]) *
                          std::cos(numbers::PI * p[1]);
                      })));
-      ErrorEstimator estimator(model);
+      MeshEstimator estimator(model);
       estimator.add_samples({1.}, z);
       const ErrorEstimate estimate = estimator.estimate();
 

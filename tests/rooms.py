@@ -25,7 +25,7 @@ ROOMS = {
     "output": "base plate contact estimator adaptation analysis scene page",
     "comparison": "base plate contact estimator analysis scene page output",
     "sweep": "base plate contact transient analysis scene page output",
-    "command": "base plate contact analysis scene output comparison sweep",
+    "command": "base plate contact transient analysis scene output comparison sweep",
     "main": "base scene output command",
 }
 

@@ -20,11 +20,11 @@ namespace PlateImpact
     void
     expect_all_compared(const std::string &name, Section Parameters::*section)
     {
-      SceneReader    reader;
-      const Section &present = reader.parameters.*section;
+      SceneReader reader;
+      const auto  present = [&] { return reader.parameters().*section; };
       for (const std::string &path : reader.schema.entries_of(name))
         {
-          const Section     before = present;
+          const Section     before = present();
           const std::string value  = reader.schema.value(path),
                             entry  = path.substr(name.size() + 1);
           bool is_changed          = false;
@@ -42,9 +42,9 @@ namespace PlateImpact
               is_changed =
                 reader.schema.set({{name, entry, other, "test"}}).empty();
           ASSERT_TRUE(is_changed) << path;
-          EXPECT_TRUE(before < present || present < before) << path;
+          EXPECT_TRUE(before < present() || present() < before) << path;
           reader.schema.set({{name, entry, value, "test"}});
-          EXPECT_FALSE(before < present || present < before) << path;
+          EXPECT_FALSE(before < present() || present() < before) << path;
         }
     }
 

@@ -4,8 +4,10 @@
 #include <deal.II/grid/tria.h>
 
 #include "plate_impact/base/parameters.h"
+#include "plate_impact/estimator/energy_norm_estimator.h"
 #include "plate_impact/plate/plate_discretization.h"
 #include "plate_impact/plate/plate_mesh.h"
+#include "plate_impact/transient/full_system.h"
 #include "plate_impact/transient/time_stepper.h"
 
 #include <nlohmann/json.hpp>
@@ -77,6 +79,39 @@ namespace PlateImpact
          const dealii::Triangulation<2> &mesh,
          const std::vector<LoadPoint>   &load,
          double                          multiplicity = 4.);
+
+  /// The estimator with a recovery of its own, for states of the mesh.
+  class MeshEstimator
+  {
+  public:
+    explicit MeshEstimator(const PlateDiscretization       &discretization,
+                           const std::vector<unsigned int> &singular = {})
+      : recovery(discretization.mesh())
+      , estimator(discretization, recovery, singular)
+    {}
+
+    /// @param states  unknowns, a column a time
+    void
+    add_samples(const std::vector<double> &times, const Eigen::MatrixXd &states)
+    {
+      estimator.add_samples(times,
+                            states,
+                            Eigen::MatrixXd::Identity(states.cols(),
+                                                      states.cols()));
+    }
+
+    ErrorEstimate
+    estimate() const
+    {
+      return estimator.estimate();
+    }
+
+  private:
+    const StressRecovery recovery;
+
+  public:
+    EnergyNormEstimator estimator;
+  };
 
   /// A file of tests/reference.
   nlohmann::json

@@ -17,7 +17,7 @@ namespace PlateImpact
     switch (adaptivity.strategy)
       {
         case AdaptationStrategy::none:
-          return nullptr;
+          return std::make_unique<KeptMesh>();
         case AdaptationStrategy::hanging_nodes:
           return std::make_unique<HangingNodeAdaptation>(adaptivity);
         case AdaptationStrategy::uniform:

@@ -1,8 +1,10 @@
 #include "plate_impact/analysis/reliability.h"
 
+#include "plate_impact/contact/contact_law.h"
 #include "plate_impact/contact/impactor.h"
 #include "plate_impact/contact/zener.h"
 #include "plate_impact/plate/plate_mesh.h"
+#include "plate_impact/plate/plate_section.h"
 #include "plate_impact/transient/newmark_scheme.h"
 
 #include <algorithm>
@@ -371,12 +373,10 @@ namespace PlateImpact
 
 
   std::vector<std::string>
-  model_warnings(const Parameters   &parameters,
-                 const PlateSection &section,
-                 const CycleResult  &result)
+  model_warnings(const Parameters &parameters, const CycleResult &result)
   {
     std::vector<std::string> warnings =
-      warn_of_load(parameters, section, result);
+      warn_of_load(parameters, PlateSection(parameters.plate), result);
     const std::vector<std::string> more = warn_of_model(parameters, result);
     warnings.insert(warnings.end(), more.begin(), more.end());
     return warnings;
@@ -385,15 +385,13 @@ namespace PlateImpact
 
 
   std::vector<std::string>
-  impact_warnings(const Parameters   &parameters,
-                  const PlateSection &section,
-                  const double        contact_time,
-                  const CycleResult  &result)
+  impact_warnings(const Parameters  &parameters,
+                  const double       contact_time,
+                  const CycleResult &result)
   {
     std::vector<std::string> warnings =
       warn_of_time(parameters, contact_time, result);
-    const std::vector<std::string> more =
-      model_warnings(parameters, section, result);
+    const std::vector<std::string> more = model_warnings(parameters, result);
     warnings.insert(warnings.end(), more.begin(), more.end());
     return warnings;
   }
@@ -403,15 +401,19 @@ namespace PlateImpact
   std::vector<std::string>
   reliability_warnings(const Parameters               &parameters,
                        const dealii::Triangulation<2> &mesh,
-                       const PlateSection             &section,
-                       const ContactLaw               &law,
                        const CycleResult              &result)
   {
-    const double contact_time =
-      2. * zener_peak(law, make_impactor(parameters.impactor), section).time;
+    if (!result.history)
+      return {};
+    const PlateSection section(parameters.plate);
+    const double       contact_time = 2. *
+      zener_peak(*make_contact_law(parameters),
+                 make_impactor(parameters.impactor),
+                 section)
+        .time;
     const BendingWave        wave = contact_wave(section, contact_time);
     std::vector<std::string> warnings =
-      impact_warnings(parameters, section, contact_time, result);
+      impact_warnings(parameters, contact_time, result);
     for (const auto &more : {warn_of_resolution(parameters, mesh, wave, result),
                              warn_of_mesh(parameters, mesh, wave, result)})
       warnings.insert(warnings.end(), more.begin(), more.end());

@@ -1,14 +1,16 @@
 #include "plate_impact/command/check.h"
 
-#include "plate_impact/analysis/impact_analysis.h"
+#include "plate_impact/analysis/cycle_result.h"
 #include "plate_impact/analysis/reliability.h"
 #include "plate_impact/contact/contact_law.h"
 #include "plate_impact/contact/impactor.h"
 #include "plate_impact/contact/zener.h"
+#include "plate_impact/plate/plate_mesh.h"
 #include "plate_impact/plate/plate_section.h"
 #include "plate_impact/scene/scene_reader.h"
 #include "plate_impact/scene/sweep_plan.h"
 #include "plate_impact/sweep/sweep_groups.h"
+#include "plate_impact/transient/struck_plate.h"
 
 #include <algorithm>
 #include <cmath>
@@ -72,12 +74,19 @@ namespace PlateImpact
       parameters.output.field_samples   = 0;
       parameters.time.integrator        = IntegratorType::Ritz_vectors;
       parameters.time.end_time          = 1.5 * expected_contact_time;
+      StruckPlate plate(
+        parameters.plate,
+        parameters.discretization,
+        make_plate_quadrant(parameters.plate,
+                            parameters.discretization.initial_cells));
+      CycleResult result;
+      result.cells         = plate.discretization().mesh().n_active_cells();
+      result.min_cell_size = smallest_cell_size(plate.discretization().mesh());
       while (true)
         {
           parameters.time.time_step = parameters.time.end_time / 96.;
-          ImpactAnalysis analysis(parameters);
-          CycleResult    result = analysis.compute_cycle();
-          const bool     is_long =
+          result.history            = plate.strike(parameters).history;
+          const bool is_long =
             parameters.time.end_time > 1e6 * expected_contact_time;
           if (result.history->first_contact_end() || is_long)
             return result;
@@ -480,8 +489,7 @@ namespace PlateImpact
         print_sweep(page, scene, cost);
         impact.min_cell_size = parameters.adaptivity.minimum_cell_size;
         if (!known.is_bound)
-          for (const std::string &warning :
-               model_warnings(parameters, section, impact))
+          for (const std::string &warning : model_warnings(parameters, impact))
             page << "  warning: " << warning << '\n';
       }
     else

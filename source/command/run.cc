@@ -1,7 +1,6 @@
 #include "plate_impact/command/run.h"
 
 #include "plate_impact/analysis/impact_analysis.h"
-#include "plate_impact/analysis/reliability.h"
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/output/console.h"
 #include "plate_impact/output/output.h"
@@ -12,46 +11,51 @@ namespace PlateImpact
 {
   namespace
   {
-    void
-    run_cycles(const Scene &scene, Output &output, Console &console)
+    /// Shows and writes what an analysis finds.
+    class RunListener : public AnalysisListener
     {
-      ImpactAnalysis analysis(scene.parameters,
-                              [&console](const auto cycle,
-                                         const auto step,
-                                         const auto n_steps) {
-                                console.progress.show(cycle, step, n_steps);
-                              });
-      console.begin(scene);
-      while (true)
-        {
-          CycleResult result = analysis.compute_cycle();
-          output.write_cycle(result, analysis.model(), analysis.estimator());
-          std::optional<std::string> end = analysis.outcome(result);
-          if (!end)
-            end =
-              analysis.adapt(result, scene.parameters.adaptivity.target_error);
-          console.cycle(result);
-          if (!end)
-            continue;
+    public:
+      RunListener(Output &output, Console &console)
+        : output(output)
+        , console(console)
+      {}
 
-          if (!result.snapshots.empty())
-            output.write_fields(result,
-                                analysis.model(),
-                                *analysis.estimator());
-          std::vector<std::string> warnings;
-          if (result.history)
-            warnings = reliability_warnings(scene.parameters,
-                                            analysis.mesh(),
-                                            analysis.model().section(),
-                                            *analysis.contact_law(),
-                                            result);
-          warnings.insert(warnings.end(),
-                          analysis.warnings().begin(),
-                          analysis.warnings().end());
-          output.finish(*end, warnings, result, analysis.model());
-          console.end(*end, result, warnings, output.main_files());
-          return;
-        }
+      void
+      step(const unsigned int cycle,
+           const unsigned int step,
+           const unsigned int n_steps) override
+      {
+        console.progress.show(cycle, step, n_steps);
+      }
+
+      void
+      cycle(Cycle &cycle) override
+      {
+        output.write_cycle(cycle);
+        console.cycle(cycle.result);
+      }
+
+    private:
+      Output  &output;
+      Console &console;
+    };
+
+
+
+    void
+    run(const Scene &scene, Output &output, Console &console)
+    {
+      console.begin(scene);
+      ImpactAnalysis    analysis(scene.parameters);
+      AdaptationControl control(scene.parameters.adaptivity);
+      RunListener       listener(output, console);
+      const Outcome     outcome  = analysis.run(control, listener);
+      const auto        warnings = analysis.all_warnings();
+      output.finish(outcome, warnings, analysis.last_cycle());
+      console.end(outcome,
+                  analysis.last_cycle().result,
+                  warnings,
+                  output.main_files());
     }
   } // namespace
 
@@ -64,7 +68,7 @@ namespace PlateImpact
     Output  output(scene);
     try
       {
-        run_cycles(scene, output, console);
+        run(scene, output, console);
       }
     catch (const ComputationError &error)
       {

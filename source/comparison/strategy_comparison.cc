@@ -2,11 +2,14 @@
 
 #include <deal.II/base/timer.h>
 
+#include "plate_impact/analysis/impact_analysis.h"
 #include "plate_impact/base/exceptions.h"
+#include "plate_impact/comparison/comparison_control.h"
 #include "plate_impact/page/mesh_picture.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <new>
 
 namespace PlateImpact
@@ -15,10 +18,6 @@ namespace PlateImpact
 
   namespace
   {
-    /// Cells of a reference before they are halved; with the estimator's limits
-    /// on long transients a tenth of the target may be out of reach.
-    constexpr unsigned int enough_reference_cells = 4000;
-
     /// States at which fields are compared with those of the reference.
     constexpr unsigned int n_compared_states = 20;
 
@@ -31,31 +30,45 @@ namespace PlateImpact
 
 
 
-    /// Adapts to the target, which is halved as often as it is met already or
-    /// gives no new mesh.
-    /// @return why there is no new mesh; empty when there is one
-    std::optional<std::string>
-    adapt_further(ImpactAnalysis    &analysis,
-                  const CycleResult &result,
-                  double            &target)
+    /// Passes on what a transient tells, and the cycles of a curve.
+    class CurveListener : public AnalysisListener
     {
-      std::optional<std::string> end = "mesh unchanged";
-      for (unsigned int halvings = 0; halvings < 8; ++halvings)
-        {
-          if (result.error->eta > target &&
-              !(end = analysis.adapt(result, target)))
-            return {};
-          target *= 0.5;
-        }
-      return end;
-    }
+    public:
+      using Progress = StrategyComparison::Progress;
+
+      explicit CurveListener(
+        const Progress                           &progress,
+        const std::function<void(const Cycle &)> &add_cycle = {})
+        : progress(progress)
+        , add_cycle(add_cycle)
+      {}
+
+      void
+      step(const unsigned int cycle,
+           const unsigned int step,
+           const unsigned int n_steps) override
+      {
+        if (progress)
+          progress(cycle, step, n_steps);
+      }
+
+      void
+      cycle(Cycle &cycle) override
+      {
+        if (add_cycle)
+          add_cycle(cycle);
+      }
+
+    private:
+      const Progress                           progress;
+      const std::function<void(const Cycle &)> add_cycle;
+    };
   } // namespace
 
 
 
-  StrategyComparison::StrategyComparison(
-    const Scene                    &scene,
-    const ImpactAnalysis::Progress &progress)
+  StrategyComparison::StrategyComparison(const Scene    &scene,
+                                         const Progress &progress)
     : scene(scene)
     , progress(progress)
   {}
@@ -88,16 +101,16 @@ namespace PlateImpact
     const Timer      timer;
     const Parameters parameters =
       parameters_of(AdaptationStrategy::hanging_nodes, ElementType::MITC9);
-    const double   target = parameters.adaptivity.target_error;
-    ImpactAnalysis analysis(parameters, progress);
-    double         tightened = target;
-    CycleResult    coarse    = analysis.compute_cycle();
-    while (coarse.error->eta > 0.1 * target &&
-           coarse.cells < enough_reference_cells &&
-           !adapt_further(analysis, coarse, tightened))
-      coarse = analysis.compute_cycle();
+    ImpactAnalysis   analysis(parameters);
+    ReferenceControl until_fine(parameters.adaptivity);
+    OneMesh          once(parameters.adaptivity);
+    CurveListener    listener(progress);
+    analysis.run(until_fine, listener);
+    const double coarse_peak =
+      analysis.last_cycle().result.history->peak().force;
     analysis.refine_everywhere();
-    const CycleResult fine = analysis.compute_cycle();
+    analysis.run(once, listener);
+    const CycleResult &fine = analysis.last_cycle().result;
 
     the_reference.peak_force = fine.history->peak().force;
     if (!(the_reference.peak_force > 0.))
@@ -106,9 +119,10 @@ namespace PlateImpact
                              " N: there is nothing to compare with; choose a "
                              "longer Time/End time");
     // Ritz vectors have a tolerance of their own
-    the_reference.uncertainty = std::max(
-      std::abs(coarse.history->peak().force / the_reference.peak_force - 1.),
-      fine.work.ritz_vectors > 0 ? parameters.time.ritz_tolerance : 0.);
+    the_reference.uncertainty =
+      std::max(std::abs(coarse_peak / the_reference.peak_force - 1.),
+               fine.work.ritz_vectors > 0 ? parameters.time.ritz_tolerance :
+                                            0.);
     the_reference.contact_end        = fine.history->first_contact_end();
     the_reference.eta                = fine.error->eta;
     the_reference.history            = fine.history;
@@ -116,9 +130,9 @@ namespace PlateImpact
     the_reference.degrees_of_freedom = fine.degrees_of_freedom;
     the_reference.seconds            = timer.wall_time();
     if (!parameters.contact.load_is_singular())
-      the_reference.true_error =
-        std::make_shared<const ReferenceError>(analysis.model(),
-                                               fine.snapshots);
+      the_reference.true_error = std::make_shared<const ReferenceError>(
+        analysis.last_cycle().discretization(),
+        fine.snapshots);
     return the_reference;
   }
 
@@ -140,7 +154,7 @@ namespace PlateImpact
       }
     catch (const BudgetSpent &)
       {
-        curve.end = "time budget";
+        curve.end = word_for(Outcome::time_budget);
       }
     catch (const ComputationError &error)
       {
@@ -161,68 +175,68 @@ namespace PlateImpact
     const std::function<void(const ComparisonCurve &)> &listener)
   {
     const Parameters parameters = parameters_of(curve.strategy, curve.element);
-    const ComparisonParameters &comparison = parameters.comparison;
-    const double                target     = parameters.adaptivity.target_error;
-    double                      seconds = 0., tightened = target;
-    Timer                       timer;
-    const auto                  is_spent = [&] {
+    double           seconds    = 0.; // of the meshes so far
+    Timer            timer;           // of the next one
+    const auto       is_spent = [&] {
       return !curve.meshes.empty() &&
-        seconds + timer.wall_time() > comparison.time_budget;
+        seconds + timer.wall_time() > parameters.comparison.time_budget;
     };
-    ImpactAnalysis analysis(parameters, [&](auto cycle, auto step, auto n) {
+    const auto is_enough = [&](const double eta) {
+      return is_close_to_reference(eta);
+    };
+    const auto tell_step = [&](auto cycle, auto step, auto n_steps) {
       if (is_spent())
         throw BudgetSpent();
       if (progress)
-        progress(cycle, step, n);
-    });
-    for (unsigned int cycle = 1; cycle <= comparison.maximum_cycles; ++cycle)
-      {
-        const CycleResult result = analysis.compute_cycle();
-        curve.meshes.push_back(compared(result, analysis.model(), seconds));
-        curve.history = result.history;
-        seconds       = curve.meshes.back().cumulative_seconds;
-        const bool was_met =
-          curve.meshes.size() > 1 && (&curve.meshes.back())[-1].eta <= target;
-        if (!was_met && result.cells <= most_drawn_cells)
-          curve.picture = {
-            curve.name() + ": " + std::to_string(result.cells) + " cells",
-            result.cells,
-            mesh_picture(analysis.mesh(),
-                         "Mesh of cycle " + std::to_string(result.cycle) +
-                           ", impact at the lower left corner",
-                         result.element_errors()),
-            {{"element error ξ′", true, result.over_limit->elements}}};
-        curve.warnings = analysis.warnings();
-        if (listener)
-          listener(curve);
+        progress(cycle, step, n_steps);
+    };
+    ImpactAnalysis analysis(parameters);
+    const auto     tell_cycle = [&](const Cycle &cycle) {
+      curve.meshes.push_back(compared(cycle, seconds));
+      seconds = curve.meshes.back().cumulative_seconds;
+      show_mesh(curve, cycle);
+      curve.history  = cycle.result.history;
+      curve.warnings = analysis.warnings();
+      if (listener)
+        listener(curve);
+      timer.restart();
+    };
+    CurveControl  control(parameters, is_enough, is_spent);
+    CurveListener teller(tell_step, tell_cycle);
+    curve.end = word_for(analysis.run(control, teller));
+  }
 
-        timer.restart();
-        if (is_spent())
-          throw BudgetSpent();
-        if (is_close_to_reference(curve.meshes.back()))
-          {
-            curve.end = "nearly as fine as the reference";
-            return;
-          }
-        if (cycle == comparison.maximum_cycles)
-          break;
-        if (const auto end = adapt_further(analysis, result, tightened))
-          {
-            curve.end = *end;
-            return;
-          }
-      }
-    curve.end = "maximum cycles";
+
+
+  void
+  StrategyComparison::show_mesh(ComparisonCurve &curve,
+                                const Cycle     &cycle) const
+  {
+    const CycleResult &result  = cycle.result;
+    const bool         was_met = curve.meshes.size() > 1 &&
+      (&curve.meshes.back())[-1].eta <=
+        scene.parameters.adaptivity.target_error;
+    if (was_met || result.cells > most_drawn_cells)
+      return;
+    curve.picture = {curve.name() + ": " + std::to_string(result.cells) +
+                       " cells",
+                     result.cells,
+                     mesh_picture(cycle.mesh(),
+                                  "Mesh of cycle " +
+                                    std::to_string(result.cycle) +
+                                    ", impact at the lower left corner",
+                                  result.element_errors()),
+                     {{"element error ξ′", true, result.over_limit->elements}}};
   }
 
 
 
   ComparedMesh
-  StrategyComparison::compared(const CycleResult         &result,
-                               const PlateDiscretization &model,
-                               const double               seconds_before) const
+  StrategyComparison::compared(const Cycle &cycle,
+                               const double seconds_before) const
   {
-    const double peak_force = result.history->peak().force;
+    const CycleResult &result     = cycle.result;
+    const double       peak_force = result.history->peak().force;
     const double error = std::abs(peak_force / the_reference.peak_force - 1.);
     ComparedMesh mesh  = {result.cycle,
                           result.cells,
@@ -238,18 +252,18 @@ namespace PlateImpact
     if (const auto end = result.history->first_contact_end();
         end && the_reference.contact_end)
       mesh.contact_end_error = std::abs(*end / *the_reference.contact_end - 1.);
-    if (the_reference.true_error && !is_close_to_reference(mesh))
-      mesh.effectivity =
-        mesh.eta / the_reference.true_error->of(model, result.snapshots);
+    if (the_reference.true_error && !is_close_to_reference(mesh.eta))
+      mesh.effectivity = mesh.eta /
+        the_reference.true_error->of(cycle.discretization(), result.snapshots);
     return mesh;
   }
 
 
 
   bool
-  StrategyComparison::is_close_to_reference(const ComparedMesh &mesh) const
+  StrategyComparison::is_close_to_reference(const double eta) const
   {
-    return the_reference.eta && mesh.eta < 3. * *the_reference.eta;
+    return the_reference.eta && eta < 3. * *the_reference.eta;
   }
 
 

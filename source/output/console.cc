@@ -84,7 +84,7 @@ namespace PlateImpact
 
 
   void
-  Console::end(const std::string              &outcome,
+  Console::end(const Outcome                   outcome,
                const CycleResult              &last,
                const std::vector<std::string> &warnings,
                const std::string              &results)
@@ -92,17 +92,16 @@ namespace PlateImpact
     if (!quiet)
       {
         std::cout << "\nOutcome     "
-                  << out.emphasized(outcome,
-                                    outcome == "target reached" ||
-                                        outcome == "single mesh" ?
-                                      Emphasis::good :
-                                      Emphasis::warning);
+                  << out.emphasized(word_for(outcome),
+                                    is_success(outcome) ? Emphasis::good :
+                                                          Emphasis::warning);
         if (last.error)
           std::cout << ", eta " << formatted("%.6g", 100. * last.error->eta)
                     << " % (target " << formatted("%.6g", 100. * target)
                     << " %)";
         if (last.error && last.error->eta <= target &&
-            outcome != "target reached" && last.over_limit->max_element() >= 1.)
+            outcome != Outcome::target_reached &&
+            last.over_limit->max_element() >= 1.)
           std::cout << ", largest xi' "
                     << formatted("%.3g", last.over_limit->max_element())
                     << " (limit 1)";

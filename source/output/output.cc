@@ -1,16 +1,15 @@
 #include "plate_impact/output/output.h"
 
-#include <deal.II/base/timer.h>
 #include <deal.II/fe/fe_dgq.h>
 #include <deal.II/fe/fe_tools.h>
 #include <deal.II/numerics/data_out.h>
 
 #include "plate_impact/adaptation/mesh_adaptation.h"
 #include "plate_impact/base/exceptions.h"
+#include "plate_impact/base/stage_clock.h"
 #include "plate_impact/base/version.h"
 #include "plate_impact/output/deflection_film.h"
 #include "plate_impact/page/mesh_picture.h"
-#include "plate_impact/plate/plate_discretization.h"
 #include "plate_impact/plate/plate_mesh.h"
 
 #include <algorithm>
@@ -163,12 +162,11 @@ namespace PlateImpact
 
 
   void
-  Output::write_cycle(CycleResult               &result,
-                      const PlateDiscretization &model,
-                      const ErrorEstimator      *estimator)
+  Output::write_cycle(Cycle &cycle)
   {
-    Timer                   timer;
-    const Triangulation<2> &mesh   = model.mesh();
+    StageClock              clock;
+    CycleResult            &result = cycle.result;
+    const Triangulation<2> &mesh   = cycle.mesh();
     const std::string       suffix = "_cycle_" + std::to_string(result.cycle);
     if (result.history)
       {
@@ -201,19 +199,18 @@ namespace PlateImpact
         write_mesh_svg(out, mesh, caption_of(result), result.element_errors());
       });
     if (scene.parameters.output.write_report)
-      report.add_cycle(result, model, estimator);
-    result.seconds.output += timer.wall_time();
+      report.add_cycle(cycle);
+    clock.charge(result.seconds.output);
     cycles.push_back(to_json(result));
   }
 
 
 
   void
-  Output::write_fields(CycleResult               &result,
-                       const PlateDiscretization &model,
-                       const ErrorEstimator      &estimator)
+  Output::write_fields(const Cycle &cycle)
   {
-    Timer                          timer;
+    const CycleResult             &result      = cycle.result;
+    const PlateDiscretization     &plate       = cycle.discretization();
     const unsigned int             n_fields    = 9;
     const std::vector<std::string> field_names = {"deflection",
                                                   "rotation_x",
@@ -228,11 +225,11 @@ namespace PlateImpact
     // from cell to cell at hanging nodes
     const FE_DGQ<2>   nodal(2);
     const FESystem<2> fields_element(nodal, n_fields);
-    DoFHandler<2>     dof_handler(model.mesh());
+    DoFHandler<2>     dof_handler(plate.mesh());
     dof_handler.distribute_dofs(fields_element);
     const std::vector<unsigned int> hierarchic =
       FETools::lexicographic_to_hierarchic_numbering<2>(2);
-    const FESystem<2> &plate_element = model.element().finite_element();
+    const FESystem<2> &plate_element = plate.element().finite_element();
 
     std::vector<std::pair<double, std::string>> record;
     Vector<double>                              fields(dof_handler.n_dofs());
@@ -243,12 +240,12 @@ namespace PlateImpact
     for (const Snapshot &snapshot : result.snapshots)
       {
         const Eigen::MatrixXd resultants =
-          estimator.recovered_resultants(snapshot.unknowns,
-                                         nodal.get_unit_support_points());
+          cycle.recovered_resultants(snapshot.unknowns,
+                                     nodal.get_unit_support_points());
         for (const auto &cell : dof_handler.active_cell_iterators())
           {
             const unsigned int c = cell->active_cell_index();
-            model.cell_values(c, snapshot.unknowns, values);
+            plate.cell_values(c, snapshot.unknowns, values);
             cell->get_dof_indices(dofs);
             for (unsigned int node = 0; node < nodal.n_dofs_per_cell(); ++node)
               {
@@ -267,7 +264,7 @@ namespace PlateImpact
                 for (unsigned int k = 0; k < 5; ++k)
                   set(n_components + k, r[k]);
                 set(8,
-                    model.section().surface_von_mises_stress(r[0], r[1], r[2]));
+                    plate.section().surface_von_mises_stress(r[0], r[1], r[2]));
               }
           }
         require_finite(fields, snapshot.time);
@@ -288,8 +285,6 @@ namespace PlateImpact
     directory.write_file("fields.pvd", [&](std::ostream &out) {
       DataOutBase::write_pvd_record(out, record);
     });
-    result.seconds.output += timer.wall_time();
-    cycles.back() = to_json(result);
   }
 
 
@@ -313,15 +308,22 @@ namespace PlateImpact
 
 
   void
-  Output::finish(const std::string              &outcome,
+  Output::finish(const Outcome                   outcome,
                  const std::vector<std::string> &warnings,
-                 const CycleResult              &last,
-                 const PlateDiscretization      &model)
+                 Cycle                          &last)
   {
-    const nlohmann::ordered_json summary = write_summary(outcome, warnings);
+    StageClock clock;
+    if (!last.result.snapshots.empty())
+      write_fields(last);
+    clock.charge(last.result.seconds.output);
+    cycles.back() = to_json(last.result);
+    const nlohmann::ordered_json summary =
+      write_summary(word_for(outcome), warnings);
     if (scene.parameters.output.write_report)
       directory.write_file("report.html", [&](std::ostream &out) {
-        report.write(out, summary, deflection_film(last, model));
+        report.write(out,
+                     summary,
+                     deflection_film(last.result, last.discretization()));
       });
   }
 

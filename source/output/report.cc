@@ -3,11 +3,9 @@
 #include "plate_impact/base/columns.h"
 #include "plate_impact/base/prefixed_unit.h"
 #include "plate_impact/base/version.h"
-#include "plate_impact/estimator/error_estimator.h"
 #include "plate_impact/output/cycle_plots.h"
 #include "plate_impact/output/run_in_words.h"
 #include "plate_impact/page/mesh_picture.h"
-#include "plate_impact/plate/plate_discretization.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,13 +28,11 @@ namespace PlateImpact
 
     /// Recovered resultants of a state at the centres of the cells.
     std::vector<CellField>
-    resultant_fields(const Snapshot            &state,
-                     const PlateDiscretization &model,
-                     const ErrorEstimator      &estimator)
+    resultant_fields(const Snapshot &state, const Cycle &cycle)
     {
       const Eigen::MatrixXd resultants =
-        estimator.recovered_resultants(state.unknowns,
-                                       {dealii::Point<2>(0.5, 0.5)});
+        cycle.recovered_resultants(state.unknowns,
+                                   {dealii::Point<2>(0.5, 0.5)});
       const std::string      names[] = {"moment M_x [N]",
                                         "moment M_y [N]",
                                         "moment M_xy [N]",
@@ -51,9 +47,10 @@ namespace PlateImpact
       CellField stress{"von Mises stress at the faces [Pa]", false, {}};
       for (Eigen::Index c = 0; c < resultants.cols(); ++c)
         stress.values.push_back(
-          model.section().surface_von_mises_stress(resultants(0, c),
-                                                   resultants(1, c),
-                                                   resultants(2, c)));
+          cycle.discretization().section().surface_von_mises_stress(
+            resultants(0, c),
+            resultants(1, c),
+            resultants(2, c)));
       fields.push_back(stress);
       return fields;
     }
@@ -278,10 +275,9 @@ namespace PlateImpact
 
 
   void
-  Report::add_cycle(const CycleResult         &result,
-                    const PlateDiscretization &model,
-                    const ErrorEstimator      *estimator)
+  Report::add_cycle(const Cycle &cycle)
   {
+    const CycleResult &result = cycle.result;
     if (result.history)
       histories.push_back(plotted(result));
     if (result.error)
@@ -299,16 +295,16 @@ namespace PlateImpact
     if (result.cells <= max_pictured_cells)
       {
         mesh.svg =
-          mesh_picture(model.mesh(),
+          mesh_picture(cycle.mesh(),
                        "Mesh of cycle " + std::to_string(result.cycle) +
                          ", impact at the lower left corner",
                        result.element_errors());
         if (result.error)
           mesh.fields.push_back(
             {"element error ξ′", true, result.over_limit->elements});
-        if (estimator != nullptr && result.peak_state)
+        if (result.peak_state)
           for (const CellField &field :
-               resultant_fields(*result.peak_state, model, *estimator))
+               resultant_fields(*result.peak_state, cycle))
             mesh.fields.push_back(field);
       }
     meshes.push_back(mesh);

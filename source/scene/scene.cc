@@ -12,16 +12,15 @@ namespace PlateImpact
              const std::optional<std::string> &output)
   {
     SceneReader  reader(path, overrides, output);
-    SceneChecker checker(reader.schema, reader.parameters);
+    SceneChecker checker(reader.schema, reader.parameters());
     checker.check_together();
-    const Parameters given = reader.parameters;
+    const Parameters given = reader.parameters();
     if (reader.mistakes.empty() && checker.mistakes.empty())
       checker.complete();
     reader.add_mistakes(checker.mistakes);
-    reader.add_mistakes(
-      SweepPlan(reader.schema, reader.parameters.sweep).mistakes());
+    reader.add_mistakes(SweepPlan(reader.schema, given.sweep).mistakes());
     reader.refuse_mistakes();
-    return {path, reader.parameters, reader.text(), given};
+    return {path, checker.parameters(), reader.text(), given};
   }
 
 

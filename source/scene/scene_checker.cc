@@ -29,9 +29,29 @@ namespace PlateImpact
                              const Parameters            &parameters,
                              const std::set<std::string> &swept)
     : schema(schema)
-    , parameters(parameters)
+    , scene(parameters)
     , swept(swept)
   {}
+
+
+
+  const Parameters &
+  SceneChecker::parameters() const
+  {
+    return scene;
+  }
+
+
+
+  void
+  SceneChecker::choose(const std::string &section,
+                       const std::string &entry,
+                       double            &variable,
+                       const double       value)
+  {
+    variable = value;
+    schema.choose(section, entry, value);
+  }
 
 
 
@@ -68,7 +88,7 @@ namespace PlateImpact
   void
   SceneChecker::check_plate()
   {
-    const PlateParameters &plate = parameters.plate;
+    const PlateParameters &plate = scene.plate;
     const double           half_side =
       0.5 * std::min(plate.side_lengths[0], plate.side_lengths[1]);
     if (plate.thickness > half_side)
@@ -76,8 +96,7 @@ namespace PlateImpact
              "m is too thick for a plate theory; expected at most half the "
              "shorter side, " +
                in_words(half_side) + " m");
-    if (parameters.contact.has_patch() &&
-        parameters.contact.patch_radius > half_side)
+    if (scene.contact.has_patch() && scene.contact.patch_radius > half_side)
       refuse({"Contact/Patch radius", "Plate/Side lengths"},
              "m reaches beyond the plate; expected at most half the shorter "
              "side, " +
@@ -89,28 +108,27 @@ namespace PlateImpact
   void
   SceneChecker::check_contact()
   {
-    if (!parameters.has_impactor())
+    if (!scene.has_impactor())
       return;
-    const bool is_cylinder = parameters.impactor.is_cylinder();
+    const bool                     is_cylinder   = scene.impactor.is_cylinder();
     const std::vector<std::string> law_and_shape = {"Contact/Law",
                                                     "Impactor/Shape"};
-    if (is_cylinder && parameters.contact.law != ForceLaw::line)
+    if (is_cylinder && scene.contact.law != ForceLaw::line)
       refuse(law_and_shape,
              "is a law of spheres; expected line for a cylinder");
-    if (!is_cylinder && parameters.contact.law == ForceLaw::line)
+    if (!is_cylinder && scene.contact.law == ForceLaw::line)
       refuse(law_and_shape,
              "is the law of a cylinder; expected Sun or Hertz for a sphere");
-    if (is_cylinder != parameters.contact.load_has_length())
+    if (is_cylinder != scene.contact.load_has_length())
       refuse({"Contact/Load distribution", "Impactor/Shape"},
              is_cylinder ?
                "does not fit a cylinder; expected line or strip" :
                "does not fit a sphere; expected Hertz disc, uniform "
                "disc or point");
-    if (is_cylinder &&
-        parameters.impactor.length > parameters.plate.side_lengths[0])
+    if (is_cylinder && scene.impactor.length > scene.plate.side_lengths[0])
       refuse({"Impactor/Length", "Plate/Side lengths"},
              "m reaches beyond the plate; expected at most its side along x, " +
-               in_words(parameters.plate.side_lengths[0]) + " m");
+               in_words(scene.plate.side_lengths[0]) + " m");
   }
 
 
@@ -118,7 +136,7 @@ namespace PlateImpact
   void
   SceneChecker::check_time()
   {
-    const TimeParameters &time = parameters.time;
+    const TimeParameters &time = scene.time;
     if (time.time_step > time.end_time)
       refuse({"Time/Time step", "Time/End time"},
              "s is longer than End time, " + in_words(time.end_time) + " s");
@@ -127,7 +145,7 @@ namespace PlateImpact
              "is below half of Newmark gamma, so that the scheme is unstable "
              "on fine meshes; expected at least " +
                in_words(0.5 * time.newmark_gamma));
-    if (parameters.contact.integration == ForceIntegration::energy_conserving &&
+    if (scene.contact.integration == ForceIntegration::energy_conserving &&
         (time.newmark_beta != 0.25 || time.newmark_gamma != 0.5))
       refuse({"Contact/Integration", "Time/Newmark beta", "Time/Newmark gamma"},
              "needs Newmark beta = 0.25 and Newmark gamma = 0.5, which alone "
@@ -139,17 +157,17 @@ namespace PlateImpact
   void
   SceneChecker::check_mesh()
   {
-    const auto &cells = parameters.discretization.initial_cells;
-    const auto &sides = parameters.plate.side_lengths;
+    const auto &cells = scene.discretization.initial_cells;
+    const auto &sides = scene.plate.side_lengths;
     if (static_cast<double>(cells[0]) * cells[1] > 250000.)
       refuse({"Discretization/Initial cells"}, "are more than 250000 cells");
     const double h = 0.5 * std::max(sides[0] / cells[0], sides[1] / cells[1]);
-    if (parameters.adaptivity.minimum_cell_size > h)
+    if (scene.adaptivity.minimum_cell_size > h)
       refuse({"Adaptivity/Minimum cell size",
               "Plate/Side lengths",
               "Discretization/Initial cells"},
              "m is larger than the initial cells, " + in_words(h) + " m");
-    const AdaptivityParameters &adaptivity = parameters.adaptivity;
+    const AdaptivityParameters &adaptivity = scene.adaptivity;
     if (adaptivity.maximum_cell_size > 0. &&
         adaptivity.maximum_cell_size < adaptivity.minimum_cell_size)
       refuse({"Adaptivity/Maximum cell size", "Adaptivity/Minimum cell size"},
@@ -181,7 +199,7 @@ namespace PlateImpact
       if (twice != choices.end())
         refuse({path}, "names " + word_for(*twice) + " twice");
     };
-    const ComparisonParameters &comparison = parameters.comparison;
+    const ComparisonParameters &comparison = scene.comparison;
     refuse_repetition("Comparison/Strategies", comparison.strategies);
     refuse_repetition("Comparison/Elements", comparison.elements);
   }
@@ -191,87 +209,117 @@ namespace PlateImpact
   void
   SceneChecker::complete()
   {
-    if (!parameters.has_impactor())
+    if (!scene.has_impactor())
       return;
-    const Impactor impactor = make_impactor(parameters.impactor);
+    complete_impactor();
+    if (!expected_peak)
+      return;
+    complete_time(*expected_peak);
+    complete_contact(*expected_peak);
+    if (!scene.contact.has_patch() || scene.contact.patch_radius > 0.)
+      complete_mesh();
+  }
+
+
+
+  void
+  SceneChecker::complete_impactor()
+  {
+    const Impactor impactor = make_impactor(scene.impactor);
     if (!std::isnormal(impactor.kinetic_energy()))
       return refuse({"Impactor/Velocity", "Impactor/Mass", "Impactor/Radius"},
                     "m/s gives the impactor an energy of " +
                       in_words(impactor.kinetic_energy()) +
                       " J, which is beyond what can be computed with");
-    if (parameters.impactor.mass == 0.)
-      schema.choose("Impactor", "Mass", impactor.mass);
-    ExpectedPeak peak;
+    if (scene.impactor.mass == 0.)
+      choose("Impactor", "Mass", scene.impactor.mass, impactor.mass);
     try
       {
-        peak = zener_peak(*make_contact_law(parameters),
-                          impactor,
-                          PlateSection(parameters.plate));
+        expected_peak = zener_peak(*make_contact_law(scene),
+                                   impactor,
+                                   PlateSection(scene.plate));
       }
     catch (const ComputationError &error)
       {
-        return refuse({"Impactor/Velocity", "Impactor/Mass"},
-                      "m/s gives no finite force in Zener's equation: " +
-                        std::string(error.what()));
+        refuse({"Impactor/Velocity", "Impactor/Mass"},
+               "m/s gives no finite force in Zener's equation: " +
+                 std::string(error.what()));
       }
+  }
 
-    expected_peak = peak;
 
-    if (parameters.time.time_step == 0.)
-      schema.choose("Time",
-                    "Time step",
-                    chosen_time_step(parameters.time,
-                                     *make_contact_law(parameters),
-                                     impactor,
-                                     PlateSection(parameters.plate)));
-    if (parameters.time.end_time / parameters.time.time_step > 1e8)
+
+  void
+  SceneChecker::complete_time(const ExpectedPeak &peak)
+  {
+    if (scene.time.time_step == 0.)
+      choose("Time",
+             "Time step",
+             scene.time.time_step,
+             chosen_time_step(scene.time,
+                              *make_contact_law(scene),
+                              make_impactor(scene.impactor),
+                              PlateSection(scene.plate)));
+    if (scene.time.end_time / scene.time.time_step > 1e8)
       refuse({"Time/Time step", "Time/End time"},
              "s needs more than 1e8 steps to reach End time, " +
-               in_words(parameters.time.end_time) + " s");
+               in_words(scene.time.end_time) + " s");
     // a contact lasts about twice the time to its peak
     const double longest_step = 25. * 2. * peak.time;
-    if (parameters.time.time_step > longest_step)
+    if (scene.time.time_step > longest_step)
       refuse({"Time/Time step", "Impactor/Mass", "Impactor/Velocity"},
              "s is more than 25 times as long as the contact, which Zener's "
              "equation expects to last " +
                in_words(2. * peak.time) + " s; expected at most " +
                in_words(longest_step) + " s");
+  }
 
-    const bool has_patch = parameters.contact.has_patch();
-    if (has_patch && parameters.contact.patch_radius == 0.)
-      {
-        const double radius =
-          contact_radius(parameters, peak.force, peak.indentation);
-        const auto &sides = parameters.plate.side_lengths;
-        if (radius > 0.5 * std::min(sides[0], sides[1]))
-          return refuse({"Contact/Patch radius",
-                         "Plate/Side lengths",
-                         "Impactor/Radius",
-                         "Impactor/Velocity"},
-                        "lets the program choose the Hertz contact radius, "
-                        "which is " +
-                          in_words(radius) + " m and reaches beyond the plate");
-        // one of few, so that similar impactors share their load; what that
-        // changes of the radius, half a per cent at most, is a ten thousandth
-        // of the force of the steel case
-        const double thickness = parameters.plate.thickness;
-        schema.choose(
-          "Contact",
-          "Patch radius",
-          thickness *
-            std::exp2(std::lround(64. * std::log2(radius / thickness)) / 64.));
-      }
-    const auto &cells = parameters.discretization.initial_cells;
-    const auto &sides = parameters.plate.side_lengths;
-    if (parameters.adaptivity.maximum_cell_size == 0.)
-      schema.choose("Adaptivity",
-                    "Maximum cell size",
-                    0.5 * std::max(sides[0] / cells[0], sides[1] / cells[1]));
-    if (parameters.adaptivity.minimum_cell_size == 0.)
-      schema.choose("Adaptivity",
-                    "Minimum cell size",
-                    0.25 *
-                      (has_patch ? parameters.contact.patch_radius :
-                                   parameters.plate.thickness));
+
+
+  void
+  SceneChecker::complete_contact(const ExpectedPeak &peak)
+  {
+    if (!scene.contact.has_patch() || scene.contact.patch_radius > 0.)
+      return;
+    const double radius = contact_radius(scene, peak.force, peak.indentation);
+    const auto  &sides  = scene.plate.side_lengths;
+    if (radius > 0.5 * std::min(sides[0], sides[1]))
+      return refuse({"Contact/Patch radius",
+                     "Plate/Side lengths",
+                     "Impactor/Radius",
+                     "Impactor/Velocity"},
+                    "lets the program choose the Hertz contact radius, "
+                    "which is " +
+                      in_words(radius) + " m and reaches beyond the plate");
+    // one of few, so that similar impactors share their load; what that changes
+    // of the radius, half a per cent at most, is a ten thousandth of the force
+    // of the steel case
+    const double thickness = scene.plate.thickness;
+    choose("Contact",
+           "Patch radius",
+           scene.contact.patch_radius,
+           thickness *
+             std::exp2(std::lround(64. * std::log2(radius / thickness)) / 64.));
+  }
+
+
+
+  void
+  SceneChecker::complete_mesh()
+  {
+    const auto &cells = scene.discretization.initial_cells;
+    const auto &sides = scene.plate.side_lengths;
+    if (scene.adaptivity.maximum_cell_size == 0.)
+      choose("Adaptivity",
+             "Maximum cell size",
+             scene.adaptivity.maximum_cell_size,
+             0.5 * std::max(sides[0] / cells[0], sides[1] / cells[1]));
+    if (scene.adaptivity.minimum_cell_size == 0.)
+      choose("Adaptivity",
+             "Minimum cell size",
+             scene.adaptivity.minimum_cell_size,
+             0.25 *
+               (scene.contact.has_patch() ? scene.contact.patch_radius :
+                                            scene.plate.thickness));
   }
 } // namespace PlateImpact

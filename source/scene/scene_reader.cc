@@ -69,7 +69,7 @@ namespace PlateImpact
 
   SceneReader::SceneReader()
   {
-    declare_parameters(schema, parameters);
+    declare_parameters(schema, bound);
   }
 
 
@@ -79,7 +79,7 @@ namespace PlateImpact
                            const std::optional<std::string> &output)
     : name(path)
   {
-    declare_parameters(schema, parameters);
+    declare_parameters(schema, bound);
     const SceneFile file = scan(path, overrides, output);
     mistakes             = file.mistakes;
     add_mistakes(schema.check_sections(file.sections));
@@ -101,7 +101,7 @@ namespace PlateImpact
   SceneReader::check_directory()
   {
     const std::filesystem::path written =
-      std::filesystem::path(parameters.output.directory) / "scene.prm";
+      std::filesystem::path(bound.output.directory) / "scene.prm";
     std::error_code error;
     if (std::filesystem::equivalent(name, written, error))
       mistakes.push_back(
@@ -120,6 +120,14 @@ namespace PlateImpact
       return;
     sort_by_line(mistakes, name);
     throw InputError(mistakes);
+  }
+
+
+
+  Parameters
+  SceneReader::parameters() const
+  {
+    return bound;
   }
 
 

@@ -11,7 +11,7 @@ namespace PlateImpact
                          const std::vector<std::string>   &overrides,
                          const std::optional<std::string> &output)
     : reader(path, overrides, output)
-    , sweep_plan(reader.schema, reader.parameters.sweep)
+    , sweep_plan(reader.schema, reader.parameters().sweep)
   {
     std::set<std::string> swept;
     for (const SweptEntry &entry : sweep_plan.entries())
@@ -22,7 +22,7 @@ namespace PlateImpact
                                reader.schema.value(entry.path) +
                                " has no meaning: the entry is swept"});
       }
-    SceneChecker checker(reader.schema, reader.parameters, swept);
+    SceneChecker checker(reader.schema, reader.parameters(), swept);
     checker.check_together();
     reader.add_mistakes(checker.mistakes);
     reader.add_mistakes(sweep_plan.mistakes());
@@ -34,7 +34,7 @@ namespace PlateImpact
     reader.refuse_mistakes();
 
     base_text = reader.text();
-    base      = reader.parameters;
+    base      = reader.parameters();
   }
 
 
@@ -97,7 +97,7 @@ namespace PlateImpact
       }
 
     std::vector<std::string> mistakes = reader.schema.set(assignments);
-    SceneChecker             checker(reader.schema, reader.parameters);
+    SceneChecker             checker(reader.schema, reader.parameters());
     if (mistakes.empty())
       {
         checker.check_together();
@@ -110,6 +110,6 @@ namespace PlateImpact
                   ": there is no impactor"};
     if (!mistakes.empty())
       throw InputError(mistakes);
-    return {reader.parameters, *checker.expected_peak};
+    return {checker.parameters(), *checker.expected_peak};
   }
 } // namespace PlateImpact

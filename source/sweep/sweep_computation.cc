@@ -5,7 +5,6 @@
 #include "plate_impact/analysis/reliability.h"
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/plate/plate_mesh.h"
-#include "plate_impact/transient/sensitivity.h"
 
 #include <new>
 #include <sstream>
@@ -24,28 +23,6 @@ namespace PlateImpact
       auto copy = std::make_unique<Triangulation<2>>();
       copy->copy_triangulation(mesh);
       return copy;
-    }
-
-
-
-    bool
-    is_adaptive(const Parameters &parameters)
-    {
-      return parameters.adaptivity.is_adaptive();
-    }
-
-
-
-    /// Computes on one mesh after another to the last.
-    CycleResult
-    run_cycles(ImpactAnalysis &analysis, const double target_error)
-    {
-      while (true)
-        {
-          CycleResult result = analysis.compute_cycle();
-          if (analysis.outcome(result) || analysis.adapt(result, target_error))
-            return result;
-        }
     }
 
 
@@ -142,7 +119,7 @@ namespace PlateImpact
   SweepComputation::compute(const std::size_t group, const SweepPoint &point)
   {
     const Parameters &parameters = point.parameters;
-    if (is_adaptive(parameters) &&
+    if (parameters.adaptivity.is_adaptive() &&
         parameters.sweep.adapt == SweepAdaptation::each_point)
       return analyse(parameters, nullptr);
 
@@ -167,7 +144,7 @@ namespace PlateImpact
       {
         Parameters on_mesh          = parameters;
         on_mesh.adaptivity.strategy = AdaptationStrategy::none;
-        return analyse(on_mesh, copy_of(struck_plate->model().mesh()));
+        return analyse(on_mesh, copy_of(struck_plate->discretization().mesh()));
       }
     return strike(point);
   }
@@ -178,34 +155,19 @@ namespace PlateImpact
   SweepComputation::strike(const SweepPoint &point)
   {
     const Parameters  &parameters   = point.parameters;
-    const unsigned int loads_before = struck_plate->n_loads();
+    const unsigned int loads_before = struck_plate->work().loads;
     Computed           computed{struck_plate->strike(parameters), {}, {}};
-    done.loads += struck_plate->n_loads() - loads_before;
+    done.loads += struck_plate->work().loads - loads_before;
 
-    const PlateDiscretization &model = struck_plate->model();
-    CycleResult                result;
-    result.history = computed.impact.history;
-    if (result.history->n_contacts() > 1)
-      result.sensitivity =
-        sensitivity_to_velocity(*result.history,
-                                make_impactor(parameters.impactor),
-                                [&](const Impactor &other) {
-                                  Parameters changed        = parameters;
-                                  changed.impactor.velocity = other.velocity;
-                                  return struck_plate->strike(changed).history;
-                                });
-    result.min_cell_size = smallest_cell_size(model.mesh());
+    const Triangulation<2> &mesh = struck_plate->discretization().mesh();
+    CycleResult             result;
+    result.history     = computed.impact.history;
+    result.sensitivity = struck_plate->sensitivity(parameters, *result.history);
+    result.min_cell_size = smallest_cell_size(mesh);
     // an adapted mesh was judged with the worst point
-    computed.warnings = is_adaptive(parameters) ?
-      impact_warnings(parameters,
-                      model.section(),
-                      2. * point.expected.time,
-                      result) :
-      reliability_warnings(parameters,
-                           model.mesh(),
-                           model.section(),
-                           *make_contact_law(parameters),
-                           result);
+    computed.warnings = parameters.adaptivity.is_adaptive() ?
+      impact_warnings(parameters, 2. * point.expected.time, result) :
+      reliability_warnings(parameters, mesh, result);
     if (!warning.empty())
       computed.warnings.push_back(warning);
     return computed;
@@ -217,13 +179,13 @@ namespace PlateImpact
   SweepComputation::make_mesh(const std::size_t group, const SweepPoint &point)
   {
     ++done.meshes;
-    if (!is_adaptive(point.parameters))
+    if (!point.parameters.adaptivity.is_adaptive())
       return make_plate_quadrant(point.parameters.plate,
                                  point.parameters.discretization.initial_cells);
-    const SweepPoint  worst = worst_point(group);
-    ImpactAnalysis    analysis(worst.parameters);
-    const CycleResult last =
-      run_cycles(analysis, worst.parameters.adaptivity.target_error);
+    const SweepPoint worst = worst_point(group);
+    ImpactAnalysis   analysis(worst.parameters);
+    analysis.run();
+    const CycleResult &last = analysis.last_cycle().result;
     done.meshes += last.cycle - 1;
     if (last.error->eta > worst.parameters.adaptivity.target_error)
       {
@@ -235,7 +197,7 @@ namespace PlateImpact
              << 100. * worst.parameters.adaptivity.target_error << " %";
         warning = text.str();
       }
-    return copy_of(analysis.mesh());
+    return copy_of(analysis.last_cycle().mesh());
   }
 
 
@@ -270,21 +232,22 @@ namespace PlateImpact
     Parameters with_estimator           = parameters;
     with_estimator.output.write_report  = true;
     with_estimator.output.field_samples = 0;
-    ImpactAnalysis analysis(with_estimator, {}, std::move(mesh));
-    CycleResult last = run_cycles(analysis, parameters.adaptivity.target_error);
-    if (is_adaptive(parameters))
+    ImpactAnalysis analysis(with_estimator, std::move(mesh));
+    analysis.run();
+    const CycleResult &last = analysis.last_cycle().result;
+    if (parameters.adaptivity.is_adaptive())
       {
         done.meshes += last.cycle;
         done.plates += last.cycle;
       }
     done.loads += last.cycle;
-    auto warnings = reliability_warnings(parameters,
-                                         analysis.mesh(),
-                                         analysis.model().section(),
-                                         *analysis.contact_law(),
-                                         last);
-    return {{std::move(*last.history), last.impulse},
+    Impact impact;
+    impact.history = *last.history;
+    impact.impulse = last.impulse;
+    return {impact,
             last.error->eta,
-            std::move(warnings)};
+            reliability_warnings(parameters,
+                                 analysis.last_cycle().mesh(),
+                                 last)};
   }
 } // namespace PlateImpact

@@ -131,12 +131,6 @@ namespace PlateImpact
                                               right_hand_side.size());
       }
 
-      double
-      factor_size() const override
-      {
-        return factor != nullptr ? factor->xsize * sizeof(double) : 0.;
-      }
-
     private:
       cholmod_common  common;
       cholmod_factor *factor   = nullptr;

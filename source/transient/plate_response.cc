@@ -65,7 +65,8 @@ namespace PlateImpact
         stepper.end_step(phi, w_end, energy);
         result.history.add(stepper.state());
       }
-    result.impulse = stepper.impulse();
+    result.impulse         = stepper.impulse();
+    result.n_contact_steps = stepper.n_contact_steps();
     return result;
   }
 } // namespace PlateImpact

@@ -9,7 +9,6 @@ namespace PlateImpact
   {
     plate.factorize(scheme.c0);
     plate.solve(plate.load(), unit_response);
-    n_solves           = 1;
     w_of_unit_response = plate.load().dot(unit_response);
 
     // at rest, without force
@@ -29,10 +28,7 @@ namespace PlateImpact
     if (is_at_rest && known == 0.)
       increment.setZero(z.size());
     else
-      {
-        plate.solve(right_hand_side, increment);
-        ++n_solves;
-      }
+      plate.solve(right_hand_side, increment);
     return w + plate.load().dot(increment);
   }
 
@@ -108,13 +104,5 @@ namespace PlateImpact
   PlateStepper::unknowns() const
   {
     return z;
-  }
-
-
-
-  unsigned int
-  PlateStepper::n_linear_solves() const
-  {
-    return n_solves;
   }
 } // namespace PlateImpact

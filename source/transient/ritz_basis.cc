@@ -23,8 +23,8 @@ namespace PlateImpact
 
 
 
-  RitzBasis::RitzBasis(FullSystem &plate, const double sigma)
-    : plate(plate)
+  RitzBasis::RitzBasis(FullSystem &system, const double sigma)
+    : system(system)
     , sigma(sigma)
   {}
 
@@ -35,12 +35,12 @@ namespace PlateImpact
   {
     if (n_wanted <= n || complete)
       return;
-    plate.factorize(sigma);
+    system.factorize(sigma);
     if (n_wanted > Q.cols())
       {
         // twice as many, since all are copied; what is not used costs nothing
         const Eigen::Index room = 2 * n_wanted;
-        Q.conservativeResize(plate.load().size(), room);
+        Q.conservativeResize(system.load().size(), room);
         diagonal.conservativeResize(room);
         subdiagonal.conservativeResize(room);
       }
@@ -54,9 +54,9 @@ namespace PlateImpact
   RitzBasis::append()
   {
     // A times the candidate is what it is solved for
-    plate.solve(n == 0 ? plate.load() : M_last, candidate);
+    system.solve(n == 0 ? system.load() : M_last, candidate);
     if (n == 0)
-      A_candidate = plate.load();
+      A_candidate = system.load();
     else if (n == 1)
       {
         candidate -= diagonal[0] * Q.col(0);
@@ -78,7 +78,7 @@ namespace PlateImpact
     Q.col(n) = candidate / norm;
     A_before.swap(A_last);
     A_last = A_candidate / norm;
-    plate.multiply_mass(Q.col(n), M_last);
+    system.multiply_mass(Q.col(n), M_last);
     diagonal[n] = Q.col(n).dot(M_last);
     // T is positive, whatever round-off makes of it
     const double pivot =
@@ -116,7 +116,7 @@ namespace PlateImpact
     if (!acts)
       return norm;
     candidate -= Q.leftCols(n) * overlap;
-    plate.multiply_effective_stiffness(candidate, A_candidate);
+    system.multiply_effective_stiffness(candidate, A_candidate);
     const double left = norm_of_candidate();
     return overlap.norm() < most_overlap * left ? left : 0.;
   }
@@ -146,7 +146,7 @@ namespace PlateImpact
   bool
   RitzBasis::is_free() const
   {
-    return plate.is_free();
+    return system.is_free();
   }
 
 
@@ -195,180 +195,5 @@ namespace PlateImpact
   RitzBasis::load() const
   {
     return load_norm;
-  }
-
-
-
-  namespace
-  {
-    /// The pivot that elimination of all other rows, from the first on, leaves
-    /// of the last.
-    double
-    last_pivot(const TridiagonalMatrix &A)
-    {
-      double pivot = A.diagonal[0];
-      for (Eigen::Index i = 0; i < A.beside.size(); ++i)
-        pivot = A.diagonal[i + 1] - A.beside[i] * A.beside[i] / pivot;
-      return pivot;
-    }
-
-
-
-    /// T of the first n vectors, continued by a uniform string.
-    TridiagonalMatrix
-    continued_mass(const RitzBasis   &basis,
-                   const unsigned int n,
-                   unsigned int       n_beyond)
-    {
-      if (basis.is_complete() && n == basis.n_vectors())
-        n_beyond = 0;
-      const TridiagonalMatrix T       = {basis.mass_diagonal().head(n),
-                                         basis.mass_subdiagonal().head(n - 1)};
-      const double            uniform = 0.25 / basis.shift();
-      TridiagonalMatrix       result  = {
-               Eigen::VectorXd::Constant(n + n_beyond, 2. * uniform),
-               Eigen::VectorXd::Constant(n + n_beyond - 1, uniform)};
-      result.diagonal.head(n)   = T.diagonal;
-      result.beside.head(n - 1) = T.beside;
-      if (n_beyond > 0)
-        {
-          // Elimination leaves pivots above `uniform` all along the uniform
-          // string, in T as in K, if the first is at least that: the coupling
-          // leaves 2 uniform - coupling^2 / pivot.
-          const TridiagonalMatrix K = {1. / basis.shift() - T.diagonal.array(),
-                                       T.beside};
-          const double pivot        = std::min(last_pivot(T), last_pivot(K));
-          result.beside[n - 1]      = std::sqrt(uniform * std::max(0., pivot));
-        }
-      return result;
-    }
-
-
-
-    /// K + sigma M = I.
-    TridiagonalMatrix
-    stiffness_to(const TridiagonalMatrix &mass, const double sigma)
-    {
-      return {1. - sigma * mass.diagonal.array(), -sigma * mass.beside};
-    }
-
-
-
-    /// (K^-1)_11, from pivots that end at the first row; infinite unless all
-    /// eigenvalues lie beyond what vectors that are orthogonal to 1e-9 may
-    /// change.
-    double
-    first_of_inverse(const TridiagonalMatrix &K)
-    {
-      const double round_off = 1e-9;
-      double       pivot     = 0.;
-      for (Eigen::Index i = K.diagonal.size() - 1; i >= 0; --i)
-        {
-          const double eliminated =
-            i < K.beside.size() ? K.beside[i] * K.beside[i] / pivot : 0.;
-          pivot = K.diagonal[i] - round_off - eliminated;
-          if (pivot <= 0.)
-            return std::numeric_limits<double>::infinity();
-        }
-      return 1. / pivot;
-    }
-  } // namespace
-
-
-
-  ReducedSystem::ReducedSystem(const RitzBasis   &basis,
-                               const unsigned int n,
-                               const unsigned int n_beyond)
-    : basis(basis)
-    , n(n)
-    , mass(continued_mass(basis, n, n_beyond))
-    , stiffness(stiffness_to(mass, basis.shift()))
-    , u(basis.load() * Eigen::VectorXd::Unit(mass.diagonal.size(), 0))
-    , compliance(basis.is_free() ?
-                   std::numeric_limits<double>::infinity() :
-                   1.001 * u[0] * u[0] * first_of_inverse(stiffness))
-    , inverse_pivots(u.size())
-    , factor(u.size())
-  {}
-
-
-
-  const Eigen::VectorXd &
-  ReducedSystem::load() const
-  {
-    return u;
-  }
-
-
-
-  void
-  ReducedSystem::multiply_stiffness(const Eigen::VectorXd &x,
-                                    Eigen::VectorXd       &y) const
-  {
-    const Eigen::Index n_beside = stiffness.beside.size();
-    y                           = stiffness.diagonal.cwiseProduct(x);
-    y.head(n_beside) += stiffness.beside.cwiseProduct(x.tail(n_beside));
-    y.tail(n_beside) += stiffness.beside.cwiseProduct(x.head(n_beside));
-  }
-
-
-
-  void
-  ReducedSystem::factorize(const double c)
-  {
-    const Eigen::VectorXd diagonal = stiffness.diagonal + c * mass.diagonal,
-                          beside   = stiffness.beside + c * mass.beside;
-    inverse_pivots[0]              = 1. / diagonal[0];
-    for (Eigen::Index i = 1; i < diagonal.size(); ++i)
-      {
-        factor[i]         = beside[i - 1] * inverse_pivots[i - 1];
-        inverse_pivots[i] = 1. / (diagonal[i] - factor[i] * beside[i - 1]);
-      }
-  }
-
-
-
-  void
-  ReducedSystem::solve(const Eigen::VectorXd &b, Eigen::VectorXd &x)
-  {
-    const Eigen::Index n = u.size();
-    x                    = b;
-    for (Eigen::Index i = 1; i < n; ++i)
-      x[i] -= factor[i] * x[i - 1];
-    x.array() *= inverse_pivots.array();
-    for (Eigen::Index i = n - 1; i > 0; --i)
-      x[i - 1] -= factor[i] * x[i];
-  }
-
-
-
-  double
-  ReducedSystem::static_compliance() const
-  {
-    return compliance;
-  }
-
-
-
-  unsigned int
-  ReducedSystem::n_vectors() const
-  {
-    return n;
-  }
-
-
-
-  Eigen::Ref<const Eigen::MatrixXd>
-  ReducedSystem::vectors() const
-  {
-    return basis.vectors().leftCols(n);
-  }
-
-
-
-  Eigen::MatrixXd
-  ReducedSystem::unknowns(const Eigen::Ref<const Eigen::MatrixXd> &states) const
-  {
-    return vectors() * states.topRows(n);
   }
 } // namespace PlateImpact

@@ -47,7 +47,7 @@ namespace PlateImpact
 
     /// Estimated error of the last force history of three, the root of its mean
     /// square over the contact relative to the peak. Once waves no longer come
-    /// back from the end of the string of vectors, the errors of different
+    /// back from the end of the chain of vectors, the errors of different
     /// bases are uncorrelated ringing: differences are |a - b|^2 = e_a^2 +
     /// e_b^2, and three of them tell the error of each. An estimate below what
     /// two equal errors would differ by is not trusted.
@@ -101,15 +101,15 @@ namespace PlateImpact
 
 
 
-  RitzReduction::RitzReduction(FullSystem               &plate,
-                               const PlateSection       &section,
+  RitzReduction::RitzReduction(FullSystem               &full,
+                               const PlateParameters    &plate,
                                const TimeParameters     &time,
                                const ContactIntegration &integration,
                                const bool                needs_fields)
-    : plate(plate)
-    , section(section)
-    , time(time)
-    , integration(integration)
+    : Integrator(time, integration)
+    , full(full)
+    , plate(plate)
+    , section(plate)
     , needs_fields(needs_fields)
   {}
 
@@ -138,16 +138,6 @@ namespace PlateImpact
 
 
 
-  const PlateResponse &
-  RitzReduction::response(ReducedSystem &reduced)
-  {
-    return responses
-      .try_emplace(&reduced, NewmarkScheme(time), reduced, integration)
-      .first->second;
-  }
-
-
-
   double
   RitzReduction::share_beyond(const unsigned int first,
                               ReducedSystem     &reduced,
@@ -171,43 +161,43 @@ namespace PlateImpact
 
 
 
-  ReducedSystem *
-  RitzReduction::settle(const Parameters &parameters)
+  SemidiscreteSystem &
+  RitzReduction::system_for(const Parameters &parameters)
   {
     Parameters                rounded  = parameters;
     const ImpactorParameters &impactor = rounded.impactor =
-      nearby(parameters.impactor, parameters.plate);
+      nearby(parameters.impactor, plate);
     const auto [known, is_new] =
       settled.try_emplace({parameters.contact, impactor});
     if (is_new)
       {
         const auto     law    = make_contact_law(rounded);
         const Impactor struck = make_impactor(impactor);
-        if (!steps_are_fewer(*law, struck, parameters.plate))
+        if (!steps_are_fewer(*law, struck))
           known->second = settle(*law, struck);
       }
-    return known->second;
+    if (known->second == nullptr)
+      return full;
+    return *known->second;
   }
 
 
 
   bool
-  RitzReduction::steps_are_fewer(const ContactLaw      &law,
-                                 const Impactor        &impactor,
-                                 const PlateParameters &dimensions) const
+  RitzReduction::steps_are_fewer(const ContactLaw &law,
+                                 const Impactor   &impactor) const
   {
-    // Until waves come back from an edge, the string that is joined to the
-    // vectors stands for the plate. After that a wave of frequency omega which
+    // Until waves come back from an edge, the terminator stands for the
+    // plate. After that a wave of frequency omega which
     // is followed for T takes T (sigma + omega^2) / (2 sigma^{1/2}) vectors,
     // T omega at the best sigma, and the waves of a contact reach up to some
     // 5 pi / contact_time, where the mesh carries them: coarse ones have fewer
     // vectors. Zener's contact is that of a point.
     if (law.hertz_coefficient() == std::nullopt ||
-        plate.load().size() < 3. * time.end_time / time.time_step)
+        full.load().size() < 3. * time.end_time / time.time_step)
       return false;
     const double contact_time = 2. * zener_peak(law, impactor, section).time;
-    const double echo =
-      std::min(dimensions.side_lengths[0], dimensions.side_lengths[1]) /
+    const double echo = std::min(plate.side_lengths[0], plate.side_lengths[1]) /
       contact_wave(section, contact_time).group_speed;
     return time.end_time > echo && contact_time < 16. * time.time_step;
   }
@@ -244,8 +234,8 @@ namespace PlateImpact
     // memory, the steps are made after all
     const double n_most =
       std::min(std::max(16., time.end_time / time.time_step),
-               most_numbers / plate.load().size());
-    const double n_unknowns = plate.load().size();
+               most_numbers / full.load().size());
+    const double n_unknowns = full.load().size();
     if (n_most < std::min(n_first * growth * growth, n_unknowns))
       return nullptr;
     std::deque<std::vector<double>> histories; // the last three
@@ -253,7 +243,7 @@ namespace PlateImpact
     for (double n = n_first; n <= n_most; n *= growth)
       {
         const unsigned int n_wanted = static_cast<unsigned int>(n);
-        ReducedSystem     &reduced  = reduced_plate(octave, n_wanted);
+        ReducedSystem     &reduced  = reduced_system(octave, n_wanted);
         if (reduced.n_vectors() < n_wanted)
           return &reduced; // there are no more
         try
@@ -284,19 +274,20 @@ namespace PlateImpact
 
 
   ReducedSystem &
-  RitzReduction::reduced_plate(const int half_octave, const unsigned int n)
+  RitzReduction::reduced_system(const int half_octave, const unsigned int n)
   {
     const double omega = frequency(half_octave);
     RitzBasis   &basis =
-      bases.try_emplace(half_octave, plate, omega * omega).first->second;
+      bases.try_emplace(half_octave, full, omega * omega).first->second;
     basis.grow(n);
-    // a longer string changes little
-    const unsigned int n_beyond = std::min(500., 7. * omega * time.end_time);
-    return reduced_plates
+    // a longer terminator changes little
+    const unsigned int n_terminator =
+      std::min(500., 7. * omega * time.end_time);
+    return reduced_systems
       .try_emplace({half_octave, n},
                    basis,
                    std::min(n, basis.n_vectors()),
-                   n_beyond)
+                   n_terminator)
       .first->second;
   }
 

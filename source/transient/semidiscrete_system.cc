@@ -1,158 +1,30 @@
 #include "plate_impact/transient/semidiscrete_system.h"
 
-#include "plate_impact/base/stage_clock.h"
-
-#include <Eigen/SparseCore>
-
-#include <utility>
+#include <algorithm>
 
 namespace PlateImpact
 {
-  namespace
+  Eigen::MatrixXd
+  SemidiscreteSystem::unknowns(
+    const Eigen::Ref<const Eigen::MatrixXd> &states) const
   {
-    /// Without the allocations of Epetra_CrsMatrix::Multiply().
-    void
-    multiply(const Epetra_CrsMatrix &matrix,
-             const Eigen::VectorXd  &x,
-             Eigen::VectorXd        &y)
-    {
-      int    *rows, *columns;
-      double *values;
-      matrix.ExtractCrsDataPointers(rows, columns, values);
-      using RowMajor = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-      y.noalias()    = Eigen::Map<const RowMajor>(matrix.NumMyRows(),
-                                               matrix.NumMyCols(),
-                                               matrix.NumMyNonzeros(),
-                                               rows,
-                                               columns,
-                                               values) *
-        x;
-    }
-
-
-
-    /// A += c B, of which every entry has one in A. Columns are in order.
-    void
-    add(const double c, const Epetra_CrsMatrix &B, Epetra_CrsMatrix &A)
-    {
-      int    *A_rows, *A_columns, *B_rows, *B_columns;
-      double *A_values, *B_values;
-      A.ExtractCrsDataPointers(A_rows, A_columns, A_values);
-      B.ExtractCrsDataPointers(B_rows, B_columns, B_values);
-      for (int row = 0; row < B.NumMyRows(); ++row)
-        for (int b = B_rows[row], a = A_rows[row]; b < B_rows[row + 1]; ++a)
-          if (A_columns[a] == B_columns[b])
-            A_values[a] += c * B_values[b++];
-    }
-  } // namespace
-
-
-
-  FullSystem::FullSystem(const PlateDiscretization    &model,
-                         const Eigen::VectorXd        &load,
-                         std::unique_ptr<LinearSolver> solver)
-    : model(model)
-    , u(load)
-    , solver(std::move(solver))
-  {}
-
-
-
-  const Eigen::VectorXd &
-  FullSystem::load() const
-  {
-    return u;
+    return states;
   }
 
 
 
-  void
-  FullSystem::set_load(const Eigen::VectorXd &load)
+  SemidiscreteSystem::Span
+  SemidiscreteSystem::span(
+    const Eigen::Ref<const Eigen::MatrixXd> &states) const
   {
-    u = load;
-  }
-
-
-
-  void
-  FullSystem::multiply_stiffness(const Eigen::VectorXd &x,
-                                 Eigen::VectorXd       &y) const
-  {
-    multiply(model.stiffness(), x, y);
-  }
-
-
-
-  void
-  FullSystem::multiply_mass(const Eigen::VectorXd &x, Eigen::VectorXd &y) const
-  {
-    multiply(model.mass(), x, y);
-  }
-
-
-
-  void
-  FullSystem::multiply_effective_stiffness(const Eigen::VectorXd &x,
-                                           Eigen::VectorXd       &y) const
-  {
-    multiply(*effective_stiffness, x, y);
-  }
-
-
-
-  void
-  FullSystem::factorize(const double c)
-  {
-    if (c == factorized_for)
-      return;
-    StageClock clock;
-    factorized_for      = -1.;
-    effective_stiffness = std::make_unique<Epetra_CrsMatrix>(model.stiffness());
-
-    add(c, model.mass(), *effective_stiffness);
-    solver->factorize(*effective_stiffness);
-    factorized_for = c;
-    ++factorizations;
-    clock.charge(seconds);
-  }
-
-
-
-  double
-  FullSystem::factor_size() const
-  {
-    return solver->factor_size();
-  }
-
-
-
-  bool
-  FullSystem::is_free() const
-  {
-    return model.is_free();
+    return {states, Eigen::MatrixXd::Identity(states.cols(), states.cols())};
   }
 
 
 
   unsigned int
-  FullSystem::n_factorizations() const
+  SemidiscreteSystem::n_states_at_once() const
   {
-    return factorizations;
-  }
-
-
-
-  double
-  FullSystem::factorization_seconds() const
-  {
-    return seconds;
-  }
-
-
-
-  void
-  FullSystem::solve(const Eigen::VectorXd &b, Eigen::VectorXd &x)
-  {
-    solver->solve(b, x);
+    return std::clamp<Eigen::Index>(2400000 / load().size(), 1, 16);
   }
 } // namespace PlateImpact

@@ -1,30 +1,74 @@
 #include "plate_impact/transient/struck_plate.h"
 
-#include "plate_impact/contact/contact_law.h"
+#include "plate_impact/base/exceptions.h"
+#include "plate_impact/base/stage_clock.h"
 #include "plate_impact/plate/load_distribution.h"
 #include "plate_impact/transient/linear_solver.h"
+#include "plate_impact/transient/make_integrator.h"
 #include "plate_impact/transient/newmark_scheme.h"
-#include "plate_impact/transient/time_stepper.h"
+#include "plate_impact/transient/time_error.h"
 
+#include <sstream>
 #include <utility>
 
 namespace PlateImpact
 {
   namespace
   {
+    /// Numbers in the Ritz vectors of all loads that are kept: 0.8 GB.
+    constexpr double most_numbers = 1e8;
+
+
+
+    void
+    require_energy(const Parameters &parameters, const ContactHistory &history)
+    {
+      const double drift = history.relative_energy_drift();
+      if (drift <= 1e-6 ||
+          parameters.contact.integration != ForceIntegration::energy_conserving)
+        return;
+      std::ostringstream text;
+      text << "the total energy, which the scheme keeps, changes by "
+           << 100. * drift << " %";
+      if (parameters.time.integrator != IntegratorType::Newmark)
+        text << "; try Time/Integrator = Newmark";
+      throw ComputationError(text.str());
+    }
+
+
+
+    /// Steps to the end, telling a listener.
     Impact
-    step_to_end(TimeStepper stepper)
+    step_to_end(TimeStepper &stepper, TransientListener &listener)
     {
       Impact result;
-      result.history = history_to_end(stepper);
-      result.impulse = stepper.impulse();
+      result.history.reserve(stepper.n_steps() + 1);
+      result.history.add(stepper.state());
+      for (unsigned int step = 1; step <= stepper.n_steps(); ++step)
+        {
+          stepper.advance();
+          result.history.add(stepper.state());
+          listener.take_step(step, stepper);
+        }
+      result.impulse         = stepper.impulse();
+      result.n_contact_steps = stepper.n_contact_steps();
+      result.separation_time = stepper.separation_time();
       return result;
     }
 
 
 
-    /// Numbers in the Ritz vectors of all loads that are kept: 0.8 GB.
-    constexpr double most_numbers = 1e8;
+    /// Nobody.
+    class NoListener : public TransientListener
+    {
+      void
+      begin(const SemidiscreteSystem &, const TimeStepper &) override
+      {}
+
+      void
+      take_step(unsigned int, const TimeStepper &) override
+      {}
+    };
   } // namespace
 
 
@@ -35,25 +79,139 @@ namespace PlateImpact
     : element(discretization.element)
     , mesh(std::move(quadrant))
     , linear_solver(discretization.linear_solver)
-    , plate_on_mesh(*mesh, element, plate)
+    , plate(*mesh, element, plate)
+  {}
+
+
+
+  Impact
+  StruckPlate::strike(const Parameters &parameters)
   {
-    plate_on_mesh.assemble();
+    Load        &load   = prepare(parameters);
+    const Impact result = strike_system(load,
+                                        load.integrator->system_for(parameters),
+                                        parameters.time,
+                                        *make_contact_law(parameters),
+                                        make_impactor(parameters.impactor));
+    require_energy(parameters, result.history);
+    return result;
   }
 
 
 
-  const PlateDiscretization &
-  StruckPlate::model() const
+  Impact
+  StruckPlate::strike(const Parameters &parameters, TransientListener &listener)
   {
-    return plate_on_mesh;
+    Load               &load   = prepare(parameters);
+    SemidiscreteSystem &system = load.integrator->system_for(parameters);
+    const auto          law    = make_contact_law(parameters);
+    TimeStepper         stepper(parameters.time,
+                        system,
+                        *law,
+                        *load.integration,
+                        make_impactor(parameters.impactor));
+    listener.begin(system, stepper);
+    Impact result = step_to_end(stepper, listener);
+    require_energy(parameters, result.history);
+    return result;
   }
 
 
 
-  unsigned int
-  StruckPlate::n_loads() const
+  Impact
+  StruckPlate::strike_system(Load                 &load,
+                             SemidiscreteSystem   &system,
+                             const TimeParameters &time,
+                             const ContactLaw     &law,
+                             const Impactor       &impactor)
   {
-    return n_made;
+    if (NewmarkScheme(time).conserves_energy())
+      return load.integrator->response(system).impact(law, impactor);
+    TimeStepper stepper(time, system, law, *load.integration, impactor);
+    NoListener  nobody;
+    return step_to_end(stepper, nobody);
+  }
+
+
+
+  std::optional<double>
+  StruckPlate::time_error(const Parameters     &parameters,
+                          const ContactHistory &history)
+  {
+    Load &load = prepare(parameters);
+    return estimated_time_error(history,
+                                parameters.time,
+                                load.integrator->system_for(parameters),
+                                *make_contact_law(parameters),
+                                *load.integration,
+                                make_impactor(parameters.impactor));
+  }
+
+
+
+  std::optional<Sensitivity>
+  StruckPlate::sensitivity(const Parameters     &parameters,
+                           const ContactHistory &history)
+  {
+    if (history.n_contacts() < 2)
+      return {};
+    Load               &load   = prepare(parameters);
+    SemidiscreteSystem &system = load.integrator->system_for(parameters);
+    const auto          law    = make_contact_law(parameters);
+    return sensitivity_to_velocity(
+      history,
+      make_impactor(parameters.impactor),
+      [&](const Impactor &other) {
+        return strike_system(load, system, parameters.time, *law, other)
+          .history;
+      });
+  }
+
+
+
+  StruckPlate::Load &
+  StruckPlate::prepare(const Parameters &parameters)
+  {
+    StageClock    clock;
+    const LoadKey key = load_key(parameters);
+    if (full == nullptr)
+      {
+        plate.assemble();
+        full = std::make_unique<FullSystem>(plate,
+                                            Eigen::VectorXd(),
+                                            make_linear_solver(linear_solver));
+      }
+    auto known = loads.find(key);
+    if (known == loads.end())
+      {
+        forget_loads();
+        known      = loads.try_emplace(key).first;
+        Load &load = known->second;
+        load.u     = plate.load(make_load_distribution(parameters.contact,
+                                                   parameters.impactor.length));
+        load.integration =
+          make_contact_integration(parameters.contact.integration);
+        load.integrator = make_integrator(parameters, *full, *load.integration);
+        ++n_loads;
+      }
+    full->set_load(known->second.u);
+    clock.charge(assembly_seconds);
+    return known->second;
+  }
+
+
+
+  void
+  StruckPlate::forget_loads()
+  {
+    double numbers = 0.;
+    for (const auto &[key, load] : loads)
+      numbers += 1. * load.integrator->n_vectors() * load.u.size();
+    if (numbers <= most_numbers)
+      return;
+    for (const auto &[key, load] : loads)
+      n_forgotten_vectors += load.integrator->n_vectors();
+    loads.clear();
   }
 
 
@@ -62,7 +220,7 @@ namespace PlateImpact
   StruckPlate::load_key(const Parameters &parameters)
   {
     ContactParameters contact = parameters.contact;
-    contact.law               = ForceLaw::Sun; // whatever it is
+    contact.law               = {}; // whatever it is
     return {contact,
             parameters.impactor.shape,
             parameters.impactor.length,
@@ -72,68 +230,29 @@ namespace PlateImpact
 
 
 
-  StruckPlate::Load &
-  StruckPlate::prepare(const Parameters &parameters)
+  const PlateDiscretization &
+  StruckPlate::discretization() const
   {
-    const LoadKey key   = load_key(parameters);
-    auto          known = loads.find(key);
-    if (known == loads.end())
-      {
-        double numbers = 0.;
-        for (const auto &[other, load] : loads)
-          if (load.reduction)
-            numbers += 1. * load.reduction->n_vectors() * load.u.size();
-        if (numbers > most_numbers)
-          loads.clear();
-        known      = loads.try_emplace(key).first;
-        Load &load = known->second;
-        load.u     = plate_on_mesh.load(
-          make_load_distribution(parameters.contact,
-                                 parameters.impactor.length));
-        load.integration =
-          make_contact_integration(parameters.contact.integration);
-        ++n_made;
-      }
-    Load &load = known->second;
-    if (plate == nullptr)
-      plate = std::make_unique<FullSystem>(plate_on_mesh,
-                                           load.u,
-                                           make_linear_solver(linear_solver));
-    else
-      plate->set_load(load.u);
-    return load;
+    return plate;
   }
 
 
 
-  Impact
-  StruckPlate::strike(const Parameters &parameters)
+  StruckPlate::Work
+  StruckPlate::work() const
   {
-    Load          &load    = prepare(parameters);
-    ReducedSystem *reduced = nullptr;
-    if (parameters.time.integrator == IntegratorType::Ritz_vectors)
+    Work work;
+    work.loads            = n_loads;
+    work.ritz_vectors     = n_forgotten_vectors;
+    work.assembly_seconds = assembly_seconds;
+    for (const auto &[key, load] : loads)
+      work.ritz_vectors += load.integrator->n_vectors();
+    if (full != nullptr)
       {
-        if (!load.reduction)
-          load.reduction.emplace(*plate,
-                                 plate_on_mesh.section(),
-                                 parameters.time,
-                                 *load.integration,
-                                 parameters.needs_estimator());
-        reduced = load.reduction->settle(parameters);
+        work.factorizations        = full->n_factorizations();
+        work.linear_solves         = full->n_solves();
+        work.factorization_seconds = full->factorization_seconds();
       }
-    SemidiscreteSystem &stepped =
-      reduced != nullptr ? static_cast<SemidiscreteSystem &>(*reduced) : *plate;
-
-    const auto          law      = make_contact_law(parameters);
-    const Impactor      impactor = make_impactor(parameters.impactor);
-    const NewmarkScheme scheme(parameters.time);
-    if (!scheme.conserves_energy())
-      return step_to_end(
-        {parameters.time, stepped, *law, *load.integration, impactor});
-    if (reduced != nullptr)
-      return load.reduction->response(*reduced).impact(*law, impactor);
-    if (!load.response_of_mesh)
-      load.response_of_mesh.emplace(scheme, *plate, *load.integration);
-    return load.response_of_mesh->impact(*law, impactor);
+    return work;
   }
 } // namespace PlateImpact

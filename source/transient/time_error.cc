@@ -14,8 +14,7 @@ namespace PlateImpact
                        SemidiscreteSystem       &plate,
                        const ContactLaw         &law,
                        const ContactIntegration &integration,
-                       const Impactor           &impactor,
-                       unsigned int             &n_solves)
+                       const Impactor           &impactor)
   {
     const double        peak = history.peak_of_curve();
     const NewmarkScheme fine(time);
@@ -36,7 +35,6 @@ namespace PlateImpact
         stepper.advance();
         doubled.add(stepper.state());
       }
-    n_solves += stepper.n_linear_solves();
     double change = doubled.peak_of_curve() - peak;
     if (const unsigned int last = fine.n_steps;
         history.peak().time == history.states()[last].time)

@@ -40,7 +40,7 @@ namespace PlateImpact
 
 
   bool
-  TimeStepper::is_out_of_reach() const
+  TimeStepper::is_out_of_reach()
   {
     // other schemes do not keep the energy that bounds the displacement
     if (!scheme.conserves_energy() || state().impactor_velocity > 0. ||
@@ -90,14 +90,6 @@ namespace PlateImpact
   TimeStepper::impulse() const
   {
     return impactor_stepper.impulse();
-  }
-
-
-
-  unsigned int
-  TimeStepper::n_linear_solves() const
-  {
-    return plate_stepper.n_linear_solves();
   }
 
 

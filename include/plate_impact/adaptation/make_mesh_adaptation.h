@@ -7,7 +7,7 @@
 
 namespace PlateImpact
 {
-  /// The strategy that the scene names; null for `none`.
+  /// The strategy that the scene names; `none` keeps the mesh.
   /// @param contact_half_length  l of a contact along 0 <= x <= l; 0 for a
   ///                             sphere [m]
   std::unique_ptr<const MeshAdaptation>

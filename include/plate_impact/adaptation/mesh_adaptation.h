@@ -64,6 +64,17 @@ namespace PlateImpact
     n_wanted_cells(const dealii::Triangulation<2> &mesh,
                    const ErrorOverLimit           &error) const;
   };
+
+
+  /// Leaves the mesh as it is.
+  class KeptMesh : public MeshAdaptation
+  {
+  public:
+    bool
+    adapt(dealii::Triangulation<2> &mesh,
+          const ErrorOverLimit     &error,
+          std::vector<std::string> &warnings) const override;
+  };
 } // namespace PlateImpact
 
 #endif

@@ -5,8 +5,6 @@
 
 #include "plate_impact/analysis/cycle_result.h"
 #include "plate_impact/base/parameters.h"
-#include "plate_impact/contact/contact_law.h"
-#include "plate_impact/plate/plate_section.h"
 
 #include <string>
 #include <vector>
@@ -16,17 +14,14 @@ namespace PlateImpact
   /// Where an impact leaves what the model can tell, on whatever mesh: the area
   /// of the load, deflection, yield, indentation.
   std::vector<std::string>
-  model_warnings(const Parameters   &parameters,
-                 const PlateSection &section,
-                 const CycleResult  &result);
+  model_warnings(const Parameters &parameters, const CycleResult &result);
 
   /// These, and where end time and time step leave the peak force open.
   /// @param contact_time  expected [s]
   std::vector<std::string>
-  impact_warnings(const Parameters   &parameters,
-                  const PlateSection &section,
-                  double              contact_time,
-                  const CycleResult  &result);
+  impact_warnings(const Parameters  &parameters,
+                  double             contact_time,
+                  const CycleResult &result);
 
   /// Where the result of a scene leaves what its model, mesh or step can tell:
   /// a sentence each, with numbers and advice. Empty for a result without an
@@ -34,8 +29,6 @@ namespace PlateImpact
   std::vector<std::string>
   reliability_warnings(const Parameters               &parameters,
                        const dealii::Triangulation<2> &mesh,
-                       const PlateSection             &section,
-                       const ContactLaw               &law,
                        const CycleResult              &result);
 } // namespace PlateImpact
 

@@ -103,6 +103,43 @@ namespace PlateImpact
   const std::vector<std::pair<Choice, std::string>> &
   choices();
 
+  template <>
+  const std::vector<std::pair<EdgeSupport, std::string>> &
+  choices();
+  template <>
+  const std::vector<std::pair<ImpactorShape, std::string>> &
+  choices();
+  template <>
+  const std::vector<std::pair<ForceLaw, std::string>> &
+  choices();
+  template <>
+  const std::vector<std::pair<LoadShape, std::string>> &
+  choices();
+  template <>
+  const std::vector<std::pair<ForceIntegration, std::string>> &
+  choices();
+  template <>
+  const std::vector<std::pair<ElementType, std::string>> &
+  choices();
+  template <>
+  const std::vector<std::pair<SolverType, std::string>> &
+  choices();
+  template <>
+  const std::vector<std::pair<IntegratorType, std::string>> &
+  choices();
+  template <>
+  const std::vector<std::pair<AdaptationStrategy, std::string>> &
+  choices();
+  template <>
+  const std::vector<std::pair<ErrorIndicator, std::string>> &
+  choices();
+  template <>
+  const std::vector<std::pair<SweepCombination, std::string>> &
+  choices();
+  template <>
+  const std::vector<std::pair<SweepAdaptation, std::string>> &
+  choices();
+
   /// The word for a choice.
   template <typename Choice>
   const std::string &

@@ -1,8 +1,8 @@
 #ifndef plate_impact_comparison_strategy_comparison_h
 #define plate_impact_comparison_strategy_comparison_h
 
+#include "plate_impact/analysis/cycle.h"
 #include "plate_impact/analysis/cycle_result.h"
-#include "plate_impact/analysis/impact_analysis.h"
 #include "plate_impact/contact/contact_history.h"
 #include "plate_impact/estimator/reference_error.h"
 #include "plate_impact/page/page.h"
@@ -120,9 +120,13 @@ namespace PlateImpact
   class StrategyComparison
   {
   public:
+    /// Told after every step: the cycle, the step and the number of steps.
+    using Progress =
+      std::function<void(unsigned int, unsigned int, unsigned int)>;
+
     /// @param scene  must outlive the comparison
-    explicit StrategyComparison(const Scene                    &scene,
-                                const ImpactAnalysis::Progress &progress = {});
+    explicit StrategyComparison(const Scene    &scene,
+                                const Progress &progress = {});
 
     /// The given peak force, or that of a mesh far finer than any compared:
     /// MITC9 and hanging nodes down to a tenth of the target error, then every
@@ -152,7 +156,7 @@ namespace PlateImpact
   private:
     /// Whether there is nothing to learn from a comparison.
     bool
-    is_close_to_reference(const ComparedMesh &mesh) const;
+    is_close_to_reference(double eta) const;
     std::vector<Achievement>
     achievements(double threshold, double ComparedMesh::*error) const;
     Parameters
@@ -161,14 +165,15 @@ namespace PlateImpact
     add_meshes(ComparisonCurve                                    &curve,
                const std::function<void(const ComparisonCurve &)> &listener);
     ComparedMesh
-    compared(const CycleResult         &result,
-             const PlateDiscretization &model,
-             double                     seconds_before) const;
+    compared(const Cycle &cycle, double seconds_before) const;
+    /// The mesh of a cycle, unless one before it met the target.
+    void
+    show_mesh(ComparisonCurve &curve, const Cycle &cycle) const;
 
-    const Scene                   &scene;
-    const ImpactAnalysis::Progress progress;
-    Reference                      the_reference;
-    std::vector<ComparisonCurve>   the_curves;
+    const Scene                 &scene;
+    const Progress               progress;
+    Reference                    the_reference;
+    std::vector<ComparisonCurve> the_curves;
   };
 } // namespace PlateImpact
 

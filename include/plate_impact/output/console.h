@@ -2,6 +2,7 @@
 #define plate_impact_output_console_h
 
 #include "plate_impact/analysis/cycle_result.h"
+#include "plate_impact/analysis/outcome.h"
 #include "plate_impact/base/prefixed_unit.h"
 #include "plate_impact/output/progress_line.h"
 #include "plate_impact/output/terminal.h"
@@ -28,7 +29,7 @@ namespace PlateImpact
     cycle(const CycleResult &result);
 
     void
-    end(const std::string              &outcome,
+    end(Outcome                         outcome,
         const CycleResult              &last,
         const std::vector<std::string> &warnings,
         const std::string              &results);

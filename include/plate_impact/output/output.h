@@ -3,7 +3,8 @@
 
 #include <deal.II/grid/tria.h>
 
-#include "plate_impact/analysis/cycle_result.h"
+#include "plate_impact/analysis/cycle.h"
+#include "plate_impact/analysis/outcome.h"
 #include "plate_impact/output/report.h"
 #include "plate_impact/output/result_directory.h"
 #include "plate_impact/scene/scene.h"
@@ -17,8 +18,6 @@
 
 namespace PlateImpact
 {
-  class PlateDiscretization;
-
   /// The only writer of the results of a run.
   class Output
   {
@@ -28,30 +27,18 @@ namespace PlateImpact
     /// @throws ComputationError, as all members, when a file cannot be written
     explicit Output(const Scene &scene);
 
-    /// @param estimator  null where the scene has none
-    ///
     /// contact_history.csv, the one of the cycle before becoming
     /// contact_history_cycle_K.csv; element_errors_cycle_K.csv;
     /// mesh_cycle_K.svg.
     void
-    write_cycle(CycleResult               &result,
-                const PlateDiscretization &model,
-                const ErrorEstimator      *estimator);
+    write_cycle(Cycle &cycle);
 
-    /// fields.pvd and a VTU file for every snapshot of the last cycle:
-    /// deflection, rotations, recovered resultants, von Mises stress at the
-    /// faces, xi'.
-    void
-    write_fields(CycleResult               &result,
-                 const PlateDiscretization &model,
-                 const ErrorEstimator      &estimator);
-
+    /// The fields of the last cycle, where the scene asks for them,
     /// summary.json and report.html.
     void
-    finish(const std::string              &outcome,
+    finish(Outcome                         outcome,
            const std::vector<std::string> &warnings,
-           const CycleResult              &last,
-           const PlateDiscretization      &model);
+           Cycle                          &last);
 
     /// summary.json of a run that failed, with the cycles before.
     void
@@ -68,6 +55,10 @@ namespace PlateImpact
     main_files() const;
 
   private:
+    /// fields.pvd and a VTU file for every snapshot: deflection, rotations,
+    /// recovered resultants, von Mises stress at the faces, xi'.
+    void
+    write_fields(const Cycle &cycle);
     nlohmann::ordered_json
     write_summary(const std::string              &outcome,
                   const std::vector<std::string> &warnings);

@@ -1,7 +1,7 @@
 #ifndef plate_impact_output_report_h
 #define plate_impact_output_report_h
 
-#include "plate_impact/analysis/cycle_result.h"
+#include "plate_impact/analysis/cycle.h"
 #include "plate_impact/page/page.h"
 #include "plate_impact/scene/scene.h"
 
@@ -13,9 +13,6 @@
 
 namespace PlateImpact
 {
-  class ErrorEstimator;
-  class PlateDiscretization;
-
   /// report.html: a run on one page. Takes what it shows cycle by cycle, since
   /// the meshes do not stay.
   class Report
@@ -24,11 +21,8 @@ namespace PlateImpact
     /// @param scene  must outlive the report
     explicit Report(const Scene &scene);
 
-    /// @param estimator  null where the scene has none
     void
-    add_cycle(const CycleResult         &result,
-              const PlateDiscretization &model,
-              const ErrorEstimator      *estimator);
+    add_cycle(const Cycle &cycle);
 
     /// @param summary  the content of summary.json
     /// @param film     deflection_film() of the last cycle

@@ -17,9 +17,9 @@ namespace PlateImpact
   class SceneChecker
   {
   public:
-    /// Schema and parameters must outlive the checker.
-    /// @param swept  entries that have no value yet: what involves them is not
-    ///               judged
+    /// @param schema  must outlive the checker
+    /// @param swept   entries that have no value yet: what involves them is not
+    ///                judged
     SceneChecker(SceneSchema                 &schema,
                  const Parameters            &parameters,
                  const std::set<std::string> &swept = {});
@@ -33,6 +33,10 @@ namespace PlateImpact
     void
     complete();
 
+    /// Those given, and what complete() has chosen.
+    const Parameters &
+    parameters() const;
+
     std::vector<std::string> mistakes;
 
     /// By Zener's equation; empty without an impactor or before complete().
@@ -45,6 +49,14 @@ namespace PlateImpact
     void
     refuse(const std::vector<std::string> &involved, const std::string &text);
 
+    /// Fills an entry in.
+    /// @param variable  of the scene that holds its value
+    void
+    choose(const std::string &section,
+           const std::string &entry,
+           double            &variable,
+           double             value);
+
     void
     check_plate();
     void
@@ -56,8 +68,17 @@ namespace PlateImpact
     void
     check_comparison();
 
+    void
+    complete_impactor();
+    void
+    complete_time(const ExpectedPeak &peak);
+    void
+    complete_contact(const ExpectedPeak &peak);
+    void
+    complete_mesh();
+
     SceneSchema                &schema;
-    const Parameters           &parameters;
+    Parameters                  scene;
     const std::set<std::string> swept;
   };
 } // namespace PlateImpact

@@ -11,7 +11,7 @@
 namespace PlateImpact
 {
   /// A scene file and what the command line sets on top of it, every value
-  /// checked by itself; the parameters follow the schema.
+  /// checked by itself.
   class SceneReader
   {
   public:
@@ -32,12 +32,15 @@ namespace PlateImpact
     void
     refuse_mistakes();
 
+    /// The values that the entries have now.
+    Parameters
+    parameters() const;
+
     /// Every value, as a scene.
     std::string
     text() const;
 
     const std::string        name; ///< of the file, as given
-    Parameters               parameters;
     SceneSchema              schema;
     std::vector<std::string> mistakes;
 
@@ -45,6 +48,8 @@ namespace PlateImpact
     /// The results must not replace the scene.
     void
     check_directory();
+
+    Parameters bound; ///< to the schema, which changes it
   };
 } // namespace PlateImpact
 

@@ -26,14 +26,6 @@ namespace PlateImpact
     /// Solves for x; both have the size of the matrix.
     virtual void
     solve(const Eigen::VectorXd &right_hand_side, Eigen::VectorXd &x) = 0;
-
-    /// Memory of the factor, which a solve reads twice; 0 where it is not
-    /// known. [bytes]
-    virtual double
-    factor_size() const
-    {
-      return 0.;
-    }
   };
 
   /// The solver that the scene names: `CHOLMOD` (supernodal Cholesky, minimum

@@ -1,10 +1,10 @@
 #ifndef plate_impact_transient_plate_response_h
 #define plate_impact_transient_plate_response_h
 
-#include "plate_impact/contact/contact_history.h"
 #include "plate_impact/contact/contact_law.h"
 #include "plate_impact/contact/contact_solver.h"
 #include "plate_impact/contact/impactor.h"
+#include "plate_impact/transient/impact.h"
 #include "plate_impact/transient/newmark_scheme.h"
 #include "plate_impact/transient/semidiscrete_system.h"
 
@@ -12,14 +12,6 @@
 
 namespace PlateImpact
 {
-  /// A transient from first touch to the end time.
-  struct Impact
-  {
-    ContactHistory history;
-    double         impulse = 0.; ///< [N s]
-  };
-
-
   /// All that an impactor needs to know of a plate: R_j, the displacement under
   /// the load j steps after a step with the contact force 1, by the time
   /// stepper's own scheme. Under the forces phi_k of any impactor

@@ -50,15 +50,10 @@ namespace PlateImpact
     const Eigen::VectorXd &
     unknowns() const;
 
-    /// Solves with the effective stiffness so far.
-    unsigned int
-    n_linear_solves() const;
-
   private:
     const NewmarkScheme scheme;
     SemidiscreteSystem &plate;
-    unsigned int        n_solves = 0;
-    double              w        = 0.;
+    double              w = 0.;
 
     /// z, v, a and what follows from them; a is needed unless gamma = 2 beta
     Eigen::VectorXd z, v, a, Kz, Mv, Ma;

@@ -1,7 +1,7 @@
 #ifndef plate_impact_transient_ritz_basis_h
 #define plate_impact_transient_ritz_basis_h
 
-#include "plate_impact/transient/semidiscrete_system.h"
+#include "plate_impact/transient/full_system.h"
 
 #include <Eigen/Core>
 
@@ -23,10 +23,10 @@ namespace PlateImpact
   class RitzBasis
   {
   public:
-    /// @param plate  must outlive the basis
-    /// @param sigma  1/s^2, above 0, so that plates that are free to move have
+    /// @param system  must outlive the basis
+    /// @param sigma   1/s^2, above 0, so that plates that are free to move have
     ///               a basis too
-    RitzBasis(FullSystem &plate, double sigma);
+    RitzBasis(FullSystem &system, double sigma);
 
     /// Adds vectors, one solve each, until there are n or, when the space is
     /// exhausted, as many as there can be. Factorizes K + sigma M unless the
@@ -76,7 +76,7 @@ namespace PlateImpact
     double
     norm_of_candidate() const;
 
-    FullSystem     &plate;
+    FullSystem     &system;
     const double    sigma;
     unsigned int    n         = 0;
     bool            complete  = false;
@@ -87,69 +87,6 @@ namespace PlateImpact
     Eigen::VectorXd candidate, A_candidate; ///< becomes the next vector
     Eigen::VectorXd A_last, A_before;       ///< A times the last two vectors
     Eigen::VectorXd M_last;                 ///< M times the last vector
-  };
-
-
-  /// A symmetric matrix of three diagonals.
-  struct TridiagonalMatrix
-  {
-    Eigen::VectorXd diagonal, beside;
-  };
-
-
-  /// The plate in the first vectors of a basis: M = T and K = I - sigma T are
-  /// tridiagonal, a product or a solve costs a few operations per vector. A
-  /// string, in other words, that is struck at its first vector.
-  ///
-  /// Waves would come back from its end. Vectors beyond the first can be
-  /// assumed in place of computed: away from the load the coefficients of T are
-  /// about those of a continuous spectrum from 0 to infinity, 1/(2 sigma) and
-  /// 1/(4 sigma) all along, and a uniform string of these joined to the end
-  /// takes the waves up (the terminator of the recursion method: Haydock, Heine
-  /// & Kelly 1972, doi:10.1088/0022-3719/5/20/004). What lies in it has no
-  /// displacements on the plate. The joint is such that K and M stay positive.
-  class ReducedSystem : public SemidiscreteSystem
-  {
-  public:
-    /// @param basis     must outlive the plate
-    /// @param n         vectors used, at most basis.n_vectors()
-    /// @param n_beyond  length of the uniform string; none is joined to all
-    ///                  vectors of a complete basis
-    ReducedSystem(const RitzBasis &basis,
-                  unsigned int     n,
-                  unsigned int     n_beyond = 0);
-
-    const Eigen::VectorXd &
-    load() const override;
-    void
-    multiply_stiffness(const Eigen::VectorXd &x,
-                       Eigen::VectorXd       &y) const override;
-    void
-    factorize(double c) override;
-    void
-    solve(const Eigen::VectorXd &b, Eigen::VectorXd &x) override;
-    double
-    static_compliance() const override;
-
-    unsigned int
-    n_vectors() const;
-
-    /// Unknowns of the mesh by the vectors used.
-    Eigen::Ref<const Eigen::MatrixXd>
-    vectors() const;
-
-    /// Unknowns of the mesh in states of this plate, a column each.
-    Eigen::MatrixXd
-    unknowns(const Eigen::Ref<const Eigen::MatrixXd> &states) const;
-
-  private:
-    const RitzBasis        &basis;
-    const unsigned int      n;
-    const TridiagonalMatrix mass;      ///< T [s^2], with what is joined to it
-    const TridiagonalMatrix stiffness; ///< I - sigma T
-    const Eigen::VectorXd   u;
-    const double            compliance;
-    Eigen::VectorXd         inverse_pivots, factor; ///< of K + c M
   };
 } // namespace PlateImpact
 

@@ -6,7 +6,8 @@
 #include "plate_impact/contact/contact_solver.h"
 #include "plate_impact/contact/impactor.h"
 #include "plate_impact/plate/plate_section.h"
-#include "plate_impact/transient/plate_response.h"
+#include "plate_impact/transient/integrator.h"
+#include "plate_impact/transient/reduced_system.h"
 #include "plate_impact/transient/ritz_basis.h"
 
 #include <map>
@@ -24,43 +25,34 @@ namespace PlateImpact
   /// nearby, so that similar impactors share it and what one gets depends on
   /// nothing but plate, load, time and itself; vectors that another one has
   /// asked for before are not computed again.
-  class RitzReduction
+  class RitzReduction : public Integrator
   {
   public:
-    /// @param plate         must outlive the reduction, which factorizes it
+    /// @param full          must outlive the reduction, which factorizes it
     /// @param integration   must outlive the reduction
     /// @param needs_fields  whether more than the force is to be right
-    RitzReduction(FullSystem               &plate,
-                  const PlateSection       &section,
+    RitzReduction(FullSystem               &full,
+                  const PlateParameters    &plate,
                   const TimeParameters     &time,
                   const ContactIntegration &integration,
                   bool                      needs_fields);
 
-    /// @param parameters  with the load, the times and the integration of this
-    ///                    reduction
-    /// @return the reduced plate, which belongs to the reduction; null when it
-    ///         takes more solves than steps, which are then made on the mesh
-    ReducedSystem *
-    settle(const Parameters &parameters);
+    /// The reduced system, or that of the mesh where it takes fewer solves.
+    SemidiscreteSystem &
+    system_for(const Parameters &parameters) override;
 
-    /// The response of a plate that settle() has returned, kept for the next
-    /// impactor; for schemes that conserve energy.
-    const PlateResponse &
-    response(ReducedSystem &reduced);
-
-    /// Vectors computed so far, a solve each.
+    /// A solve each.
     unsigned int
-    n_vectors() const;
+    n_vectors() const override;
 
   private:
+    /// @return null when it takes more solves than steps
     ReducedSystem *
     settle(const ContactLaw &law, const Impactor &impactor);
     /// Whether it is known beforehand that stepping on the mesh takes fewer
     /// solves than vectors would.
     bool
-    steps_are_fewer(const ContactLaw      &law,
-                    const Impactor        &impactor,
-                    const PlateParameters &dimensions) const;
+    steps_are_fewer(const ContactLaw &law, const Impactor &impactor) const;
     /// Twice the logarithm to base 2 of the root of the shift [1/s].
     int
     half_octave(const ContactLaw &law, const Impactor &impactor) const;
@@ -77,21 +69,19 @@ namespace PlateImpact
                  const ContactLaw &law,
                  const Impactor   &impactor) const;
     ReducedSystem &
-    reduced_plate(int half_octave, unsigned int n);
+    reduced_system(int half_octave, unsigned int n);
 
-    FullSystem               &plate;
-    const PlateSection       &section;
-    const TimeParameters      time;
-    const ContactIntegration &integration;
-    const bool                needs_fields;
+    FullSystem           &full;
+    const PlateParameters plate;
+    const PlateSection    section;
+    const bool            needs_fields;
 
     /// By the law's section and the impactor in round numbers.
     std::map<std::pair<ContactParameters, ImpactorParameters>, ReducedSystem *>
       settled;
     /// By the half octave of the shift, and by the number of vectors.
     std::map<int, RitzBasis>                              bases;
-    std::map<std::pair<int, unsigned int>, ReducedSystem> reduced_plates;
-    std::map<const ReducedSystem *, PlateResponse>        responses;
+    std::map<std::pair<int, unsigned int>, ReducedSystem> reduced_systems;
   };
 } // namespace PlateImpact
 

@@ -1,14 +1,7 @@
 #ifndef plate_impact_transient_semidiscrete_system_h
 #define plate_impact_transient_semidiscrete_system_h
 
-#include "plate_impact/plate/plate_discretization.h"
-#include "plate_impact/transient/linear_solver.h"
-
 #include <Eigen/Core>
-#include <Epetra_CrsMatrix.h>
-
-#include <limits>
-#include <memory>
 
 namespace PlateImpact
 {
@@ -37,74 +30,33 @@ namespace PlateImpact
     solve(const Eigen::VectorXd &b, Eigen::VectorXd &x) = 0;
 
     /// u^T K^-1 u, the displacement under a constant unit force, or any bound
-    /// above it; infinite where it costs more to know than knowing it saves,
-    /// and for a plate that is free to move. [m/N]
+    /// above it; infinite for a plate that is free to move. [m/N]
     virtual double
-    static_compliance() const
+    static_compliance() = 0;
+
+    /// Unknowns of the mesh in states of this system, a column each; by default
+    /// the states themselves.
+    virtual Eigen::MatrixXd
+    unknowns(const Eigen::Ref<const Eigen::MatrixXd> &states) const;
+
+    /// What spans those unknowns: a column of them for each of the first rows
+    /// of a state, which are its coordinates.
+    struct Span
     {
-      return std::numeric_limits<double>::infinity();
-    }
-  };
+      Eigen::Ref<const Eigen::MatrixXd> vectors;
+      Eigen::MatrixXd                   coordinates; ///< a column per state
+    };
 
+    /// @param states  must outlive the result, a column each; by default every
+    ///                one is a vector of its own
+    virtual Span
+    span(const Eigen::Ref<const Eigen::MatrixXd> &states) const;
 
-  /// All unknowns of a mesh.
-  class FullSystem : public SemidiscreteSystem
-  {
-  public:
-    /// @param model   assembled; must outlive this object
-    /// @param load    u, as PlateDiscretization::load() returns it
-    FullSystem(const PlateDiscretization    &model,
-               const Eigen::VectorXd        &load,
-               std::unique_ptr<LinearSolver> solver);
-
-    const Eigen::VectorXd &
-    load() const override;
-
-    /// Replaces the load; the factorization stays.
-    void
-    set_load(const Eigen::VectorXd &load);
-
-    void
-    multiply_stiffness(const Eigen::VectorXd &x,
-                       Eigen::VectorXd       &y) const override;
-    /// Does nothing when the last factorization was for the same c.
-    void
-    factorize(double c) override;
-    void
-    solve(const Eigen::VectorXd &b, Eigen::VectorXd &x) override;
-
-    /// As PlateDiscretization::is_free().
-    bool
-    is_free() const;
-
-    unsigned int
-    n_factorizations() const;
-
-    /// Wall time of all factorizations. [s]
-    double
-    factorization_seconds() const;
-
-    /// As LinearSolver::factor_size(). [bytes]
-    double
-    factor_size() const;
-
-    /// y = M x.
-    void
-    multiply_mass(const Eigen::VectorXd &x, Eigen::VectorXd &y) const;
-
-    /// y = (K + c M) x, with c of the last factorization.
-    void
-    multiply_effective_stiffness(const Eigen::VectorXd &x,
-                                 Eigen::VectorXd       &y) const;
-
-  private:
-    const PlateDiscretization        &model;
-    Eigen::VectorXd                   u;
-    std::unique_ptr<Epetra_CrsMatrix> effective_stiffness;
-    std::unique_ptr<LinearSolver>     solver;
-    double       factorized_for = -1.; ///< c of the last factorization
-    unsigned int factorizations = 0;
-    double       seconds        = 0.; ///< of the factorizations
+    /// How many states are best looked at together on the mesh: many where they
+    /// span few vectors. By default enough to make matrix products fast, and
+    /// fewer on large meshes, where one is work enough, to save memory.
+    virtual unsigned int
+    n_states_at_once() const;
   };
 } // namespace PlateImpact
 

@@ -4,46 +4,93 @@
 #include <deal.II/grid/tria.h>
 
 #include "plate_impact/base/parameters.h"
+#include "plate_impact/contact/contact_law.h"
 #include "plate_impact/contact/contact_solver.h"
+#include "plate_impact/contact/impactor.h"
 #include "plate_impact/plate/plate_discretization.h"
 #include "plate_impact/plate/plate_element.h"
-#include "plate_impact/transient/plate_response.h"
-#include "plate_impact/transient/ritz_reduction.h"
-#include "plate_impact/transient/semidiscrete_system.h"
+#include "plate_impact/transient/full_system.h"
+#include "plate_impact/transient/impact.h"
+#include "plate_impact/transient/integrator.h"
+#include "plate_impact/transient/sensitivity.h"
+#include "plate_impact/transient/time_stepper.h"
 
 #include <map>
 #include <memory>
 #include <optional>
-#include <string>
 #include <tuple>
 
 namespace PlateImpact
 {
+  /// Who follows a transient step by step.
+  class TransientListener
+  {
+  public:
+    virtual ~TransientListener() = default;
+
+    /// Before the first step.
+    /// @param system  that is stepped; lives as long as the struck plate
+    virtual void
+    begin(const SemidiscreteSystem &system, const TimeStepper &stepper) = 0;
+
+    /// After every step.
+    /// @param step  from 1
+    virtual void
+    take_step(unsigned int step, const TimeStepper &stepper) = 0;
+  };
+
+
   /// A plate on one mesh that is struck by one impactor after another. What the
-  /// impactor does not change is made once: matrices for the mesh,
-  /// factorizations for the time step, Ritz vectors and discrete responses for
-  /// the load. Every impact is the one that `run` computes on this mesh, up to
-  /// round-off.
+  /// impactor does not change is made once, when it is first needed: matrices
+  /// for the mesh, factorizations for the time step, reduced systems and
+  /// discrete responses for the load.
   class StruckPlate
   {
   public:
-    /// Assembles the matrices.
+    /// Numbers the unknowns.
     /// @param mesh  of the quadrant
     StruckPlate(const PlateParameters                    &plate,
                 const DiscretizationParameters           &discretization,
                 std::unique_ptr<dealii::Triangulation<2>> mesh);
 
     /// @param parameters  with the plate and the discretization of this object
-    /// @throws ComputationError
+    /// @throws ComputationError naming step and quantity, and where an energy
+    ///         that the scheme keeps has changed
     Impact
     strike(const Parameters &parameters);
 
-    const PlateDiscretization &
-    model() const;
+    /// The same impact in steps, up to round-off.
+    Impact
+    strike(const Parameters &parameters, TransientListener &listener);
 
-    /// Loads and time steps that something was made for so far.
-    unsigned int
-    n_loads() const;
+    /// As estimated_time_error().
+    /// @param history  of the impact
+    std::optional<double>
+    time_error(const Parameters &parameters, const ContactHistory &history);
+
+    /// How the history answers to another velocity; empty for a single contact,
+    /// which changes in proportion.
+    /// @param history  of the impact
+    std::optional<Sensitivity>
+    sensitivity(const Parameters &parameters, const ContactHistory &history);
+
+    const PlateDiscretization &
+    discretization() const;
+
+    /// What was made so far.
+    struct Work
+    {
+      unsigned int loads          = 0; ///< with time steps
+      unsigned int factorizations = 0;
+      unsigned int linear_solves  = 0;
+      unsigned int ritz_vectors   = 0; ///< a solve each
+
+      /// Wall time of matrices and loads, and of factorizations. [s]
+      double assembly_seconds = 0., factorization_seconds = 0.;
+    };
+
+    Work
+    work() const;
 
   private:
     /// What makes the load and the steps of an impact: of the contact all but
@@ -60,22 +107,31 @@ namespace PlateImpact
     {
       Eigen::VectorXd                           u;
       std::unique_ptr<const ContactIntegration> integration;
-      std::optional<RitzReduction>              reduction;
-      std::optional<PlateResponse>              response_of_mesh;
+      std::unique_ptr<Integrator>               integrator;
     };
 
     /// The load of an impact, now that of the plate as well.
     Load &
     prepare(const Parameters &parameters);
+    /// Makes room for another one.
+    void
+    forget_loads();
+    static Impact
+    strike_system(Load                 &load,
+                  SemidiscreteSystem   &system,
+                  const TimeParameters &time,
+                  const ContactLaw     &law,
+                  const Impactor       &impactor);
 
     const PlateElement                              element;
     const std::unique_ptr<dealii::Triangulation<2>> mesh;
     const SolverType                                linear_solver;
-    PlateDiscretization                             plate_on_mesh;
+    PlateDiscretization                             plate;
 
-    std::unique_ptr<FullSystem> plate;
+    std::unique_ptr<FullSystem> full; ///< from the first strike on
     std::map<LoadKey, Load>     loads;
-    unsigned int                n_made = 0; ///< loads
+    unsigned int                n_loads = 0, n_forgotten_vectors = 0;
+    double                      assembly_seconds = 0.;
   };
 } // namespace PlateImpact
 

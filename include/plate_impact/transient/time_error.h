@@ -19,9 +19,8 @@ namespace PlateImpact
   /// Newmark's local error (Zienkiewicz & Xie 1991,
   /// doi:10.1002/eqe.4290200907) needs no second run but judges displacements,
   /// not the force.
-  /// @param history   of the scene's step
-  /// @param plate     is factorized anew
-  /// @param n_solves  of the plate, counted on
+  /// @param history  of the scene's step
+  /// @param plate    is factorized anew
   /// @return empty where fewer than four steps lead from first touch to the
   ///         peak: a doubled step then says nothing
   std::optional<double>
@@ -30,8 +29,7 @@ namespace PlateImpact
                        SemidiscreteSystem       &plate,
                        const ContactLaw         &law,
                        const ContactIntegration &integration,
-                       const Impactor           &impactor,
-                       unsigned int             &n_solves);
+                       const Impactor           &impactor);
 } // namespace PlateImpact
 
 #endif

@@ -53,13 +53,10 @@ namespace PlateImpact
     impulse() const;
 
     /// Time since when no further contact is possible; empty as long as one is,
-    /// or where that is not known. [s]
+    /// for plates that are free to move and schemes that do not keep energy.
+    /// [s]
     std::optional<double>
     separation_time() const;
-
-    /// Solves with the effective stiffness so far.
-    unsigned int
-    n_linear_solves() const;
 
     /// Steps in which the contact equation had a solution other than no force.
     unsigned int
@@ -68,10 +65,10 @@ namespace PlateImpact
   private:
     /// Whether the plate can never reach the impactor again.
     bool
-    is_out_of_reach() const;
+    is_out_of_reach();
 
     const NewmarkScheme       scheme;
-    const SemidiscreteSystem &plate;
+    SemidiscreteSystem       &plate;
     const ContactIntegration &integration;
     PlateStepper              plate_stepper;
     ImpactorStepper           impactor_stepper;

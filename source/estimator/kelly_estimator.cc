@@ -1,4 +1,4 @@
-#include "plate_impact/estimator/kelly_indicator.h"
+#include "plate_impact/estimator/kelly_estimator.h"
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/mapping_q1.h>
@@ -6,6 +6,7 @@
 #include <deal.II/numerics/error_estimator.h>
 
 #include <cmath>
+#include <utility>
 
 namespace PlateImpact
 {
@@ -50,33 +51,47 @@ namespace PlateImpact
 
 
 
-  KellyIndicator::KellyIndicator(const PlateDiscretization &model)
-    : model(model)
-    , shares_integral(Eigen::VectorXd::Zero(model.mesh().n_active_cells()))
+  KellyEstimator::KellyEstimator(const PlateDiscretization      &discretization,
+                                 std::unique_ptr<ErrorEstimator> amount)
+    : discretization(discretization)
+    , amount(std::move(amount))
+    , shares_integral(
+        Eigen::VectorXd::Zero(discretization.mesh().n_active_cells()))
     , last_shares(shares_integral)
   {}
 
 
 
   void
-  KellyIndicator::add_samples(const std::vector<double> &times,
-                              const Eigen::MatrixXd     &unknowns)
+  KellyEstimator::add_samples(const std::vector<double>               &times,
+                              const Eigen::Ref<const Eigen::MatrixXd> &vectors,
+                              const Eigen::MatrixXd &coordinates)
+  {
+    amount->add_samples(times, vectors, coordinates);
+    add_jumps(times, vectors * coordinates);
+  }
+
+
+
+  void
+  KellyEstimator::add_jumps(const std::vector<double> &times,
+                            const Eigen::MatrixXd     &unknowns)
   {
     // jumps are kept as floats by deal.II: states are scaled to numbers near 1
     std::vector<Vector<double>> states;
     for (Eigen::Index n = 0; n < unknowns.cols(); ++n)
       {
         const double largest = unknowns.col(n).cwiseAbs().maxCoeff();
-        states.push_back(
-          model.nodal_values(unknowns.col(n) / (largest > 0. ? largest : 1.)));
+        states.push_back(discretization.nodal_values(
+          unknowns.col(n) / (largest > 0. ? largest : 1.)));
       }
     ComponentMask slopes(n_components, false), rotations(n_components, true);
     slopes.set(deflection, true);
     rotations.set(deflection, false);
-    const Eigen::MatrixXd squares = model.section().shear_stiffness *
-        squared_jumps(model.dofs(), states, slopes) +
-      model.section().bending_stiffness(0, 0) *
-        squared_jumps(model.dofs(), states, rotations);
+    const Eigen::MatrixXd squares = discretization.section().shear_stiffness *
+        squared_jumps(discretization.dofs(), states, slopes) +
+      discretization.section().bending_stiffness(0, 0) *
+        squared_jumps(discretization.dofs(), states, rotations);
     for (unsigned int n = 0; n < times.size(); ++n)
       {
         const double    sum    = squares.col(n).sum();
@@ -92,13 +107,14 @@ namespace PlateImpact
 
 
 
-  void
-  KellyIndicator::distribute(ErrorEstimate &estimate) const
+  ErrorEstimate
+  KellyEstimator::estimate() const
   {
-    if (last_time <= 0.)
-      return;
-    for (unsigned int cell = 0; cell < estimate.element_errors.size(); ++cell)
-      estimate.element_errors[cell] =
-        estimate.eta * shares_integral[cell] / last_time;
+    ErrorEstimate result = amount->estimate();
+    if (last_time > 0.)
+      for (unsigned int cell = 0; cell < result.element_errors.size(); ++cell)
+        result.element_errors[cell] =
+          result.eta * shares_integral[cell] / last_time;
+    return result;
   }
 } // namespace PlateImpact

@@ -1,4 +1,4 @@
-#include "plate_impact/estimator/kelly_indicator.h"
+#include "plate_impact/estimator/kelly_estimator.h"
 #include "program_fixture.h"
 #include "test_plate.h"
 
@@ -10,12 +10,41 @@ namespace PlateImpact
 
   namespace
   {
-    class KellyIndicatorRun : public Program
+    class KellyEstimatorRun : public Program
     {};
 
 
 
-    TEST(KellyIndicator, SharesOutTheErrorByTheJumps)
+    /// Says that the error is 10 %, and nothing sensible of the cells.
+    class TenPerCent : public ErrorEstimator
+    {
+    public:
+      explicit TenPerCent(const unsigned int n_cells)
+        : n_cells(n_cells)
+      {}
+
+      void
+      add_samples(const std::vector<double> &,
+                  const Eigen::Ref<const Eigen::MatrixXd> &,
+                  const Eigen::MatrixXd &) override
+      {}
+
+      ErrorEstimate
+      estimate() const override
+      {
+        ErrorEstimate estimate;
+        estimate.eta = 0.1;
+        estimate.element_errors.assign(n_cells, 7.);
+        return estimate;
+      }
+
+    private:
+      const unsigned int n_cells;
+    };
+
+
+
+    TEST(KellyEstimator, SharesOutTheErrorByTheJumps)
     {
       const auto                mesh = unit_square(4);
       const PlateElement        element(ElementType::MITC9);
@@ -28,13 +57,11 @@ namespace PlateImpact
         model.interpolate(Field([](const Point<2> &p) {
           return Field::Values{{std::abs(p[0] - 0.5), p[1], p[0]}};
         }));
-      KellyIndicator indicator(model);
-      indicator.add_samples({1.}, kink);
-      indicator.add_samples({2.}, 3. * kink); // the amount does not matter
-      ErrorEstimate estimate;
-      estimate.eta = 0.1;
-      estimate.element_errors.assign(16, 0.);
-      indicator.distribute(estimate);
+      KellyEstimator estimator(model, std::make_unique<TenPerCent>(16));
+      estimator.add_samples({1., 2.},
+                            kink, // the amount does not matter
+                            Eigen::RowVector2d(1., 3.));
+      const ErrorEstimate estimate = estimator.estimate();
       for (const auto &cell : mesh->active_cell_iterators())
         {
           const double error =
@@ -50,7 +77,7 @@ namespace PlateImpact
 
 
 
-    TEST(KellyIndicator, SeesNothingInAFieldWithoutJumps)
+    TEST(KellyEstimator, SeesNothingInAFieldWithoutJumps)
     {
       auto mesh = unit_square(3);
       refine_randomly(*mesh, 2);
@@ -59,19 +86,20 @@ namespace PlateImpact
                                       element,
                                       unit_plate(EdgeSupport::free, 0.1),
                                       1.);
-      KellyIndicator            indicator(model);
-      indicator.add_samples({1.}, Eigen::MatrixXd::Zero(model.n_unknowns(), 1));
-      ErrorEstimate estimate;
-      estimate.eta = 0.1;
-      estimate.element_errors.assign(mesh->n_active_cells(), 7.);
-      indicator.distribute(estimate);
+      KellyEstimator            estimator(model,
+                               std::make_unique<TenPerCent>(
+                                 mesh->n_active_cells()));
+      estimator.add_samples({1.},
+                            Eigen::MatrixXd::Zero(model.n_unknowns(), 1),
+                            Eigen::MatrixXd::Identity(1, 1));
+      const ErrorEstimate estimate = estimator.estimate();
       for (const double error : estimate.element_errors)
         EXPECT_EQ(error, 0.);
     }
 
 
 
-    TEST_F(KellyIndicatorRun, LeadsToTheTargetAsWell)
+    TEST_F(KellyEstimatorRun, LeadsToTheTargetAsWell)
     {
       ASSERT_EQ(run(main_scene,
                     "--set Adaptivity/Indicator=Kelly --set "

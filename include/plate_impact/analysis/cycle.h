@@ -1,0 +1,56 @@
+#ifndef plate_impact_analysis_cycle_h
+#define plate_impact_analysis_cycle_h
+
+#include <deal.II/base/point.h>
+#include <deal.II/grid/tria.h>
+
+#include "plate_impact/analysis/cycle_result.h"
+#include "plate_impact/base/parameters.h"
+#include "plate_impact/estimator/stress_recovery.h"
+#include "plate_impact/plate/plate_discretization.h"
+#include "plate_impact/transient/struck_plate.h"
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace PlateImpact
+{
+  /// A mesh of an analysis with all that is made on it, and the result. What
+  /// belongs to a mesh lives and dies with its cycle.
+  class Cycle
+  {
+  public:
+    /// @param number  from 1
+    Cycle(unsigned int                              number,
+          const Parameters                         &parameters,
+          std::unique_ptr<dealii::Triangulation<2>> mesh);
+
+    const PlateDiscretization &
+    discretization() const;
+
+    const dealii::Triangulation<2> &
+    mesh() const;
+
+    /// As the function of that name.
+    Eigen::MatrixXd
+    recovered_resultants(
+      const Eigen::VectorXd               &unknowns,
+      const std::vector<dealii::Point<2>> &unit_points) const;
+
+    /// Made when it is first asked for.
+    const StressRecovery &
+    recovery() const;
+
+    StruckPlate plate;
+    CycleResult result;
+
+  private:
+    const Parameters                     &parameters;
+    mutable std::optional<StressRecovery> stress_recovery;
+  };
+} // namespace PlateImpact
+
+#endif

@@ -1,0 +1,33 @@
+#ifndef plate_impact_analysis_outcome_h
+#define plate_impact_analysis_outcome_h
+
+#include "plate_impact/base/choices.h"
+
+namespace PlateImpact
+{
+  /// Why an analysis ends; word_for() it in what a user reads.
+  enum class Outcome
+  {
+    single_mesh,
+    target_reached,
+    maximum_cycles,
+    maximum_cells,
+    mesh_unchanged,
+    time_budget,
+    nearly_as_fine_as_the_reference
+  };
+
+  /// Whether it is what the scene asks for.
+  inline bool
+  is_success(const Outcome outcome)
+  {
+    return outcome == Outcome::single_mesh ||
+      outcome == Outcome::target_reached;
+  }
+
+  template <>
+  const std::vector<std::pair<Outcome, std::string>> &
+  choices();
+} // namespace PlateImpact
+
+#endif

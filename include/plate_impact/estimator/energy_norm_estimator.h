@@ -1,0 +1,100 @@
+#ifndef plate_impact_estimator_energy_norm_estimator_h
+#define plate_impact_estimator_energy_norm_estimator_h
+
+#include <deal.II/grid/tria.h>
+
+#include "plate_impact/estimator/error_estimator.h"
+#include "plate_impact/estimator/recovered_field.h"
+#include "plate_impact/estimator/stress_recovery.h"
+#include "plate_impact/plate/plate_discretization.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace PlateImpact
+{
+  /// Zienkiewicz-Zhu error of a transient, integrated over time (Table 1 of the
+  /// paper, after Dutta & Ramakrishnan, Engng Comput 14, 1997, 135-158):
+  ///   ||e||_i^2 = int_i (sigma* - sigma)^T D^-1 (sigma* - sigma),
+  ///   eta       = int ||e|| dt / int (||u||^2 + ||e||^2)^{1/2} dt,
+  ///   eta_i     = 1/T int ||e||_i / (||u||^2 + ||e||^2)^{1/2} dt,
+  /// with sigma* recovered by patches (StressRecovery), and time integrals by
+  /// the trapezoidal rule over samples. While the plate is at rest eta_i is
+  /// taken as 0 (the paper's table has 0/0 at t = 0). What a cell may have of
+  /// the error is for the adaptation to say (element_errors_over_limit()).
+  ///
+  /// Under a point load the energy of the exact error is infinite around the
+  /// load, on every mesh: there is nothing to estimate, and nearer than about
+  /// half the thickness plate theory means nothing either. Cells in such a
+  /// singular zone are left out of eta, which then is the error in the rest of
+  /// the plate and converges; what they would add is told beside.
+  ///
+  /// The estimate is no bound: it judges what the mesh resolves, and sees waves
+  /// shorter than its cells only after refinement.
+  class EnergyNormEstimator : public ErrorEstimator
+  {
+  public:
+    /// @param discretization  must outlive the estimator; needs no K and M
+    /// @param recovery        of its mesh; must outlive the estimator
+    /// @param singular_cells  active indices of cells to leave out
+    /// @param kept_interval   keeps the errors of the elements at one sample of
+    ///                        so many; 0: at none
+    EnergyNormEstimator(const PlateDiscretization       &discretization,
+                        const StressRecovery            &recovery,
+                        const std::vector<unsigned int> &singular_cells = {},
+                        unsigned int                     kept_interval  = 0);
+
+    /// Since estimates are linear in the states up to the norms of cells, they
+    /// are made for as many vectors as the states span, which may be fewer than
+    /// there are states.
+    /// @param vectors  orthonormal in an energy norm where they are fewer than
+    ///                 the states
+    void
+    add_samples(const std::vector<double>               &times,
+                const Eigen::Ref<const Eigen::MatrixXd> &vectors,
+                const Eigen::MatrixXd                   &coordinates) override;
+
+    ErrorEstimate
+    estimate() const override;
+
+  private:
+    /// ||e||, (||u||^2 + ||e||^2)^{1/2} without singular cells, and with them.
+    using Norms = Eigen::Vector4d;
+
+    /// Takes states as combinations of fields.
+    void
+    evaluate(const std::vector<double>               &times,
+             const Eigen::Ref<const Eigen::MatrixXd> &fields,
+             const Eigen::MatrixXd                   &coordinates);
+    void
+    integrate(double                 time,
+              const Eigen::VectorXd &e2,
+              double                 counted_u2,
+              double                 u2);
+    /// At the vertices of a cell, for states that are combinations of fields.
+    void
+    update_max_stress(
+      const dealii::Triangulation<2>::active_cell_iterator &cell,
+      RecoveredField                                       &field,
+      const Eigen::MatrixXd                                &coordinates,
+      std::vector<bool>                                    &vertex_is_done);
+
+    const PlateDiscretization        &discretization;
+    const StressRecovery             &recovery;
+    const unsigned int                kept_interval;
+    const Eigen::Matrix<double, 5, 5> root_of_compliance;
+    Eigen::VectorXd                   is_counted; ///< 0 for singular cells
+
+    /// integrals so far, and integrands at the last time
+    double          last_time = 0.;
+    Norms           norm_integrals, last_norms;
+    Eigen::VectorXd relative_integral, last_relative; ///< ||e||_i by norm
+    double          max_stress = 0.;
+
+    std::vector<double>          sample_times, sample_errors;
+    std::vector<Eigen::VectorXf> kept_element_errors;
+  };
+} // namespace PlateImpact
+
+#endif

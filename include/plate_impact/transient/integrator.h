@@ -1,0 +1,68 @@
+#ifndef plate_impact_transient_integrator_h
+#define plate_impact_transient_integrator_h
+
+#include "plate_impact/base/parameters.h"
+#include "plate_impact/contact/contact_solver.h"
+#include "plate_impact/transient/full_system.h"
+#include "plate_impact/transient/plate_response.h"
+#include "plate_impact/transient/semidiscrete_system.h"
+
+#include <map>
+#include <memory>
+
+namespace PlateImpact
+{
+  /// What Newmark's method integrates for an impact: the semidiscrete system of
+  /// the mesh, or one reduced from it that gives the same force. An integrator
+  /// belongs to one load, with the time steps and the integration of the
+  /// contact force under it.
+  class Integrator
+  {
+  public:
+    /// @param integration  must outlive the integrator
+    Integrator(const TimeParameters     &time,
+               const ContactIntegration &integration);
+
+    virtual ~Integrator() = default;
+
+    /// The system to step for an impact; it belongs to the integrator.
+    /// @param parameters  with the load and the times of this integrator
+    virtual SemidiscreteSystem &
+    system_for(const Parameters &parameters) = 0;
+
+    /// Vectors of reduced bases computed so far.
+    virtual unsigned int
+    n_vectors() const;
+
+    /// The response of a system of this integrator, kept for the next impactor;
+    /// for schemes that conserve energy.
+    const PlateResponse &
+    response(SemidiscreteSystem &system);
+
+  protected:
+    const TimeParameters      time;
+    const ContactIntegration &integration;
+
+  private:
+    std::map<const SemidiscreteSystem *, PlateResponse> responses;
+  };
+
+
+  /// All unknowns of the mesh, whatever strikes it.
+  class NewmarkOnTheMesh : public Integrator
+  {
+  public:
+    /// @param full  must outlive the integrator
+    NewmarkOnTheMesh(FullSystem               &full,
+                     const TimeParameters     &time,
+                     const ContactIntegration &integration);
+
+    SemidiscreteSystem &
+    system_for(const Parameters &parameters) override;
+
+  private:
+    FullSystem &full;
+  };
+} // namespace PlateImpact
+
+#endif

@@ -1,0 +1,64 @@
+#include "plate_impact/analysis/cycle.h"
+
+#include "plate_impact/estimator/make_error_estimator.h"
+#include "plate_impact/estimator/recovered_resultants.h"
+#include "plate_impact/plate/plate_mesh.h"
+
+#include <utility>
+
+namespace PlateImpact
+{
+  using namespace dealii;
+
+  Cycle::Cycle(const unsigned int                number,
+               const Parameters                 &parameters,
+               std::unique_ptr<Triangulation<2>> mesh_of_quadrant)
+    : plate(parameters.plate,
+            parameters.discretization,
+            std::move(mesh_of_quadrant))
+    , parameters(parameters)
+  {
+    result.cycle              = number;
+    result.cells              = mesh().n_active_cells();
+    result.degrees_of_freedom = discretization().n_unknowns();
+    result.min_cell_size      = smallest_cell_size(mesh());
+  }
+
+
+
+  const PlateDiscretization &
+  Cycle::discretization() const
+  {
+    return plate.discretization();
+  }
+
+
+
+  const Triangulation<2> &
+  Cycle::mesh() const
+  {
+    return discretization().mesh();
+  }
+
+
+
+  const StressRecovery &
+  Cycle::recovery() const
+  {
+    if (!stress_recovery)
+      stress_recovery.emplace(make_stress_recovery(parameters, mesh()));
+    return *stress_recovery;
+  }
+
+
+
+  Eigen::MatrixXd
+  Cycle::recovered_resultants(const Eigen::VectorXd       &unknowns,
+                              const std::vector<Point<2>> &unit_points) const
+  {
+    return PlateImpact::recovered_resultants(discretization(),
+                                             recovery(),
+                                             unknowns,
+                                             unit_points);
+  }
+} // namespace PlateImpact

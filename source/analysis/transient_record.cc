@@ -1,0 +1,142 @@
+#include "plate_impact/analysis/transient_record.h"
+
+#include "plate_impact/estimator/make_error_estimator.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace PlateImpact
+{
+  namespace
+  {
+    /// Fewer samples over the transient do not make an integral over time.
+    constexpr unsigned int min_estimator_samples = 20;
+
+    /// Unknowns in all frames of a film: 64 MB.
+    constexpr unsigned int most_frame_unknowns = 8000000;
+  } // namespace
+
+
+
+  TransientRecord::TransientRecord(const Parameters &parameters,
+                                   Cycle            &cycle,
+                                   const Progress   &progress)
+    : parameters(parameters)
+    , result(cycle.result)
+    , cycle(cycle)
+    , progress(progress)
+  {}
+
+
+
+  void
+  TransientRecord::begin(const SemidiscreteSystem &stepped,
+                         const TimeStepper        &stepper)
+  {
+    clock.charge(result.seconds.stepping);
+    system            = &stepped;
+    n_steps           = stepper.n_steps();
+    sampling_interval = std::clamp(n_steps / min_estimator_samples,
+                                   1u,
+                                   parameters.adaptivity.sampling_interval);
+    samples_per_frame = 1 +
+      n_steps / sampling_interval /
+        std::clamp(most_frame_unknowns / result.degrees_of_freedom, 8u, 48u);
+    if (parameters.needs_estimator())
+      {
+        estimator = make_error_estimator(parameters,
+                                         cycle.discretization(),
+                                         cycle.recovery(),
+                                         parameters.output.write_report ?
+                                           samples_per_frame :
+                                           0);
+        buffer.emplace(stepped, *estimator, n_steps / sampling_interval + 1);
+      }
+    clock.charge(result.seconds.estimation);
+  }
+
+
+
+  void
+  TransientRecord::take_step(const unsigned int step,
+                             const TimeStepper &stepper)
+  {
+    const double           time  = stepper.state().time;
+    const Eigen::VectorXd &state = stepper.displacement();
+    if (is_field(step))
+      fields.push_back({time, state});
+    if (parameters.output.write_report && stepper.state().force > peak_force)
+      {
+        peak_force = stepper.state().force;
+        peak.assign(1, {time, state});
+      }
+    if (buffer && (step % sampling_interval == 0 || step == n_steps))
+      {
+        if (parameters.output.write_report &&
+            ++n_samples % samples_per_frame == 0)
+          film.push_back({time, state});
+        if (buffer->add(time, state))
+          judge();
+      }
+    if (progress)
+      progress(step, n_steps);
+  }
+
+
+
+  void
+  TransientRecord::judge()
+  {
+    clock.charge(result.seconds.stepping);
+    buffer->judge();
+    clock.charge(result.seconds.estimation);
+  }
+
+
+
+  bool
+  TransientRecord::is_field(const unsigned int step) const
+  {
+    const std::uint64_t n_fields = parameters.output.field_samples;
+    // steps at which k n_steps / n_fields passes a whole number
+    return step * n_fields / n_steps > (step - 1) * n_fields / n_steps;
+  }
+
+
+
+  std::vector<Snapshot>
+  TransientRecord::unknowns_of(const std::vector<Snapshot> &states) const
+  {
+    if (states.empty())
+      return {};
+    // one product of matrices instead of many with a vector
+    Eigen::MatrixXd columns(states.front().unknowns.size(), states.size());
+    for (std::size_t i = 0; i < states.size(); ++i)
+      columns.col(i) = states[i].unknowns;
+    const Eigen::MatrixXd unknowns = system->unknowns(columns);
+    std::vector<Snapshot> result;
+    for (std::size_t i = 0; i < states.size(); ++i)
+      result.push_back({states[i].time, unknowns.col(i)});
+    return result;
+  }
+
+
+
+  void
+  TransientRecord::finish()
+  {
+    clock.charge(result.seconds.stepping);
+    result.steps     = n_steps;
+    result.snapshots = unknowns_of(fields);
+    result.frames    = unknowns_of(film);
+    if (!peak.empty())
+      result.peak_state = unknowns_of(peak).front();
+    if (buffer)
+      {
+        buffer->judge();
+        result.error                  = estimator->estimate();
+        result.work.estimator_samples = result.error->sample_times.size();
+      }
+    clock.charge(result.seconds.estimation);
+  }
+} // namespace PlateImpact

@@ -1,0 +1,65 @@
+#include "plate_impact/estimator/make_error_estimator.h"
+
+#include "plate_impact/estimator/energy_norm_estimator.h"
+#include "plate_impact/estimator/kelly_estimator.h"
+
+#include <stdexcept>
+#include <utility>
+
+namespace PlateImpact
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Cells nearer to a point load than half the thickness.
+    std::vector<unsigned int>
+    singular_cells(const Parameters &parameters, const Triangulation<2> &mesh)
+    {
+      std::vector<unsigned int> cells;
+      if (parameters.contact.load_is_singular())
+        for (const auto &cell : mesh.active_cell_iterators())
+          if (cell->center().norm() < 0.5 * parameters.plate.thickness)
+            cells.push_back(cell->active_cell_index());
+      return cells;
+    }
+  } // namespace
+
+
+
+  StressRecovery
+  make_stress_recovery(const Parameters       &parameters,
+                       const Triangulation<2> &mesh)
+  {
+    if (!parameters.contact.load_is_line())
+      return StressRecovery(mesh);
+    const double half_length = 0.5 * parameters.impactor.length;
+    return StressRecovery(mesh, [half_length](const Point<2> &point) {
+      return point[1] == 0. && point[0] <= half_length;
+    });
+  }
+
+
+
+  std::unique_ptr<ErrorEstimator>
+  make_error_estimator(const Parameters          &parameters,
+                       const PlateDiscretization &discretization,
+                       const StressRecovery      &recovery,
+                       const unsigned int         kept_interval)
+  {
+    auto by_recovery = std::make_unique<EnergyNormEstimator>(
+      discretization,
+      recovery,
+      singular_cells(parameters, discretization.mesh()),
+      kept_interval);
+    switch (parameters.adaptivity.indicator)
+      {
+        case ErrorIndicator::SPR:
+          return by_recovery;
+        case ErrorIndicator::Kelly:
+          return std::make_unique<KellyEstimator>(discretization,
+                                                  std::move(by_recovery));
+      }
+    throw std::logic_error("no such error estimator");
+  }
+} // namespace PlateImpact
