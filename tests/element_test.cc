@@ -247,7 +247,7 @@ namespace PlateImpact
 
 
 
-    TEST(LoadPatch, WeightsAndSecondMomentsAreThoseOfTheDisc)
+    TEST(LoadDistribution, WeightsAndSecondMomentsAreThoseOfTheDisc)
     {
       ContactParameters contact;
       contact.patch_radius = 0.3;
@@ -272,7 +272,7 @@ namespace PlateImpact
 
 
 
-    TEST(LoadPatch, WeightsAndSecondMomentsAreThoseOfTheStrip)
+    TEST(LoadDistribution, WeightsAndSecondMomentsAreThoseOfTheStrip)
     {
       ContactParameters contact;
       contact.patch_radius = 0.1;
@@ -296,7 +296,7 @@ namespace PlateImpact
 
 
 
-    TEST(LoadPatch, WorkDoesNotDependOnTheMesh)
+    TEST(LoadDistribution, WorkDoesNotDependOnTheMesh)
     {
       // on any mesh the load does the work of its moments on a quadratic
       ContactParameters contact;

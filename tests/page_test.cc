@@ -1,5 +1,5 @@
 // Pages of plots and tables: what is in the file, without a browser.
-#include "plate_impact/base/prefixed_unit.h"
+#include "plate_impact/base/text.h"
 #include "plate_impact/page/page.h"
 #include "program_fixture.h"
 

@@ -58,7 +58,7 @@ namespace PlateImpact
             const HertzLaw law(stiffness);
             const Impactor impactor{mass, 0., 0.5};
             TimeStepper    stepper(time, plate, law, *integration, impactor);
-            const ContactHistory expected = history_to_end(stepper);
+            const ContactHistory expected = step_to_end(stepper).history;
             const Impact         impact   = response.impact(law, impactor);
             for (const auto quantity : {&ContactState::time,
                                         &ContactState::force,

@@ -226,7 +226,7 @@ namespace PlateImpact
 
 
 
-    TEST(ErrorEstimator, IsZeroForAFieldThatTheElementsHold)
+    TEST(EnergyNormEstimator, IsZeroForAFieldThatTheElementsHold)
     {
       const auto mesh = unit_square(3);
       refine_randomly(*mesh, 3);
@@ -235,7 +235,7 @@ namespace PlateImpact
 
 
 
-    TEST(ErrorEstimator, IsZeroForThatFieldOnUnstructuredMeshes)
+    TEST(EnergyNormEstimator, IsZeroForThatFieldOnUnstructuredMeshes)
     {
       const auto mesh = unit_square(6);
       remesh(*mesh, 0.05, 0.3);
@@ -246,7 +246,7 @@ namespace PlateImpact
 
 
 
-    TEST(ErrorEstimator, IsZeroWhileThePlateIsAtRest)
+    TEST(EnergyNormEstimator, IsZeroWhileThePlateIsAtRest)
     {
       const auto                mesh = unit_square(2);
       const PlateElement        element(ElementType::heterosis);
@@ -263,7 +263,7 @@ namespace PlateImpact
 
 
 
-    TEST(ErrorEstimator, ElementsAreRelativeToTheNormOfTheCellsThatCount)
+    TEST(EnergyNormEstimator, ElementsAreRelativeToTheNormOfTheCellsThatCount)
     {
       // most of the energy and of the error is in the first cell
       const auto                mesh = unit_square(4);
@@ -298,7 +298,7 @@ namespace PlateImpact
 
 
 
-    TEST(ErrorEstimator, IntegratesOverTimeByTheTrapezoidalRule)
+    TEST(EnergyNormEstimator, IntegratesOverTimeByTheTrapezoidalRule)
     {
       // twice the field has twice both norms: eta stays, whatever the times,
       // and the buffer of samples is passed
@@ -434,7 +434,7 @@ namespace PlateImpact
 
 
 
-    TEST(ErrorEstimator, EffectivityOnUniformMeshes)
+    TEST(EnergyNormEstimator, EffectivityOnUniformMeshes)
     {
       PlateParameters plate = unit_plate(EdgeSupport::simply_supported, 0.05);
       for (const ElementType name : all_elements())
@@ -449,7 +449,7 @@ namespace PlateImpact
 
 
 
-    TEST(ErrorEstimator, EffectivityOnUnstructuredMeshes)
+    TEST(EnergyNormEstimator, EffectivityOnUnstructuredMeshes)
     {
       PlateParameters plate = unit_plate(EdgeSupport::simply_supported, 0.05);
       for (const ElementType name : all_elements())
@@ -467,7 +467,7 @@ namespace PlateImpact
 
 
 
-    TEST(ErrorEstimator, EffectivityWithHangingNodes)
+    TEST(EnergyNormEstimator, EffectivityWithHangingNodes)
     {
       PlateParameters plate = unit_plate(EdgeSupport::simply_supported, 0.05);
       for (const ElementType name : all_elements())

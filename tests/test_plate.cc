@@ -218,7 +218,7 @@ namespace PlateImpact
                         *law,
                         *integration,
                         make_impactor(parameters.impactor));
-    return history_to_end(stepper);
+    return step_to_end(stepper).history;
   }
 
 

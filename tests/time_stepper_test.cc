@@ -90,7 +90,7 @@ namespace PlateImpact
         const Impactor           &impactor)
     {
       TimeStepper stepper(time, plate, law, integration, impactor);
-      return history_to_end(stepper);
+      return step_to_end(stepper).history;
     }
 
 
@@ -272,8 +272,8 @@ namespace PlateImpact
                       unknown = bouncing_plate(false);
           TimeStepper with(time, known, law, *integration, ball),
             without(time, unknown, law, *integration, ball);
-          const ContactHistory history  = history_to_end(with),
-                               complete = history_to_end(without);
+          const ContactHistory history  = step_to_end(with).history,
+                               complete = step_to_end(without).history;
           EXPECT_GE(complete.n_contacts(), 3u);
           EXPECT_LT(history.relative_energy_drift(),
                     integration == &conserving ? 1e-11 : 1e-4);

@@ -102,8 +102,8 @@ namespace PlateImpact
     record.finish();
 
     StageClock clock;
-    result.time_error  = current->plate.time_error(on_mesh, impact.history);
     result.sensitivity = current->plate.sensitivity(on_mesh, impact.history);
+    result.time_error  = current->plate.time_error(on_mesh, impact.history);
     result.impulse     = impact.impulse;
     result.separation_time    = impact.separation_time;
     result.work.contact_steps = impact.n_contact_steps;
@@ -137,10 +137,12 @@ namespace PlateImpact
   void
   ImpactAnalysis::estimate()
   {
-    CycleResult &result = current->result;
-    if (!result.error)
+    if (current->estimator == nullptr)
       return;
-    StageClock clock;
+    StageClock   clock;
+    CycleResult &result           = current->result;
+    result.error                  = current->estimator->estimate();
+    result.work.estimator_samples = result.error->sample_times.size();
     result.over_limit =
       error_over_limit(*result.error, parameters.adaptivity.target_error);
     for (const auto &cell : current->mesh().active_cell_iterators())

@@ -1,5 +1,6 @@
 #include "plate_impact/analysis/reliability.h"
 
+#include "plate_impact/base/text.h"
 #include "plate_impact/contact/contact_law.h"
 #include "plate_impact/contact/impactor.h"
 #include "plate_impact/contact/zener.h"
@@ -9,25 +10,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
+#include <fmt/format.h>
 
 namespace PlateImpact
 {
   namespace
   {
-    /// One sentence of its parts.
-    template <typename... Parts>
-    std::string
-    sentence(const Parts &...parts)
-    {
-      std::ostringstream text;
-      text.precision(3);
-      (text << ... << parts);
-      return text.str();
-    }
-
-
-
     /// Radius or half-width of Hertz's contact at the peak. [m]
     double
     radius_at(const Parameters &parameters, const ContactState &peak)
@@ -100,58 +88,54 @@ namespace PlateImpact
                std::max(0.5 * expected_contact_time, peak.time);
       if (result.time_error && *result.time_error > 1e-3)
         warnings.push_back(
-          sentence("Time/Time step = ",
-                   time.time_step,
-                   " s leaves an error of about ",
-                   100. * *result.time_error,
-                   " % in the peak force; for 0.1 % choose at most ",
-                   time.time_step *
-                     std::pow(1e-3 / *result.time_error,
-                              1. / NewmarkScheme(time).order()),
-                   " s, or 0"));
+          fmt::format("Time/Time step = {} s leaves an error of about {} in "
+                      "the peak force; for 0.1 % choose at most {} s, or 0",
+                      about(time.time_step),
+                      about_percentage(*result.time_error),
+                      about(time.time_step *
+                            std::pow(1e-3 / *result.time_error,
+                                     1. / NewmarkScheme(time).order()))));
       else if (!result.time_error && time.time_step > 0.04 * rise_time)
-        warnings.push_back(sentence(
-          "Time/Time step = ",
-          time.time_step,
-          " s resolves the rise to the peak force, ",
-          rise_time,
-          " s, and the waves that the contact sends out, coarsely; for "
-          "a peak force to 0.1 % choose at most ",
-          0.04 * rise_time,
-          " s, or 0"));
+        warnings.push_back(
+          fmt::format("Time/Time step = {} s resolves the rise to the peak "
+                      "force, {}, and the waves that the contact sends out, "
+                      "coarsely; for a peak force to 0.1 % choose at most "
+                      "{} s, or 0",
+                      about(time.time_step),
+                      about(rise_time, "s"),
+                      about(0.04 * rise_time)));
       if (peak.time == last.time)
         warnings.push_back(
-          sentence("the force still grows at Time/End time = ",
-                   time.end_time,
-                   " s: the peak force is that of this time only"));
+          fmt::format("the force still grows at Time/End time = {} s: the "
+                      "peak force is that of this time only",
+                      about(time.end_time)));
       else if (last.force > 0.)
         warnings.push_back(
-          sentence("the contact has not ended at Time/End time = ",
-                   time.end_time,
-                   " s"));
+          fmt::format("the contact has not ended at Time/End time = {} s",
+                      about(time.end_time)));
       else if (last.impactor_velocity > 0.)
         warnings.push_back(
-          sentence("the impactor still moves towards the plate at Time/End "
-                   "time = ",
-                   time.end_time,
-                   " s: another contact follows, which may be harder"));
+          fmt::format("the impactor still moves towards the plate at "
+                      "Time/End time = {} s: another contact follows, which "
+                      "may be harder",
+                      about(time.end_time)));
       if (result.sensitivity && result.sensitivity->unpredictable_from)
         warnings.push_back(
-          sentence("from t = ",
-                   *result.sensitivity->unpredictable_from,
-                   " s on, the force cannot be predicted: a velocity larger by "
-                   "a millionth changes it by more than 0.1 % of its peak",
-                   peak.time < *result.sensitivity->unpredictable_from ?
-                     "; the peak force is known, it comes before" :
-                     "; the peak force comes after that"));
+          fmt::format("from t = {} on, the force cannot be predicted: a "
+                      "velocity larger by a millionth changes it by more "
+                      "than 0.1 % of its peak{}",
+                      about(*result.sensitivity->unpredictable_from, "s"),
+                      peak.time < *result.sensitivity->unpredictable_from ?
+                        "; the peak force is known, it comes before" :
+                        "; the peak force comes after that"));
       const double drift = result.history->relative_energy_drift();
       if (drift > 1e-3)
         warnings.push_back(
-          sentence("the total energy changes by ",
-                   100. * drift,
-                   " %, by collocation on coarse steps or by the damping of "
-                   "Newmark's parameters; choose Contact/Integration = energy "
-                   "conserving or a smaller step"));
+          fmt::format("the total energy changes by {}, by collocation on "
+                      "coarse steps or by the damping of Newmark's "
+                      "parameters; choose Contact/Integration = energy "
+                      "conserving or a smaller step",
+                      about_percentage(drift)));
       return warnings;
     }
 
@@ -189,28 +173,26 @@ namespace PlateImpact
       const bool                  meets_target =
         result.error && result.error->eta <= adaptivity.target_error;
       if (size > 0.5 * length && !meets_target)
-        warnings.push_back(sentence("cells of ",
-                                    size,
-                                    " m do not resolve the bending waves of ",
-                                    length,
-                                    " m that the contact sends out; choose "
-                                    "cells of at most half of it"));
+        warnings.push_back(
+          fmt::format("cells of {} do not resolve the bending waves of {} "
+                      "that the contact sends out; choose cells of at most "
+                      "half of it",
+                      about(size, "m"),
+                      about(length, "m")));
       if (result.error && !meets_target && !adaptivity.is_adaptive())
         warnings.push_back(
-          sentence("eta is ",
-                   100. * result.error->eta,
-                   " % on this mesh, more than Adaptivity/Target error = ",
-                   100. * adaptivity.target_error,
-                   " %; choose Adaptivity/Strategy = hanging nodes or more "
-                   "Initial cells"));
+          fmt::format("eta is {} on this mesh, more than Adaptivity/Target "
+                      "error, {}; choose Adaptivity/Strategy = hanging "
+                      "nodes or more Initial cells",
+                      about_percentage(result.error->eta),
+                      about_percentage(adaptivity.target_error)));
       else if (result.error && !meets_target)
-        warnings.push_back(sentence(
-          "eta is still ",
-          100. * result.error->eta,
-          " %, Adaptivity/Target error = ",
-          100. * adaptivity.target_error,
-          " % is not met; choose more Maximum cycles, a smaller Minimum "
-          "cell size or a larger target"));
+        warnings.push_back(
+          fmt::format("eta is still {}: Adaptivity/Target error, {}, is not "
+                      "met; choose more Maximum cycles, a smaller Minimum "
+                      "cell size or a larger target",
+                      about_percentage(result.error->eta),
+                      about_percentage(adaptivity.target_error)));
       return warnings;
     }
 
@@ -231,12 +213,13 @@ namespace PlateImpact
           if (contact.has_patch() &&
               contact.patch_radius >
                 std::max(2. * radius, 0.5 * parameters.plate.thickness))
-            return {sentence("the force is spread over a strip of half-width ",
-                             contact.patch_radius,
-                             " m, but the contact is ",
-                             radius,
-                             " m wide; choose Contact/Patch radius = ",
-                             radius)};
+            return {
+              fmt::format("the force is spread over a strip of half-width {}, "
+                          "but the contact is {} wide; choose Contact/Patch "
+                          "radius = {}",
+                          about(contact.patch_radius, "m"),
+                          about(radius, "m"),
+                          about(radius))};
           return {};
         }
       if (contact.load_is_singular())
@@ -244,13 +227,13 @@ namespace PlateImpact
           const double drop = drop_per_halving(parameters, section, peak);
           if (drop < 1e-4)
             return {};
-          return {sentence("the peak force under a point load depends on the "
-                           "smallest cell (",
-                           result.min_cell_size,
-                           " m): it drops by about ",
-                           100. * drop,
-                           " % per halving; for a limit choose Contact/Load "
-                           "distribution = Hertz disc")};
+          return {
+            fmt::format("the peak force under a point load depends on the "
+                        "smallest cell ({}): it drops by about {} per "
+                        "halving; for a limit choose Contact/Load "
+                        "distribution = Hertz disc",
+                        about(result.min_cell_size, "m"),
+                        about_percentage(drop))};
         }
       const double halvings = std::log2(contact.patch_radius / radius);
       // a force grows at most like k^{2/5}
@@ -259,20 +242,19 @@ namespace PlateImpact
       const double change =
         drop_per_halving(parameters, section, peak) * halvings;
       if (std::abs(change) > 0.005)
-        return {sentence("Contact/Patch radius = ",
-                         contact.patch_radius,
-                         " m spreads the force over another area than "
-                         "the contact, whose radius is ",
-                         radius,
-                         " m: the peak force is ",
-                         // beyond the thickness bending adds to shear
-                         contact.patch_radius > parameters.plate.thickness ?
-                           "more than " :
-                           "about ",
-                         100. * std::abs(change),
-                         change > 0. ? " % too large" : " % too small",
-                         "; choose Contact/Patch radius = ",
-                         radius)};
+        return {
+          fmt::format("Contact/Patch radius = {} m spreads the force over "
+                      "another area than the contact, whose radius is {}: "
+                      "the peak force is {}{}{}; choose Contact/Patch "
+                      "radius = {}",
+                      about(contact.patch_radius),
+                      about(radius, "m"),
+                      contact.patch_radius > parameters.plate.thickness ?
+                        "more than " :
+                        "about ",
+                      about_percentage(std::abs(change)),
+                      change > 0. ? " too large" : " too small",
+                      about(radius))};
       return {};
     }
 
@@ -287,12 +269,11 @@ namespace PlateImpact
       std::vector<std::string> warnings;
       if (result.error && result.error->n_singular_cells > 0)
         warnings.push_back(
-          sentence("eta leaves out ",
-                   result.error->n_singular_cells,
-                   " cells nearer to the point load than half the thickness, "
-                   "where the exact energy is infinite; with them it is ",
-                   100. * result.error->eta_of_all_cells,
-                   " %"));
+          fmt::format("eta leaves out {} cells nearer to the point load "
+                      "than half the thickness, where the exact energy is "
+                      "infinite; with them it is {}",
+                      result.error->n_singular_cells,
+                      about_percentage(result.error->eta_of_all_cells)));
 
       // measured: 0.7 % too stiff with cells 60 times as long as thick, 26 %
       // with cells 600 times
@@ -301,11 +282,11 @@ namespace PlateImpact
         parameters.plate.thickness;
       if (parameters.discretization.element == ElementType::serendipity &&
           slenderness > 60.)
-        warnings.push_back(sentence(
-          "the serendipity element locks in cells as long as ",
-          slenderness,
-          " thicknesses; choose Discretization/Element = MITC9 or cells below "
-          "60 thicknesses"));
+        warnings.push_back(
+          fmt::format("the serendipity element locks in cells as long as {} "
+                      "thicknesses; choose Discretization/Element = MITC9 "
+                      "or cells below 60 thicknesses",
+                      about(slenderness)));
       return warnings;
     }
 
@@ -318,13 +299,12 @@ namespace PlateImpact
       const double             thickness = parameters.plate.thickness,
                    deflection = result.history->max_plate_displacement();
       if (deflection > 0.2 * thickness)
-        warnings.push_back(sentence(
-          "the plate deflects by ",
-          deflection,
-          " m, ",
-          deflection / thickness,
-          " of its thickness: beyond 0.2 it stiffens by membrane forces, "
-          "which a linear plate does not have"));
+        warnings.push_back(
+          fmt::format("the plate deflects by {}, {} of its thickness: "
+                      "beyond 0.2 it stiffens by membrane forces, which a "
+                      "linear plate does not have",
+                      about(deflection, "m"),
+                      about(deflection / thickness)));
 
       // Full plasticity begins at three times the yield strength, which is at
       // most a hundredth of Young's modulus (Johnson, Contact Mechanics,
@@ -343,29 +323,25 @@ namespace PlateImpact
                            parameters.impactor.poissons_ratio) < 0.45;
       const double pressure = hertz_pressure(parameters, peak);
       if (yields && pressure > 0.03 * softer)
-        warnings.push_back(sentence(
-          "the contact pressure reaches ",
-          pressure,
-          " Pa, ",
-          pressure / softer,
-          " of Young's modulus: no metal stays elastic beyond 0.03; the "
-          "force is an upper bound"));
+        warnings.push_back(
+          fmt::format("the contact pressure reaches {}, {} of Young's "
+                      "modulus: no metal stays elastic beyond 0.03; the "
+                      "force is an upper bound",
+                      about(pressure, "Pa"),
+                      about(pressure / softer)));
       if (peak.indentation > 0.1 * parameters.impactor.radius)
         warnings.push_back(
-          sentence("the indentation reaches ",
-                   peak.indentation / parameters.impactor.radius,
-                   " of the impactor's radius: the laws of contact are for "
-                   "less than 0.1"));
+          fmt::format("the indentation reaches {} of the impactor's radius: "
+                      "the laws of contact are for less than 0.1",
+                      about(peak.indentation / parameters.impactor.radius)));
       const double half_width = radius_at(parameters, peak);
       if (parameters.impactor.is_cylinder() &&
           half_width > 0.25 * parameters.impactor.length)
         warnings.push_back(
-          sentence("the contact is ",
-                   2. * half_width,
-                   " m wide and ",
-                   parameters.impactor.length,
-                   " m long: the law of a line contact is for one much longer "
-                   "than wide"));
+          fmt::format("the contact is {} wide and {} long: the law of a "
+                      "line contact is for one much longer than wide",
+                      about(2. * half_width, "m"),
+                      about(parameters.impactor.length, "m")));
       return warnings;
     }
   } // namespace

@@ -22,8 +22,8 @@ namespace PlateImpact
                                    Cycle            &cycle,
                                    const Progress   &progress)
     : parameters(parameters)
-    , result(cycle.result)
     , cycle(cycle)
+    , result(cycle.result)
     , progress(progress)
   {}
 
@@ -44,13 +44,15 @@ namespace PlateImpact
         std::clamp(most_frame_unknowns / result.degrees_of_freedom, 8u, 48u);
     if (parameters.needs_estimator())
       {
-        estimator = make_error_estimator(parameters,
-                                         cycle.discretization(),
-                                         cycle.recovery(),
-                                         parameters.output.write_report ?
-                                           samples_per_frame :
-                                           0);
-        buffer.emplace(stepped, *estimator, n_steps / sampling_interval + 1);
+        cycle.estimator = make_error_estimator(parameters,
+                                               cycle.discretization(),
+                                               cycle.recovery(),
+                                               parameters.output.write_report ?
+                                                 samples_per_frame :
+                                                 0);
+        buffer.emplace(stepped,
+                       *cycle.estimator,
+                       n_steps / sampling_interval + 1);
       }
     clock.charge(result.seconds.estimation);
   }
@@ -132,11 +134,7 @@ namespace PlateImpact
     if (!peak.empty())
       result.peak_state = unknowns_of(peak).front();
     if (buffer)
-      {
-        buffer->judge();
-        result.error                  = estimator->estimate();
-        result.work.estimator_samples = result.error->sample_times.size();
-      }
+      buffer->judge();
     clock.charge(result.seconds.estimation);
   }
 } // namespace PlateImpact

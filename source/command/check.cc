@@ -1,357 +1,186 @@
 #include "plate_impact/command/check.h"
 
-#include "plate_impact/analysis/cycle_result.h"
-#include "plate_impact/analysis/reliability.h"
-#include "plate_impact/contact/contact_law.h"
-#include "plate_impact/contact/impactor.h"
-#include "plate_impact/contact/zener.h"
-#include "plate_impact/plate/plate_mesh.h"
+#include "plate_impact/base/text.h"
+#include "plate_impact/command/expectation.h"
 #include "plate_impact/plate/plate_section.h"
 #include "plate_impact/scene/scene_reader.h"
 #include "plate_impact/scene/sweep_plan.h"
 #include "plate_impact/sweep/sweep_groups.h"
-#include "plate_impact/transient/struck_plate.h"
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
+#include <fmt/format.h>
 #include <ostream>
-#include <sstream>
 
 namespace PlateImpact
 {
   namespace
   {
-    /// A line of the page: a name and the parts of its sentence.
-    template <typename... Parts>
-    void
-    print_line(std::ostream      &out,
-               const std::string &name,
-               const Parts &...parts)
+    using fmt::format;
+
+
+
+    /// What is printed, as it grows: nothing is said of a scene that fails.
+    class ExpectationText
     {
-      std::ostringstream text;
-      text.precision(3);
-      (text << ... << parts);
-      out << "  " << std::left << std::setw(22) << name << text.str() << '\n';
-    }
+    public:
+      explicit ExpectationText(const std::string &first_line)
+        : text(first_line + '\n')
+      {}
 
+      void
+      section(const std::string &title)
+      {
+        text += '\n' + title + '\n';
+      }
 
+      void
+      line(const std::string &name, const std::string &sentence)
+      {
+        text += format("  {:<22}{}\n", name, in_ascii(sentence));
+      }
 
-    /// Peak of the impact on a plate that does not move.
-    ExpectedPeak
-    rigid_plate_peak(const Parameters &parameters)
-    {
-      PlateSection immovable(parameters.plate);
-      immovable.mass *= 1e12;
-      return zener_peak(*make_contact_law(parameters),
-                        make_impactor(parameters.impactor),
-                        immovable);
-    }
+      void
+      warning(const std::string &sentence)
+      {
+        text += "  warning: " + in_ascii(sentence) + '\n';
+      }
 
-
-
-    /// The impact on a coarse mesh, in steps of 1/64 of the contact, up to its
-    /// end: where the contact outlasts what Zener's equation expects, end and
-    /// step are extended together.
-    CycleResult
-    coarse_impact(const Parameters &scene,
-                  const double      expected_contact_time,
-                  const double      wavelength)
-    {
-      Parameters parameters                   = scene;
-      parameters.discretization.initial_cells = {{8, 8}};
-      // Zener's equation, which knows short waves, is of no help for a cylinder
-      for (unsigned int d = 0; d < 2; ++d)
-        if (scene.impactor.is_cylinder())
-          parameters.discretization.initial_cells[d] =
-            static_cast<unsigned int>(
-              std::clamp(scene.plate.side_lengths[d] / wavelength + 1.,
-                         8.,
-                         32.));
-      parameters.discretization.element = ElementType::MITC9;
-      parameters.adaptivity.strategy    = AdaptationStrategy::none;
-      parameters.output.write_report    = false;
-      parameters.output.field_samples   = 0;
-      parameters.time.integrator        = IntegratorType::Ritz_vectors;
-      parameters.time.end_time          = 1.5 * expected_contact_time;
-      StruckPlate plate(
-        parameters.plate,
-        parameters.discretization,
-        make_plate_quadrant(parameters.plate,
-                            parameters.discretization.initial_cells));
-      CycleResult result;
-      result.cells         = plate.discretization().mesh().n_active_cells();
-      result.min_cell_size = smallest_cell_size(plate.discretization().mesh());
-      while (true)
-        {
-          parameters.time.time_step = parameters.time.end_time / 96.;
-          result.history            = plate.strike(parameters).history;
-          const bool is_long =
-            parameters.time.end_time > 1e6 * expected_contact_time;
-          if (result.history->first_contact_end() || is_long)
-            return result;
-          parameters.time.end_time *= 2.;
-        }
-    }
-
-
-
-    /// The impact as far as it is known before it is paid for.
-    struct Foreknown
-    {
-      ContactHistory        history; ///< up to the scene's end at most
-      std::optional<double> contact_end;
-      double                until;    ///< when what is known ends [s]
-      std::string           source;   ///< where it comes from
-      bool                  is_bound; ///< whether the true force is larger
+      std::string text;
     };
 
 
 
     void
-    print_impact(std::ostream       &out,
-                 const Parameters   &parameters,
-                 const Foreknown    &known,
-                 const ExpectedPeak &zener)
+    add_impact(ExpectationText   &text,
+               const Parameters  &parameters,
+               const Expectation &known)
     {
       const ContactState &peak = known.history.peak();
       if (known.is_bound)
         {
-          print_line(out,
-                     "peak force",
-                     "above ",
-                     peak.force,
-                     " N, ",
-                     known.source);
-          print_line(out, "contact time", "cannot be said for this plate");
+          text.line("peak force",
+                    format("above {}, {}",
+                           about(peak.force, "N"),
+                           known.source));
+          text.line("contact time", "cannot be said for this plate");
         }
       else
         {
-          print_line(out,
-                     "peak force",
-                     "about ",
-                     peak.force,
-                     " N at ",
-                     peak.time,
-                     " s, ",
-                     known.source);
-          print_line(out,
-                     "contact time",
-                     known.contact_end ? "about " : "more than ",
-                     known.contact_end.value_or(known.until),
-                     " s");
-          print_line(out,
-                     "indentation",
-                     "about ",
-                     peak.indentation,
-                     " m; deflection of the plate under the load ",
-                     known.history.max_plate_displacement(),
-                     " m");
+          text.line("peak force",
+                    format("about {} at {}, {}",
+                           about(peak.force, "N"),
+                           about(peak.time, "s"),
+                           known.source));
+          text.line("contact time",
+                    (known.contact_end ? "about " : "more than ") +
+                      about(known.contact_end.value_or(known.until), "s"));
+          text.line(
+            "indentation",
+            format("about {}; deflection of the plate under the load {}",
+                   about(peak.indentation, "m"),
+                   about(known.history.max_plate_displacement(), "m")));
         }
-      print_line(out,
-                 "infinite plate",
-                 zener.force,
-                 " N at ",
-                 zener.time,
-                 " s, by Zener's equation",
-                 parameters.impactor.is_cylinder() ?
-                   ", which strikes at a point" :
-                   "");
-      const ExpectedPeak rigid = rigid_plate_peak(parameters);
-      print_line(out,
-                 "half-space",
-                 rigid.force,
-                 " N at ",
-                 rigid.time,
-                 " s, on a plate that does not move: the upper bound of a "
-                 "single contact");
+      text.line("infinite plate",
+                format("{} at {}, by Zener's equation{}",
+                       about(known.zener.force, "N"),
+                       about(known.zener.time, "s"),
+                       parameters.impactor.is_cylinder() ?
+                         ", which strikes at a point" :
+                         ""));
+      text.line("half-space",
+                format("{} at {}, on a plate that does not move: the upper "
+                       "bound of a single contact",
+                       about(known.rigid.force, "N"),
+                       about(known.rigid.time, "s")));
       if (parameters.contact.patch_radius > 0.)
-        print_line(out,
-                   "load",
-                   word_for(parameters.contact.load_distribution),
-                   " of ",
-                   parameters.contact.patch_radius,
-                   " m");
-    }
-
-
-
-    /// Shortest way from the load to an edge. [m]
-    double
-    distance_to_edge(const Parameters &parameters)
-    {
-      const auto  &sides   = parameters.plate.side_lengths;
-      const double patch   = parameters.contact.patch_radius;
-      const double along_x = parameters.contact.load_has_length() ?
-        0.5 * parameters.impactor.length :
-        patch;
-      return std::max(0.,
-                      std::min(0.5 * sides[0] - along_x,
-                               0.5 * sides[1] -
-                                 (parameters.contact.load_is_line() ? 0. :
-                                                                      patch)));
+        text.line("load",
+                  word_for(parameters.contact.load_distribution) + " of " +
+                    about(parameters.contact.patch_radius, "m"));
     }
 
 
 
     void
-    print_waves(std::ostream       &out,
-                const Parameters   &parameters,
-                const PlateSection &section,
-                const double        contact_time)
+    add_waves(ExpectationText   &text,
+              const Parameters  &parameters,
+              const Expectation &known)
     {
       const PlateParameters &plate = parameters.plate;
       const double           nu    = plate.poissons_ratio;
       // the fastest wave of a Reissner-Mindlin plate
       const double speed =
         std::sqrt(plate.youngs_modulus / (plate.density * (1. - nu * nu)));
-      print_line(out,
-                 "first reflection",
-                 "back at ",
-                 2. * distance_to_edge(parameters) / speed,
-                 " s; before, the supports do not matter");
+      text.line("first reflection",
+                format("back at {}; before, the supports do not matter",
+                       about(2. * distance_to_edge(parameters) / speed, "s")));
 
-      const double wavelength = contact_wave(section, contact_time).length;
-      const auto  &cells      = parameters.discretization.initial_cells;
-      const double h          = 0.5 *
+      const double wavelength =
+        contact_wave(PlateSection(plate),
+                     known.contact_end.value_or(2. * known.zener.time))
+          .length;
+      const auto  &cells = parameters.discretization.initial_cells;
+      const double h     = 0.5 *
         std::max(plate.side_lengths[0] / cells[0],
                  plate.side_lengths[1] / cells[1]);
-      print_line(out,
-                 "bending wavelength",
-                 wavelength,
-                 " m; initial cells of ",
-                 h,
-                 " m",
-                 h > 0.5 * wavelength ?
-                   " do not resolve it: more than one cycle "
-                   "is needed" :
-                   "");
+      text.line("bending wavelength",
+                format("{}; initial cells of {}{}",
+                       about(wavelength, "m"),
+                       about(h, "m"),
+                       h > 0.5 * wavelength ?
+                         " do not resolve it: more than one cycle is needed" :
+                         ""));
     }
 
 
 
     void
-    print_advice(std::ostream     &out,
-                 const Parameters &parameters,
-                 const Foreknown  &known)
+    add_frequencies(ExpectationText &text, const Parameters &parameters)
     {
+      const std::vector<double> frequencies = expected_frequencies(parameters);
+      const PrefixedUnit        unit("Hz", frequencies);
+      std::string               values;
+      for (const double frequency : frequencies)
+        values += (values.empty() ? "" : ", ") + about(unit(frequency));
+      text.line("natural frequencies",
+                values + ' ' + unit.name() +
+                  ", the lowest of those that an impact excites");
+    }
+
+
+
+    void
+    add_advice(ExpectationText    &text,
+               const Parameters   &parameters,
+               const Expectation  &known,
+               const ExpectedCost &cost)
+    {
+      if (known.is_bound)
+        return text.line("step, end time, cost",
+                         "cannot be said for this plate");
       const TimeParameters &time = parameters.time;
       const double          rise = known.history.peak().time;
-      print_line(out,
-                 "Time/Time step",
-                 "at most ",
-                 0.04 * rise,
-                 " s for 0.1 %, or 0; the scene's ",
-                 time.time_step,
-                 " s is ",
-                 rise / time.time_step,
-                 " steps to the peak");
-      if (known.contact_end)
-        print_line(out,
-                   "Time/End time",
-                   "about ",
-                   1.1 * *known.contact_end,
-                   " s covers the first contact; the scene's is ",
-                   time.end_time,
-                   " s");
-      else
-        print_line(out,
-                   "Time/End time",
-                   "about ",
-                   2. * rise,
-                   " s covers the peak; the scene's is ",
-                   time.end_time,
-                   " s");
+      text.line("Time/Time step",
+                format("at most {} s for 0.1 %, or 0; the scene's {} s is {} "
+                       "steps to the peak",
+                       about(0.04 * rise),
+                       about(time.time_step),
+                       about(rise / time.time_step)));
+      text.line("Time/End time",
+                format("about {} s covers the {}; the scene's is {} s",
+                       about(known.contact_end ? 1.1 * *known.contact_end :
+                                                 2. * rise),
+                       known.contact_end ? "first contact" : "peak",
+                       about(time.end_time)));
       if (parameters.contact.load_is_singular())
-        print_line(out,
-                   "Contact",
-                   "under a point load the peak force has no limit under "
-                   "refinement; choose Hertz disc");
-    }
-
-
-
-    struct Cost
-    {
-      double cells, unknowns, cycles, steps;
-      double seconds_of_cycle;
-    };
-
-
-
-    /// Cells that follow the waves which a contact sends out, to an error eta:
-    /// measured on plates of a/t from 200 to 500, 20 on the square of a
-    /// wavelength for 5 %; as the error falls with the square of their size, so
-    /// grows their number. Waves of nine times the frequency run ahead.
-    double
-    cells_for_waves(const Parameters &parameters, const BendingWave &wave)
-    {
-      const auto  &sides = parameters.plate.side_lengths;
-      const double reach = 3. * wave.group_speed * parameters.time.end_time;
-      const double area  = std::min(0.25 * sides[0] * sides[1],
-                                   0.25 * std::acos(-1.) * reach * reach);
-      return 20. * area / (wave.length * wave.length) * 0.05 /
-        parameters.adaptivity.target_error;
-    }
-
-
-
-    /// Cells and seconds from what scenes of prm/ take: eta falls with the
-    /// number of cells, which are spread over the levels of the refinement and
-    /// follow the waves.
-    Cost
-    cost_of_run(const Parameters &parameters, const BendingWave &wave)
-    {
-      const AdaptivityParameters &adaptivity = parameters.adaptivity;
-      const auto  &cells   = parameters.discretization.initial_cells;
-      const auto  &sides   = parameters.plate.side_lengths;
-      const double initial = static_cast<double>(cells[0]) * cells[1];
-      const double h = 0.5 * std::max(sides[0] / cells[0], sides[1] / cells[1]);
-      Cost         cost;
-      cost.cells  = initial;
-      cost.cycles = 1.;
-      if (adaptivity.is_adaptive())
-        {
-          const double halvings = h / adaptivity.minimum_cell_size;
-          cost.cells            = std::clamp(18. * std::log2(halvings) * 0.05 /
-                                      adaptivity.target_error +
-                                    cells_for_waves(parameters, wave),
-                                  initial,
-                                  initial * halvings * halvings);
-          cost.cells  = std::min(cost.cells, 1. * adaptivity.maximum_cells);
-          cost.cycles = std::min(5., double(adaptivity.maximum_cycles));
-        }
-      cost.unknowns = 12. * cost.cells;
-      cost.steps    = parameters.time.end_time / parameters.time.time_step;
-      const bool is_reduced =
-        parameters.time.integrator == IntegratorType::Ritz_vectors;
-      cost.seconds_of_cycle = cost.unknowns * 5e-5 +
-        cost.steps * (is_reduced ? 1e-6 : cost.unknowns * 2e-7);
-      return cost;
-    }
-
-
-
-    void
-    print_cost(std::ostream &out, const Cost &cost)
-    {
-      print_line(out,
-                 "cost",
-                 "of the order of ",
-                 cost.cells,
-                 " cells, ",
-                 cost.unknowns,
-                 " unknowns, ",
-                 0.2 + cost.cycles * cost.seconds_of_cycle,
-                 " s");
-    }
-
-
-
-    std::string
-    counted(const std::size_t n, const std::string &noun)
-    {
-      return std::to_string(n) + ' ' + noun + (n == 1 ? "" : "s");
+        text.line("Contact",
+                  "under a point load the peak force has no limit under "
+                  "refinement; choose Hertz disc");
+      text.line("cost",
+                format("of the order of {} cells, {} unknowns, {} s",
+                       about(cost.cells),
+                       about(cost.unknowns),
+                       about(cost.seconds())));
     }
 
 
@@ -373,12 +202,31 @@ namespace PlateImpact
 
 
 
-    /// What `plate-impact sweep` makes of the scene's section Sweep; seconds
-    /// from what sweeps of the main scene take.
-    void
-    print_sweep(std::ostream &out, const Scene &scene, const Cost &cost)
+    /// Seconds from what sweeps of the main scene take.
+    double
+    seconds_of_sweep(const Parameters   &given,
+                     const ExpectedCost &cost,
+                     const double        n_plates,
+                     const double        n_loads,
+                     const double        n_points)
     {
-      const Parameters &given = scene.given;
+      const bool on_the_mesh = given.time.integrator == IntegratorType::Newmark;
+      const double of_load =
+        cost.unknowns * (on_the_mesh ? 1e-7 * cost.steps : 1e-5);
+      const double of_point = cost.steps * (on_the_mesh ? 1e-6 : 2e-6) +
+        (given.sweep.estimate_error ? cost.seconds_of_cycle : 0.);
+      return 0.2 + n_plates * cost.cycles * cost.seconds_of_cycle +
+        n_loads * of_load + n_points * of_point;
+    }
+
+
+
+    /// What `plate-impact sweep` makes of the scene's section Sweep.
+    void
+    add_sweep(ExpectationText    &text,
+              const Parameters   &given,
+              const ExpectedCost &cost)
+    {
       const SweepPlan   plan(SceneReader().schema, given.sweep);
       const std::size_t n_points = plan.n_points();
       if (n_points == 0)
@@ -401,27 +249,22 @@ namespace PlateImpact
       std::string names;
       for (const SweptEntry &entry : plan.entries())
         names += (names.empty() ? "" : ", ") + entry.path;
-      out << "\nSweep\n";
-      print_line(out, "points", counted(n_points, "impact"), " of ", names);
-      print_line(out,
-                 "models",
-                 counted(n_plates, "plate"),
-                 is_adaptive ? " on adapted meshes, " : ", ",
-                 has_own_loads || reason.empty() ? "" : "up to ",
-                 counted(n_loads, "response"),
-                 " to a load",
-                 !has_own_meshes && n_loads > groups.n_loads() ? ": " + reason +
-                     "; " + std::to_string(groups.n_loads()) + " would do" :
-                                                                 "");
-      const bool is_reduced =
-        given.time.integrator == IntegratorType::Ritz_vectors;
-      const double seconds = 0.2 +
-        n_plates * cost.cycles * cost.seconds_of_cycle +
-        n_loads * cost.unknowns * (is_reduced ? 1e-5 : 1e-7 * cost.steps) +
-        n_points *
-          (cost.steps * (is_reduced ? 2e-6 : 1e-6) +
-           (given.sweep.estimate_error ? cost.seconds_of_cycle : 0.));
-      print_line(out, "cost", "of the order of ", seconds, " s");
+      text.section("Sweep");
+      text.line("points", counted(n_points, "impact") + " of " + names);
+      text.line("models",
+                format("{}{}{}{} to a load{}",
+                       counted(n_plates, "plate"),
+                       is_adaptive ? " on adapted meshes, " : ", ",
+                       has_own_loads || reason.empty() ? "" : "up to ",
+                       counted(n_loads, "response"),
+                       !has_own_meshes && n_loads > groups.n_loads() ?
+                         format(": {}; {} would do", reason, groups.n_loads()) :
+                         ""));
+      text.line(
+        "cost",
+        format("of the order of {} s",
+               about(
+                 seconds_of_sweep(given, cost, n_plates, n_loads, n_points))));
     }
   } // namespace
 
@@ -430,71 +273,28 @@ namespace PlateImpact
   void
   print_expectation(std::ostream &out, const Scene &scene)
   {
-    const Parameters  &parameters = scene.parameters;
-    std::ostringstream page;
-    page << scene.name << " is a valid scene.\n";
+    const Parameters &parameters = scene.parameters;
+    ExpectationText   text(scene.name + " is a valid scene.");
     if (parameters.has_impactor())
       {
-        const PlateSection section(parameters.plate);
-        const auto         law = make_contact_law(parameters);
-        const ExpectedPeak zener =
-          zener_peak(*law, make_impactor(parameters.impactor), section);
-        // the wave that an infinite plate would carry
-        const BendingWave wave = contact_wave(section, 2. * zener.time);
-        CycleResult       impact =
-          coarse_impact(parameters, 2. * zener.time, wave.length);
-        const bool is_resolved = impact.min_cell_size < 0.5 * wave.length;
-        double     until       = impact.history->states().back().time;
-        std::optional<double> contact_end = impact.history->first_contact_end();
-        if (!is_resolved)
-          {
-            const auto history = [&](const double end) {
-              return zener_history(*law,
-                                   make_impactor(parameters.impactor),
-                                   section,
-                                   end);
-            };
-            // when waves are back from the edges
-            until       = 2. * distance_to_edge(parameters) / wave.group_speed;
-            contact_end = history(until).first_contact_end();
-            impact.history = history(std::min(until, parameters.time.end_time));
-          }
-        const bool        is_cylinder = parameters.impactor.is_cylinder();
-        const std::string source      = is_resolved ?
-               "on a coarse mesh of " + std::to_string(impact.cells) + " cells" :
-               "on an infinite plate: its waves are too short for a coarse mesh";
-        const Foreknown   known       = {*impact.history,
-                                         contact_end,
-                                         until,
-                                         source,
-                                         is_cylinder && !is_resolved};
-
-        page << "\nExpected\n";
-        print_impact(page, parameters, known, zener);
-        print_waves(page,
-                    parameters,
-                    section,
-                    contact_end.value_or(2. * zener.time));
-        page << "\nAdvice\n";
-        const Cost cost = cost_of_run(parameters, wave);
-        if (known.is_bound)
-          print_line(page,
-                     "step, end time, cost",
-                     "cannot be said for this plate");
-        else
-          {
-            print_advice(page, parameters, known);
-            print_cost(page, cost);
-          }
-        print_sweep(page, scene, cost);
-        impact.min_cell_size = parameters.adaptivity.minimum_cell_size;
-        if (!known.is_bound)
-          for (const std::string &warning : model_warnings(parameters, impact))
-            page << "  warning: " << warning << '\n';
+        const Expectation  known(parameters);
+        const ExpectedCost cost(parameters, known.wave);
+        text.section("Expected");
+        add_impact(text, parameters, known);
+        add_waves(text, parameters, known);
+        add_frequencies(text, parameters);
+        text.section("Advice");
+        add_advice(text, parameters, known, cost);
+        add_sweep(text, scene.given, cost);
+        for (const std::string &warning : known.warnings)
+          text.warning(warning);
       }
     else
-      page << "There is no impactor: the plate stays at rest.\n";
-    // nothing is said of a scene that fails
-    out << page.str();
+      {
+        text.text += "There is no impactor: the plate stays at rest.\n";
+        text.section("Expected");
+        add_frequencies(text, parameters);
+      }
+    out << text.text;
   }
 } // namespace PlateImpact

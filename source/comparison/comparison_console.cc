@@ -1,6 +1,6 @@
 #include "plate_impact/comparison/comparison_console.h"
 
-#include "plate_impact/base/columns.h"
+#include "plate_impact/base/text.h"
 
 #include <algorithm>
 #include <csignal>
@@ -43,14 +43,12 @@ namespace PlateImpact
     if (quiet)
       return;
     progress.clear();
-    std::cout << "Reference   " << formatted("%.6g", reference.peak_force)
-              << " N";
+    std::cout << "Reference   " << number(reference.peak_force) << " N";
     if (reference.history)
-      std::cout << ", uncertain by "
-                << formatted("%.2g", 100. * reference.uncertainty)
-                << " %: " << reference.cells
-                << " cells, eta = " << formatted("%.2g", 100. * *reference.eta)
-                << " %, " << formatted("%.2f", reference.seconds) << " s";
+      std::cout << ", uncertain by " << about_percentage(reference.uncertainty)
+                << ": " << reference.cells
+                << " cells, eta = " << about_percentage(*reference.eta) << ", "
+                << wall_time(reference.seconds);
     else
       std::cout << ", given";
     std::cout
@@ -70,15 +68,16 @@ namespace PlateImpact
     const ComparedMesh &mesh = curve.meshes.back();
     std::cout << ' ' << left(16, word_for(curve.strategy))
               << left(12, word_for(curve.element))
-              << column(7, "%.0f", mesh.cycle) << column(11, "%.0f", mesh.cells)
-              << column(11, "%.0f", mesh.degrees_of_freedom)
-              << column(10, "%.2f", 100. * mesh.eta)
-              << column(14, "%.6g", mesh.peak_force)
+              << column(7, "{:.0f}", mesh.cycle)
+              << column(11, "{:.0f}", mesh.cells)
+              << column(11, "{:.0f}", mesh.degrees_of_freedom)
+              << column(10, "{:.2f}", 100. * mesh.eta)
+              << column(14, "{:.6g}", mesh.peak_force)
               << column(10,
-                        mesh.is_comparable ? "%.4f" : "(%.4f)",
+                        mesh.is_comparable ? "{:.4f}" : "({:.4f})",
                         100. * mesh.peak_force_error)
-              << column(10, "%.2f", mesh.seconds)
-              << column(10, "%.2f", mesh.cumulative_seconds) << std::endl;
+              << column(10, "{:.2f}", mesh.seconds)
+              << column(10, "{:.2f}", mesh.cumulative_seconds) << std::endl;
   }
 
 
@@ -104,8 +103,8 @@ namespace PlateImpact
         for (const ThresholdRow &row : rows)
           {
             std::cout << "\n"
-                      << row.quantity() << " of "
-                      << formatted("%g", 100. * row.threshold) << " %\n";
+                      << row.quantity() << " of " << percentage(row.threshold)
+                      << "\n";
             if (!row.is_comparable)
               std::cout << " not compared: the reference is not known that "
                            "well\n";
@@ -122,10 +121,11 @@ namespace PlateImpact
                 std::cout << ' '
                           << left(16, word_for(achievement.curve->strategy))
                           << left(12, word_for(achievement.curve->element))
-                          << column(8, "%.0f", mesh.cells) << " cells"
-                          << column(10, "%.2f", mesh.cumulative_seconds) << " s"
+                          << column(8, "{:.0f}", mesh.cells) << " cells"
+                          << column(10, "{:.2f}", mesh.cumulative_seconds)
+                          << " s"
                           << column(10,
-                                    "%.1f",
+                                    "{:.1f}",
                                     mesh.cumulative_seconds / fastest)
                           << " times the fastest\n";
               }

@@ -24,8 +24,11 @@ namespace PlateImpact
   bool
   HalvedTargets::tighten()
   {
+    if (n_halvings == most_halvings)
+      return false;
+    ++n_halvings;
     target *= 0.5;
-    return ++n_halvings < most_halvings;
+    return true;
   }
 
 

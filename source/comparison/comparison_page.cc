@@ -1,44 +1,14 @@
 #include "plate_impact/comparison/comparison_page.h"
 
-#include "plate_impact/base/columns.h"
-#include "plate_impact/base/prefixed_unit.h"
+#include "plate_impact/base/text.h"
 #include "plate_impact/base/version.h"
 #include "plate_impact/comparison/comparison_plots.h"
 
-#include <cstdio>
 
 namespace PlateImpact
 {
   namespace
   {
-    std::string
-    percentage(const double fraction)
-    {
-      char text[32];
-      std::snprintf(text, sizeof(text), "%.3g %%", 100. * fraction);
-      return text;
-    }
-
-
-
-    std::string
-    seconds(const double value)
-    {
-      char text[32];
-      std::snprintf(text, sizeof(text), "%.2f s", value);
-      return text;
-    }
-
-
-
-    std::string
-    name_of(const ComparisonCurve &curve)
-    {
-      return curve.name();
-    }
-
-
-
     /// A curve's cell in a table of thresholds.
     std::string
     achieved(const ThresholdRow &row, const ComparisonCurve &curve)
@@ -51,16 +21,11 @@ namespace PlateImpact
             const ComparedMesh &mesh = *achievement.mesh;
             const double        fastest =
               row.achievements.front().mesh->cumulative_seconds;
-            char times[32];
-            std::snprintf(times,
-                          sizeof(times),
-                          "%.3g",
-                          mesh.cumulative_seconds / fastest);
-            return seconds(mesh.cumulative_seconds) + ", " +
+            return wall_time(mesh.cumulative_seconds) + ", " +
               std::to_string(mesh.cells) + " cells" +
               (achievement.mesh == row.achievements.front().mesh ?
                  ", first" :
-                 std::string(", ") + times + " times");
+                 ", " + about(mesh.cumulative_seconds / fastest) + " times");
           }
       return "–";
     }
@@ -131,18 +96,19 @@ namespace PlateImpact
     std::vector<Fact> facts     = {
           {"Reference peak force",
            PrefixedUnit("N", reference.peak_force).text(reference.peak_force),
-       reference.history ? "uncertain by " + percentage(reference.uncertainty) +
-           ": " + std::to_string(reference.cells) +
-           " cells, η = " + percentage(*reference.eta) :
-                               "given by the scene"}};
+       reference.history ?
+             "uncertain by " + about_percentage(reference.uncertainty) + ": " +
+           std::to_string(reference.cells) +
+           " cells, η = " + about_percentage(*reference.eta) :
+             "given by the scene"}};
     const std::vector<ThresholdRow> rows = comparison.thresholds();
     for (const ThresholdRow &row : rows)
       if (!row.is_of_eta() && !row.achievements.empty() &&
           (row.threshold == 0.01 || row.threshold == 0.001))
         facts.push_back(
-          {"First at " + percentage(row.threshold),
-           name_of(*row.achievements.front().curve),
-           seconds(row.achievements.front().mesh->cumulative_seconds) + ", " +
+          {"First at " + about_percentage(row.threshold),
+           row.achievements.front().curve->name(),
+           wall_time(row.achievements.front().mesh->cumulative_seconds) + ", " +
              std::to_string(row.achievements.front().mesh->cells) + " cells"});
     page.facts(facts);
   }
@@ -166,11 +132,11 @@ namespace PlateImpact
           if (row.is_of_eta() == is_of_eta)
             {
               rows.push_back(row);
-              table.columns.push_back(percentage(row.threshold));
+              table.columns.push_back(about_percentage(row.threshold));
             }
         for (const ComparisonCurve &curve : comparison.curves())
           {
-            table.rows.push_back({name_of(curve)});
+            table.rows.push_back({curve.name()});
             for (const ThresholdRow &row : rows)
               table.rows.back().push_back(achieved(row, curve));
           }
@@ -191,7 +157,7 @@ namespace PlateImpact
       return;
     page.section("Meshes");
     page.paragraph("The first mesh of each curve whose η is at most " +
-                   percentage(scene.parameters.adaptivity.target_error) +
+                   about_percentage(scene.parameters.adaptivity.target_error) +
                    ", or its last that can be drawn. A quarter of the plate; "
                    "the impact is at the lower left corner.");
     page.meshes(pictures);
@@ -230,8 +196,8 @@ namespace PlateImpact
           table.rows.push_back({word_for(element),
                                 std::to_string(halved->cells),
                                 std::to_string(remeshed->cells),
-                                six_digits(100. * halved->eta),
-                                six_digits(100. * remeshed->eta)});
+                                number(100. * halved->eta),
+                                number(100. * remeshed->eta)});
       }
     page.paragraph(
       "Hanging nodes halve sizes: a cell that asks for a little less than its "
@@ -270,28 +236,27 @@ namespace PlateImpact
     for (const ComparisonCurve &curve : comparison.curves())
       for (const ComparedMesh &mesh : curve.meshes)
         {
-          const std::string error = six_digits(100. * mesh.peak_force_error);
+          const std::string error = number(100. * mesh.peak_force_error);
           table.rows.push_back(
-            {name_of(curve),
+            {curve.name(),
              std::to_string(mesh.cycle),
              std::to_string(mesh.cells),
              std::to_string(mesh.degrees_of_freedom),
-             six_digits(100. * mesh.eta),
-             six_digits(mesh.peak_force),
+             number(100. * mesh.eta),
+             number(mesh.peak_force),
              mesh.is_comparable ? error : "(" + error + ")",
-             mesh.contact_end_error ?
-               six_digits(100. * *mesh.contact_end_error) :
-               "–",
-             mesh.effectivity ? six_digits(*mesh.effectivity) : "–",
-             six_digits(mesh.seconds),
-             six_digits(mesh.cumulative_seconds)});
+             mesh.contact_end_error ? number(100. * *mesh.contact_end_error) :
+                                      "–",
+             mesh.effectivity ? number(*mesh.effectivity) : "–",
+             number(mesh.seconds),
+             number(mesh.cumulative_seconds)});
         }
     page.table(table);
     Table ends;
     ends.has_words = true;
     ends.columns   = {"Strategy and element", "Ends with"};
     for (const ComparisonCurve &curve : comparison.curves())
-      ends.rows.push_back({name_of(curve), curve.end});
+      ends.rows.push_back({curve.name(), curve.end});
     page.table(ends);
   }
 } // namespace PlateImpact

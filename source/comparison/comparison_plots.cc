@@ -1,6 +1,6 @@
 #include "plate_impact/comparison/comparison_plots.h"
 
-#include "plate_impact/base/prefixed_unit.h"
+#include "plate_impact/base/text.h"
 
 #include <algorithm>
 #include <limits>
@@ -147,7 +147,7 @@ namespace PlateImpact
   void
   ComparisonPlots::add_effectivity(Page &page) const
   {
-    if (!comparison.reference().true_error)
+    if (!comparison.reference().field_error)
       return;
     page.section("Effectivity of the estimator");
     page.paragraph("η over the error in energy against the reference, on "

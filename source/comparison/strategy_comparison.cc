@@ -4,6 +4,7 @@
 
 #include "plate_impact/analysis/impact_analysis.h"
 #include "plate_impact/base/exceptions.h"
+#include "plate_impact/base/text.h"
 #include "plate_impact/comparison/comparison_control.h"
 #include "plate_impact/page/mesh_picture.h"
 
@@ -115,7 +116,7 @@ namespace PlateImpact
     the_reference.peak_force = fine.history->peak().force;
     if (!(the_reference.peak_force > 0.))
       throw ComputationError("the peak force of the reference is " +
-                             std::to_string(the_reference.peak_force) +
+                             number(the_reference.peak_force) +
                              " N: there is nothing to compare with; choose a "
                              "longer Time/End time");
     // Ritz vectors have a tolerance of their own
@@ -130,7 +131,7 @@ namespace PlateImpact
     the_reference.degrees_of_freedom = fine.degrees_of_freedom;
     the_reference.seconds            = timer.wall_time();
     if (!parameters.contact.load_is_singular())
-      the_reference.true_error = std::make_shared<const ReferenceError>(
+      the_reference.field_error = std::make_shared<const ReferenceError>(
         analysis.last_cycle().discretization(),
         fine.snapshots);
     return the_reference;
@@ -252,9 +253,9 @@ namespace PlateImpact
     if (const auto end = result.history->first_contact_end();
         end && the_reference.contact_end)
       mesh.contact_end_error = std::abs(*end / *the_reference.contact_end - 1.);
-    if (the_reference.true_error && !is_close_to_reference(mesh.eta))
+    if (the_reference.field_error && !is_close_to_reference(mesh.eta))
       mesh.effectivity = mesh.eta /
-        the_reference.true_error->of(cycle.discretization(), result.snapshots);
+        the_reference.field_error->of(cycle.discretization(), result.snapshots);
     return mesh;
   }
 

@@ -17,14 +17,16 @@ namespace PlateImpact
   {
     /// Resultants at the quadrature points of a cell, 5 per point, by state.
     Eigen::MatrixXd
-    resultants(const PlateDiscretization &model,
+    resultants(const PlateDiscretization &discretization,
                const unsigned int         cell,
                const Eigen::MatrixXd     &states)
     {
       Eigen::MatrixXd values;
-      model.cell_values(cell, states, values);
-      Eigen::MatrixXd result = model.shape(cell).strains_at_quadrature * values;
-      const Eigen::Matrix<double, 5, 5> stiffness = model.section().stiffness();
+      discretization.cell_values(cell, states, values);
+      Eigen::MatrixXd result =
+        discretization.shape(cell).strains_at_quadrature * values;
+      const Eigen::Matrix<double, 5, 5> stiffness =
+        discretization.section().stiffness();
       for (Eigen::Index q = 0; q < result.rows(); q += 5)
         result.middleRows<5>(q) = (stiffness * result.middleRows<5>(q)).eval();
       return result;
@@ -119,15 +121,16 @@ namespace PlateImpact
 
 
   double
-  ReferenceError::of(const PlateDiscretization   &model,
+  ReferenceError::of(const PlateDiscretization   &discretization,
                      const std::vector<Snapshot> &snapshots) const
   {
     const Eigen::MatrixXd        states = columns(snapshots);
-    std::vector<Eigen::MatrixXd> of_cell(model.mesh().n_active_cells());
-    const GaussInterpolation     interpolation(
-      std::lround(std::sqrt(model.element().quadrature().size())));
-    const GridTools::Cache<2> cache(model.mesh());
-    auto                      hint = model.mesh().begin_active();
+    std::vector<Eigen::MatrixXd> of_cell(
+      discretization.mesh().n_active_cells());
+    const GaussInterpolation interpolation(
+      std::lround(std::sqrt(discretization.element().quadrature().size())));
+    const GridTools::Cache<2> cache(discretization.mesh());
+    auto                      hint = discretization.mesh().begin_active();
     Eigen::VectorXd           e2 = Eigen::VectorXd::Zero(times.size()), u2 = e2;
     for (unsigned int p = 0; p < points.size(); ++p)
       {
@@ -136,7 +139,8 @@ namespace PlateImpact
         hint                        = cell;
         Eigen::MatrixXd &cell_field = of_cell[cell->active_cell_index()];
         if (cell_field.size() == 0)
-          cell_field = resultants(model, cell->active_cell_index(), states);
+          cell_field =
+            resultants(discretization, cell->active_cell_index(), states);
         const Eigen::VectorXd shares = interpolation.weights(unit_point);
         Eigen::MatrixXd       field  = Eigen::MatrixXd::Zero(5, times.size());
         for (Eigen::Index q = 0; q < shares.size(); ++q)
@@ -145,8 +149,10 @@ namespace PlateImpact
           {
             const Resultants reference = exact.col(n).segment<5>(5 * p);
             const Resultants error     = reference - field.col(n);
-            e2[n] += weights[p] * model.section().energy_density(error);
-            u2[n] += weights[p] * model.section().energy_density(reference);
+            e2[n] +=
+              weights[p] * discretization.section().energy_density(error);
+            u2[n] +=
+              weights[p] * discretization.section().energy_density(reference);
           }
       }
     return integral_of_root(times, e2) / integral_of_root(times, u2);

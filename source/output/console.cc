@@ -1,6 +1,6 @@
 #include "plate_impact/output/console.h"
 
-#include "plate_impact/base/columns.h"
+#include "plate_impact/base/text.h"
 
 #include <csignal>
 #include <iostream>
@@ -8,21 +8,6 @@
 
 namespace PlateImpact
 {
-  namespace
-  {
-    /// In the letters that every terminal has.
-    std::string
-    in_ascii(std::string unit)
-    {
-      const std::string micro = "µ";
-      if (unit.compare(0, micro.size(), micro) == 0)
-        unit.replace(0, micro.size(), "u");
-      return unit;
-    }
-  } // namespace
-
-
-
   Console::Console(const bool quiet)
     : progress(quiet)
     , quiet(quiet)
@@ -72,13 +57,13 @@ namespace PlateImpact
         if (const auto end = result.history->first_contact_end())
           contact_end = time_unit(*end);
       }
-    std::cout << column(5, "%.0f", result.cycle)
-              << column(8, "%.0f", result.cells)
-              << column(9, "%.0f", result.degrees_of_freedom)
-              << column(8, "%.2f", eta) << column(8, "%.2f", xi)
-              << column(13, "%.6g", peak) << column(9, "%.4g", peak_time)
-              << column(9, "%.5g", contact_end)
-              << column(9, "%.2f", result.seconds.total()) << std::endl;
+    std::cout << column(5, "{:.0f}", result.cycle)
+              << column(8, "{:.0f}", result.cells)
+              << column(9, "{:.0f}", result.degrees_of_freedom)
+              << column(8, "{:.2f}", eta) << column(8, "{:.2f}", xi)
+              << column(13, "{:.6g}", peak) << column(9, "{:.4g}", peak_time)
+              << column(9, "{:.5g}", contact_end)
+              << column(9, "{:.2f}", result.seconds.total()) << std::endl;
   }
 
 
@@ -96,26 +81,22 @@ namespace PlateImpact
                                     is_success(outcome) ? Emphasis::good :
                                                           Emphasis::warning);
         if (last.error)
-          std::cout << ", eta " << formatted("%.6g", 100. * last.error->eta)
-                    << " % (target " << formatted("%.6g", 100. * target)
-                    << " %)";
+          std::cout << ", eta " << percentage(last.error->eta) << " (target "
+                    << percentage(target) << ')';
         if (last.error && last.error->eta <= target &&
             outcome != Outcome::target_reached &&
             last.over_limit->max_element() >= 1.)
-          std::cout << ", largest xi' "
-                    << formatted("%.3g", last.over_limit->max_element())
+          std::cout << ", largest xi' " << about(last.over_limit->max_element())
                     << " (limit 1)";
         if (last.cells_at_minimum_size > 0)
           std::cout << " (cells at the minimum size that keep xi' >= 1: "
                     << last.cells_at_minimum_size << ")";
         if (last.history)
           std::cout << "\nPeak force  "
-                    << out.emphasized(formatted("%.6g N",
-                                                last.history->peak().force),
+                    << out.emphasized(number(last.history->peak().force) + " N",
                                       Emphasis::bold)
                     << " at "
-                    << formatted("%.6g ", time_unit(last.history->peak().time))
-                    << in_ascii(time_unit.name());
+                    << in_ascii(time_unit.text(last.history->peak().time));
         std::cout << "\nResults     " << results << std::endl;
       }
     print_warnings(warnings);

@@ -1,7 +1,6 @@
 #include "plate_impact/output/cycle_plots.h"
 
-#include "plate_impact/base/columns.h"
-#include "plate_impact/base/prefixed_unit.h"
+#include "plate_impact/base/text.h"
 
 #include <cmath>
 
@@ -77,7 +76,7 @@ namespace PlateImpact
         table.rows.push_back(
           {quantity.name + (unit.empty() ? "" : " [" + unit + "]")});
         for (const double value : values)
-          table.rows.back().push_back(six_digits(value));
+          table.rows.back().push_back(number(value));
       }
     return table;
   }

@@ -49,7 +49,7 @@ namespace PlateImpact
     /// Indices of the deflection at the nodes of a cell, row by row, among its
     /// values.
     std::vector<unsigned int>
-    nodal_rows(const PlateDiscretization &model,
+    nodal_rows(const PlateDiscretization &discretization,
                const unsigned int         nodes_per_cell)
     {
       const std::vector<unsigned int> hierarchic =
@@ -59,7 +59,9 @@ namespace PlateImpact
         nodes[i] = nodes_per_cell == 4 ? i : hierarchic[i];
       for (unsigned int &node : nodes)
         node =
-          model.element().finite_element().component_to_system_index(0, node);
+          discretization.element().finite_element().component_to_system_index(
+            0,
+            node);
       return nodes;
     }
 
@@ -67,18 +69,19 @@ namespace PlateImpact
 
     /// Deflections of all cells in some states, one column each. [m]
     Eigen::MatrixXf
-    deflections(const PlateDiscretization           &model,
+    deflections(const PlateDiscretization           &discretization,
                 const std::vector<const Snapshot *> &frames,
                 const unsigned int                   nodes_per_cell)
     {
-      const std::vector<unsigned int> rows = nodal_rows(model, nodes_per_cell);
-      const unsigned int              n_cells = model.mesh().n_active_cells();
-      Eigen::MatrixXf result(n_cells * nodes_per_cell, frames.size());
-      Eigen::MatrixXd values;
+      const std::vector<unsigned int> rows =
+        nodal_rows(discretization, nodes_per_cell);
+      const unsigned int n_cells = discretization.mesh().n_active_cells();
+      Eigen::MatrixXf    result(n_cells * nodes_per_cell, frames.size());
+      Eigen::MatrixXd    values;
       for (std::size_t frame = 0; frame < frames.size(); ++frame)
         for (unsigned int cell = 0; cell < n_cells; ++cell)
           {
-            model.cell_values(cell, frames[frame]->unknowns, values);
+            discretization.cell_values(cell, frames[frame]->unknowns, values);
             for (unsigned int i = 0; i < nodes_per_cell; ++i)
               result(cell * nodes_per_cell + i, frame) = values(rows[i], 0);
           }
@@ -112,10 +115,11 @@ namespace PlateImpact
 
 
   nlohmann::ordered_json
-  deflection_film(const CycleResult &result, const PlateDiscretization &model)
+  deflection_film(const CycleResult         &result,
+                  const PlateDiscretization &discretization)
   {
-    const std::size_t              n_cells = model.mesh().n_active_cells();
-    const unsigned int             nodes_per_cell = n_cells > 1000 ? 4 : 9;
+    const std::size_t  n_cells        = discretization.mesh().n_active_cells();
+    const unsigned int nodes_per_cell = n_cells > 1000 ? 4 : 9;
     const std::vector<std::size_t> chosen =
       chosen_frames(result.frames.size(), n_cells * (nodes_per_cell + 1));
     if (chosen.empty() || !result.error)
@@ -130,8 +134,9 @@ namespace PlateImpact
     std::vector<const Snapshot *> frames;
     for (const std::size_t i : chosen)
       frames.push_back(&result.frames[i]);
-    const Eigen::MatrixXf w = deflections(model, frames, nodes_per_cell);
-    const double unit       = std::max(double(w.cwiseAbs().maxCoeff()) / 32767.,
+    const Eigen::MatrixXf w =
+      deflections(discretization, frames, nodes_per_cell);
+    const double unit = std::max(double(w.cwiseAbs().maxCoeff()) / 32767.,
                                  std::numeric_limits<double>::min());
 
     const auto &states  = result.history->states();
@@ -165,7 +170,7 @@ namespace PlateImpact
             {"times", times},
             {"forces", forces},
             {"errors", errors},
-            {"corners", base64(corners(model.mesh()))},
+            {"corners", base64(corners(discretization.mesh()))},
             {"deflectionUnit", unit},
             {"deflections", base64(deflection)},
             {"cellErrors", base64(cell_errors)}};

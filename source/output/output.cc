@@ -7,6 +7,7 @@
 #include "plate_impact/adaptation/mesh_adaptation.h"
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/stage_clock.h"
+#include "plate_impact/base/text.h"
 #include "plate_impact/base/version.h"
 #include "plate_impact/output/deflection_film.h"
 #include "plate_impact/page/mesh_picture.h"
@@ -14,8 +15,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <limits>
-#include <sstream>
 
 namespace PlateImpact
 {
@@ -54,10 +55,8 @@ namespace PlateImpact
       };
       if (std::all_of(fields.begin(), fields.end(), fits))
         return;
-      std::ostringstream text;
-      text << "the fields at t = " << time
-           << " s hold values beyond the numbers of a file";
-      throw ComputationError(text.str());
+      throw ComputationError("the fields at t = " + number(time, "s") +
+                             " hold values beyond the numbers of a file");
     }
 
 
@@ -65,13 +64,11 @@ namespace PlateImpact
     std::string
     caption_of(const CycleResult &result)
     {
-      std::ostringstream text;
-      text.precision(3);
-      text << "Cycle " << result.cycle << ": " << result.cells << " cells";
-      if (result.error)
-        text << ", eta = " << 100. * result.error->eta << " %";
-      text << ". Impact at the lower left corner.";
-      return text.str();
+      return fmt::format(
+        "Cycle {}: {} cells{}. Impact at the lower left corner.",
+        result.cycle,
+        result.cells,
+        result.error ? ", eta = " + about_percentage(result.error->eta) : "");
     }
 
 
@@ -127,6 +124,8 @@ namespace PlateImpact
                            {"estimator_samples", result.work.estimator_samples},
                            {"ritz_vectors", result.work.ritz_vectors}};
         }
+      if (!result.natural_frequencies.empty())
+        cycle["natural_frequencies"] = result.natural_frequencies;
       const Seconds &s = result.seconds;
       cycle["seconds"] = {{"mesh", s.mesh},
                           {"assembly", s.assembly},
@@ -315,6 +314,8 @@ namespace PlateImpact
     StageClock clock;
     if (!last.result.snapshots.empty())
       write_fields(last);
+    last.result.natural_frequencies = last.plate.natural_frequencies(
+      scene.parameters.output.natural_frequencies);
     clock.charge(last.result.seconds.output);
     cycles.back() = to_json(last.result);
     const nlohmann::ordered_json summary =

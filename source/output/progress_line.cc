@@ -1,6 +1,6 @@
 #include "plate_impact/output/progress_line.h"
 
-#include "plate_impact/base/columns.h"
+#include "plate_impact/base/text.h"
 
 #include <iostream>
 #include <unistd.h>
@@ -39,7 +39,7 @@ namespace PlateImpact
     last                                        = now;
     has_text                                    = true;
     const std::chrono::duration<double> elapsed = now - begin_of_transient;
-    std::cout << "\r\033[K" << column(5, "%.0f", cycle) << "  step " << step
+    std::cout << "\r\033[K" << column(5, "{:.0f}", cycle) << "  step " << step
               << " of " << n_steps << ", "
               << waiting_time(elapsed.count() * (n_steps - step) / step)
               << " left" << std::flush;

@@ -1,7 +1,6 @@
 #include "plate_impact/output/report.h"
 
-#include "plate_impact/base/columns.h"
-#include "plate_impact/base/prefixed_unit.h"
+#include "plate_impact/base/text.h"
 #include "plate_impact/base/version.h"
 #include "plate_impact/output/cycle_plots.h"
 #include "plate_impact/output/run_in_words.h"
@@ -290,7 +289,7 @@ namespace PlateImpact
     std::string title = "Cycle " + std::to_string(result.cycle) + ": " +
       std::to_string(result.cells) + " cells";
     if (result.error)
-      title += ", η = " + six_digits(100. * result.error->eta) + " %";
+      title += ", η = " + number(100. * result.error->eta) + " %";
     MeshPicture mesh{title, result.cells, {}, {}};
     if (result.cells <= max_pictured_cells)
       {

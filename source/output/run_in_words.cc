@@ -1,7 +1,6 @@
 #include "plate_impact/output/run_in_words.h"
 
-#include "plate_impact/base/columns.h"
-#include "plate_impact/base/prefixed_unit.h"
+#include "plate_impact/base/text.h"
 #include "plate_impact/contact/contact_law.h"
 #include "plate_impact/contact/impactor.h"
 #include "plate_impact/contact/zener.h"
@@ -9,29 +8,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <fmt/format.h>
 
 namespace PlateImpact
 {
   namespace
   {
     using Json = nlohmann::ordered_json;
-
-
-
-    std::string
-    percentage(const double fraction)
-    {
-      return six_digits(100. * fraction) + " %";
-    }
-
-
-
-    std::string
-    with_unit(const double value, const std::string &unit)
-    {
-      return PrefixedUnit(unit, value).text(value);
-    }
 
 
 
@@ -44,15 +27,13 @@ namespace PlateImpact
                    make_impactor(parameters.impactor),
                    PlateSection(parameters.plate));
       const double deviation = peak_force / expected.force - 1.;
-      char         text[32];
-      std::snprintf(text, sizeof(text), "%+.2f %%", 100. * deviation);
       return {"Zener's infinite thin plate",
-              with_unit(expected.force, "N"),
-              "at " + with_unit(expected.time, "s") +
+              number(expected.force, "N"),
+              "at " + number(expected.time, "s") +
                 (parameters.impactor.is_cylinder() ?
                    ", struck at a point: a lower bound for a cylinder; ours: " :
                    "; ours: ") +
-                text};
+                fmt::format("{:+.2f} %", 100. * deviation)};
     }
   } // namespace
 
@@ -70,7 +51,7 @@ namespace PlateImpact
     if (plate.support.size() > 1 && plate.support[1] != plate.support[0])
       support += " (x edges) and " + word_for(plate.support[1]) + " (y edges)";
     const std::string target = "plate of " +
-      six_digits(side(plate.side_lengths[0])) + " × " +
+      number(side(plate.side_lengths[0])) + " × " +
       side.text(plate.side_lengths[1]) + ", " +
       thickness.text(plate.thickness) + " thick, " + support;
     if (!parameters.has_impactor())
@@ -79,9 +60,9 @@ namespace PlateImpact
     const ImpactorParameters &impactor = parameters.impactor;
     // masses in grams below one kilogram
     return "A " + word_for(impactor.shape) + " of radius " +
-      with_unit(impactor.radius, "m") + " and mass " +
-      with_unit(1e3 * impactor.mass, "g") + " strikes the middle of a " +
-      target + ", at " + with_unit(impactor.velocity, "m/s") + ".";
+      number(impactor.radius, "m") + " and mass " +
+      number(1e3 * impactor.mass, "g") + " strikes the middle of a " + target +
+      ", at " + number(impactor.velocity, "m/s") + ".";
   }
 
 
@@ -91,42 +72,39 @@ namespace PlateImpact
   {
     const Json       &last = summary["cycles"].back();
     std::vector<Fact> facts;
-    const auto        number = [&last](const char *key) {
+    const auto        value = [&last](const char *key) {
       return last[key].get<double>();
     };
     if (last.contains("peak_force"))
       {
         facts.push_back({"Peak force",
-                         six_digits(number("peak_force")) + " N",
-                         "at " + with_unit(number("time_of_peak_force"), "s")});
-        facts.push_back(zener_fact(parameters, number("peak_force")));
+                         number(value("peak_force")) + " N",
+                         "at " + number(value("time_of_peak_force"), "s")});
+        facts.push_back(zener_fact(parameters, value("peak_force")));
         if (last.contains("first_contact_end"))
-          facts.push_back(
-            {"First contact ends",
-             with_unit(number("first_contact_end"), "s"),
-             "contacts: " + six_digits(number("number_of_contacts"))});
+          facts.push_back({"First contact ends",
+                           number(value("first_contact_end"), "s"),
+                           "contacts: " + number(value("number_of_contacts"))});
         facts.push_back({"Impactor at the end",
-                         with_unit(number("final_impactor_velocity"), "m/s"),
+                         number(value("final_impactor_velocity"), "m/s"),
                          "positive towards the plate; impulse " +
-                           with_unit(number("impulse"), "N s")});
-        facts.push_back(
-          {"Largest displacement under the load",
-           with_unit(number("max_plate_displacement"), "m"),
-           "at the peak force " +
-             with_unit(number("plate_displacement_at_peak"), "m")});
+                           number(value("impulse"), "N s")});
+        facts.push_back({"Largest displacement under the load",
+                         number(value("max_plate_displacement"), "m"),
+                         "at the peak force " +
+                           number(value("plate_displacement_at_peak"), "m")});
       }
     if (last.contains("discretization_error"))
-      facts.push_back(
-        {"Discretization error η",
-         percentage(number("discretization_error")),
-         "target " + percentage(parameters.adaptivity.target_error) +
-           "; largest ξ′ " + six_digits(number("max_element_error"))});
-    facts.push_back(
-      {"Outcome",
-       summary["outcome"].get<std::string>(),
-       "cycles: " + std::to_string(summary["cycles"].size()) +
-         ", cells: " + six_digits(number("cells")) +
-         ", unknowns: " + six_digits(number("degrees_of_freedom"))});
+      facts.push_back({"Discretization error η",
+                       percentage(value("discretization_error")),
+                       "target " +
+                         percentage(parameters.adaptivity.target_error) +
+                         "; largest ξ′ " + number(value("max_element_error"))});
+    facts.push_back({"Outcome",
+                     summary["outcome"].get<std::string>(),
+                     "cycles: " + std::to_string(summary["cycles"].size()) +
+                       ", cells: " + number(value("cells")) +
+                       ", unknowns: " + number(value("degrees_of_freedom"))});
     return facts;
   }
 
@@ -145,7 +123,7 @@ namespace PlateImpact
           percentage(parameters.adaptivity.target_error) +
           "; the peak force is usually far more accurate.";
         if (last.contains("singular_cells"))
-          text += " Without " + six_digits(last["singular_cells"]) +
+          text += " Without " + number(last["singular_cells"]) +
             " cells at the point load; with them " +
             percentage(last["discretization_error_of_all_cells"]) + ".";
         table.rows.push_back({"Mesh: estimated error", text});
@@ -156,16 +134,16 @@ namespace PlateImpact
         const double change = last["peak_force"].get<double>() / before - 1.;
         table.rows.push_back(
           {"Mesh: change in the last cycle",
-           percentage(change) + " (from " + six_digits(before) + " N)"});
+           percentage(change) + " (from " + number(before) + " N)"});
       }
     table.rows.push_back(
       {"Time step",
-       with_unit(parameters.time.time_step, "s") + ", " +
-         six_digits(last["steps"]) + " steps" +
+       number(parameters.time.time_step, "s") + ", " + number(last["steps"]) +
+         " steps" +
          (last.contains("time_error") ? "; estimated error of the peak force " +
               percentage(last["time_error"]) :
                                         "") +
-         "; energy drift " + six_digits(last["relative_energy_drift"]) +
+         "; energy drift " + number(last["relative_energy_drift"]) +
          (last.contains("first_contact_end") ? "; " +
               std::to_string(std::lround(
                 last["first_contact_end"].get<double>() /
@@ -179,10 +157,10 @@ namespace PlateImpact
     else if (contact.has_patch())
       load_text +=
         (contact.load_has_length() ? " of half-width " : " of radius ") +
-        with_unit(contact.patch_radius, "m");
+        number(contact.patch_radius, "m");
     const double cell = last["min_cell_size"];
     table.rows.push_back(
-      {"Load", load_text + "; smallest cell " + with_unit(cell, "m")});
+      {"Load", load_text + "; smallest cell " + number(cell, "m")});
     return table;
   }
 } // namespace PlateImpact

@@ -1,6 +1,7 @@
 #include "plate_impact/output/terminal.h"
 
-#include <cstdio>
+#include "plate_impact/base/text.h"
+
 #include <cstdlib>
 #include <iostream>
 #include <string_view>
@@ -17,26 +18,6 @@ namespace PlateImpact
       return value != nullptr ? value : "";
     }
   } // namespace
-
-
-
-  std::string
-  waiting_time(const double seconds)
-  {
-    const bool in_seconds = seconds < 100., in_minutes = seconds < 6000.;
-    char       text[64];
-    std::snprintf(text,
-                  sizeof(text),
-                  "%.0f %s",
-                  seconds /
-                    (in_seconds   ? 1. :
-                       in_minutes ? 60. :
-                                    3600.),
-                  in_seconds   ? "s" :
-                    in_minutes ? "min" :
-                                 "h");
-    return text;
-  }
 
 
 
@@ -73,7 +54,7 @@ namespace PlateImpact
   {
     const Terminal err(STDERR_FILENO);
     for (const std::string &warning : warnings)
-      std::cerr << err.emphasized("warning: ", Emphasis::warning) << warning
-                << std::endl;
+      std::cerr << err.emphasized("warning: ", Emphasis::warning)
+                << in_ascii(warning) << std::endl;
   }
 } // namespace PlateImpact

@@ -2,6 +2,8 @@
 
 #include <deal.II/base/utilities.h>
 
+#include "plate_impact/base/text.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -241,15 +243,5 @@ namespace PlateImpact
   convert(const std::string &text, std::array<unsigned int, 2> &value)
   {
     convert_pair(text, value);
-  }
-
-
-
-  std::string
-  shortest(const double value)
-  {
-    char       text[32];
-    const auto end = std::to_chars(text, text + sizeof(text), value).ptr;
-    return {text, end};
   }
 } // namespace PlateImpact

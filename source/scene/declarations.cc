@@ -320,6 +320,13 @@ namespace PlateImpact
                      Allowed::whole_number(0, 100000),
                      output.field_samples,
                      "VTU snapshots over the last cycle; 0: none.");
+      schema.declare("Natural frequencies",
+                     "0",
+                     Allowed::whole_number(0, 100),
+                     output.natural_frequencies,
+                     "How many of the lowest summary.json has, of the last "
+                     "mesh: of motions that mirror in both planes of symmetry, "
+                     "which alone the impact excites.");
     }
 
 

@@ -1,30 +1,18 @@
 #include "plate_impact/scene/scene_checker.h"
 
 #include "plate_impact/base/exceptions.h"
+#include "plate_impact/base/text.h"
 #include "plate_impact/contact/contact_law.h"
 #include "plate_impact/contact/impactor.h"
 #include "plate_impact/plate/plate_section.h"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
+#include <fmt/format.h>
 #include <utility>
 
 namespace PlateImpact
 {
-  namespace
-  {
-    std::string
-    in_words(const double value)
-    {
-      std::ostringstream text;
-      text << value;
-      return text.str();
-    }
-  } // namespace
-
-
-
   SceneChecker::SceneChecker(SceneSchema                 &schema,
                              const Parameters            &parameters,
                              const std::set<std::string> &swept)
@@ -95,12 +83,12 @@ namespace PlateImpact
       refuse({"Plate/Thickness", "Plate/Side lengths"},
              "m is too thick for a plate theory; expected at most half the "
              "shorter side, " +
-               in_words(half_side) + " m");
+               number(half_side) + " m");
     if (scene.contact.has_patch() && scene.contact.patch_radius > half_side)
       refuse({"Contact/Patch radius", "Plate/Side lengths"},
              "m reaches beyond the plate; expected at most half the shorter "
              "side, " +
-               in_words(half_side) + " m");
+               number(half_side) + " m");
   }
 
 
@@ -128,7 +116,7 @@ namespace PlateImpact
     if (is_cylinder && scene.impactor.length > scene.plate.side_lengths[0])
       refuse({"Impactor/Length", "Plate/Side lengths"},
              "m reaches beyond the plate; expected at most its side along x, " +
-               in_words(scene.plate.side_lengths[0]) + " m");
+               number(scene.plate.side_lengths[0]) + " m");
   }
 
 
@@ -139,12 +127,12 @@ namespace PlateImpact
     const TimeParameters &time = scene.time;
     if (time.time_step > time.end_time)
       refuse({"Time/Time step", "Time/End time"},
-             "s is longer than End time, " + in_words(time.end_time) + " s");
+             "s is longer than End time, " + number(time.end_time) + " s");
     if (time.newmark_beta < 0.5 * time.newmark_gamma)
       refuse({"Time/Newmark beta", "Time/Newmark gamma"},
              "is below half of Newmark gamma, so that the scheme is unstable "
              "on fine meshes; expected at least " +
-               in_words(0.5 * time.newmark_gamma));
+               number(0.5 * time.newmark_gamma));
     if (scene.contact.integration == ForceIntegration::energy_conserving &&
         (time.newmark_beta != 0.25 || time.newmark_gamma != 0.5))
       refuse({"Contact/Integration", "Time/Newmark beta", "Time/Newmark gamma"},
@@ -166,13 +154,13 @@ namespace PlateImpact
       refuse({"Adaptivity/Minimum cell size",
               "Plate/Side lengths",
               "Discretization/Initial cells"},
-             "m is larger than the initial cells, " + in_words(h) + " m");
+             "m is larger than the initial cells, " + number(h) + " m");
     const AdaptivityParameters &adaptivity = scene.adaptivity;
     if (adaptivity.maximum_cell_size > 0. &&
         adaptivity.maximum_cell_size < adaptivity.minimum_cell_size)
       refuse({"Adaptivity/Maximum cell size", "Adaptivity/Minimum cell size"},
              "m is below Minimum cell size, " +
-               in_words(adaptivity.minimum_cell_size) + " m");
+               number(adaptivity.minimum_cell_size) + " m");
     if (adaptivity.refined_share_of_error +
           adaptivity.coarsened_share_of_error >
         1.)
@@ -229,7 +217,7 @@ namespace PlateImpact
     if (!std::isnormal(impactor.kinetic_energy()))
       return refuse({"Impactor/Velocity", "Impactor/Mass", "Impactor/Radius"},
                     "m/s gives the impactor an energy of " +
-                      in_words(impactor.kinetic_energy()) +
+                      fmt::format("{:.6g}", impactor.kinetic_energy()) +
                       " J, which is beyond what can be computed with");
     if (scene.impactor.mass == 0.)
       choose("Impactor", "Mass", scene.impactor.mass, impactor.mass);
@@ -263,15 +251,15 @@ namespace PlateImpact
     if (scene.time.end_time / scene.time.time_step > 1e8)
       refuse({"Time/Time step", "Time/End time"},
              "s needs more than 1e8 steps to reach End time, " +
-               in_words(scene.time.end_time) + " s");
+               number(scene.time.end_time) + " s");
     // a contact lasts about twice the time to its peak
     const double longest_step = 25. * 2. * peak.time;
     if (scene.time.time_step > longest_step)
       refuse({"Time/Time step", "Impactor/Mass", "Impactor/Velocity"},
              "s is more than 25 times as long as the contact, which Zener's "
              "equation expects to last " +
-               in_words(2. * peak.time) + " s; expected at most " +
-               in_words(longest_step) + " s");
+               number(2. * peak.time) + " s; expected at most " +
+               number(longest_step) + " s");
   }
 
 
@@ -290,7 +278,7 @@ namespace PlateImpact
                      "Impactor/Velocity"},
                     "lets the program choose the Hertz contact radius, "
                     "which is " +
-                      in_words(radius) + " m and reaches beyond the plate");
+                      number(radius) + " m and reaches beyond the plate");
     // one of few, so that similar impactors share their load; what that changes
     // of the radius, half a per cent at most, is a ten thousandth of the force
     // of the steel case

@@ -1,5 +1,7 @@
 #include "plate_impact/scene/scene_schema.h"
 
+#include "plate_impact/base/text.h"
+
 #include <algorithm>
 #include <sstream>
 

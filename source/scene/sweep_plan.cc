@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <fmt/format.h>
 #include <limits>
 
 namespace PlateImpact
@@ -73,13 +73,9 @@ namespace PlateImpact
       for (std::size_t i = 0; i < number; ++i)
         {
           // the digits of a decimal number, not the round-off of its sum
-          char         value[32];
           const double n = number - 1.;
-          std::snprintf(value,
-                        sizeof(value),
-                        "%.15g",
-                        first * ((n - i) / n) + last * (i / n));
-          values.push_back(value);
+          values.push_back(
+            fmt::format("{:.15g}", first * ((n - i) / n) + last * (i / n)));
         }
       return {};
     }
@@ -208,13 +204,12 @@ namespace PlateImpact
       found_mistakes.push_back(where + "needs lists of one length; they have " +
                                sizes + " values");
     else if (n > max_points)
-      {
-        char text[32];
-        std::snprintf(text, sizeof(text), "%.0f", n);
-        found_mistakes.push_back(where + "makes " + text + " points, " + sizes +
-                                 "; expected at most " +
-                                 std::to_string(max_points));
-      }
+      found_mistakes.push_back(
+        fmt::format("{}makes {:.0f} points, {}; expected at most {}",
+                    where,
+                    n,
+                    sizes,
+                    max_points));
     else
       size = static_cast<std::size_t>(n);
   }

@@ -4,10 +4,11 @@
 #include "plate_impact/analysis/impact_figures.h"
 #include "plate_impact/analysis/reliability.h"
 #include "plate_impact/base/exceptions.h"
+#include "plate_impact/base/text.h"
 #include "plate_impact/plate/plate_mesh.h"
 
+#include <fmt/format.h>
 #include <new>
-#include <sstream>
 #include <tuple>
 #include <utility>
 
@@ -126,7 +127,7 @@ namespace PlateImpact
     if (current_group != group)
       {
         struck_plate.reset();
-        warning.clear();
+        mesh_warnings.clear();
         current_group = group;
         failure       = failure_of([&] {
           auto mesh = make_mesh(group, point);
@@ -168,8 +169,9 @@ namespace PlateImpact
     computed.warnings = parameters.adaptivity.is_adaptive() ?
       impact_warnings(parameters, 2. * point.expected.time, result) :
       reliability_warnings(parameters, mesh, result);
-    if (!warning.empty())
-      computed.warnings.push_back(warning);
+    computed.warnings.insert(computed.warnings.end(),
+                             mesh_warnings.begin(),
+                             mesh_warnings.end());
     return computed;
   }
 
@@ -185,17 +187,16 @@ namespace PlateImpact
     const SweepPoint worst = worst_point(group);
     ImpactAnalysis   analysis(worst.parameters);
     analysis.run();
+    mesh_warnings           = analysis.warnings();
     const CycleResult &last = analysis.last_cycle().result;
     done.meshes += last.cycle - 1;
     if (last.error->eta > worst.parameters.adaptivity.target_error)
       {
-        std::ostringstream text;
-        text.precision(3);
-        text << "eta is " << 100. * last.error->eta
-             << " % on the mesh of the plate for its hardest point, more than "
-                "Adaptivity/Target error = "
-             << 100. * worst.parameters.adaptivity.target_error << " %";
-        warning = text.str();
+        mesh_warnings.push_back(fmt::format(
+          "eta is {} on the mesh of the plate for its hardest point, more than "
+          "Adaptivity/Target error, {}",
+          about_percentage(last.error->eta),
+          about_percentage(worst.parameters.adaptivity.target_error)));
       }
     return copy_of(analysis.last_cycle().mesh());
   }
@@ -244,10 +245,6 @@ namespace PlateImpact
     Impact impact;
     impact.history = *last.history;
     impact.impulse = last.impulse;
-    return {impact,
-            last.error->eta,
-            reliability_warnings(parameters,
-                                 analysis.last_cycle().mesh(),
-                                 last)};
+    return {impact, last.error->eta, analysis.all_warnings()};
   }
 } // namespace PlateImpact

@@ -1,11 +1,10 @@
 #include "plate_impact/sweep/sweep_console.h"
 
 #include "plate_impact/analysis/impact_figures.h"
-#include "plate_impact/base/columns.h"
+#include "plate_impact/base/text.h"
 
 #include <algorithm>
 #include <csignal>
-#include <cstdio>
 #include <iostream>
 #include <unistd.h>
 
@@ -24,11 +23,11 @@ namespace PlateImpact
     };
 
     const Column columns[] = {
-      {"peak_force", "peak force N", "%.6g", 1.},
-      {"time_of_peak_force", "at us", "%.4g", 1e6},
-      {"first_contact_end", "contact end", "%.5g", 1e6},
-      {"number_of_contacts", "contacts", "%.0f", 1.},
-      {"coefficient_of_restitution", "restitution", "%.4f", 1.}};
+      {"peak_force", "peak force N", "{:.6g}", 1.},
+      {"time_of_peak_force", "at us", "{:.4g}", 1e6},
+      {"first_contact_end", "contact end", "{:.5g}", 1e6},
+      {"number_of_contacts", "contacts", "{:.0f}", 1.},
+      {"coefficient_of_restitution", "restitution", "{:.4f}", 1.}};
 
 
 
@@ -39,15 +38,6 @@ namespace PlateImpact
       for (const std::string &value : entry.values)
         width = std::max(width, value.size());
       return width + 2;
-    }
-
-
-
-    std::string
-    counted(const std::size_t n, const std::string &noun)
-    {
-      const std::string plural = noun.back() == 'h' ? noun + "es" : noun + "s";
-      return std::to_string(n) + ' ' + (n == 1 ? noun : plural);
     }
   } // namespace
 
@@ -129,17 +119,14 @@ namespace PlateImpact
     if (!row.failure.empty())
       std::cout << "  " << row.failure;
     else
-      for (const Column &column : columns)
+      for (const Column &shown : columns)
         for (std::size_t i = 0; i < impact_figures().size(); ++i)
-          if (impact_figures()[i].name == column.figure)
+          if (impact_figures()[i].name == shown.figure)
             {
-              char text[32] = "-";
-              if (row.figures[i])
-                std::snprintf(text,
-                              sizeof(text),
-                              column.format,
-                              column.factor * *row.figures[i]);
-              std::cout << right(14, text);
+              std::optional<double> value = row.figures[i];
+              if (value)
+                *value *= shown.factor;
+              std::cout << column(14, shown.format, value);
             }
     std::cout << std::endl;
   }
@@ -158,15 +145,11 @@ namespace PlateImpact
       {
         if (has_progress)
           std::cout << "\r\033[K";
-        char speed[64];
-        std::snprintf(speed,
-                      sizeof(speed),
-                      "%.3g s, %.3g points/s",
-                      seconds,
-                      n_computed / seconds);
         std::cout << "\nComputed    " << counted(n_computed, "point") << " in "
-                  << speed << "\nMade        " << counted(work.meshes, "mesh")
-                  << ", " << counted(work.plates, "plate model") << ", "
+                  << about(seconds) << " s, " << about(n_computed / seconds)
+                  << " points/s"
+                  << "\nMade        " << counted(work.meshes, "mesh") << ", "
+                  << counted(work.plates, "plate model") << ", "
                   << counted(work.loads, "response") << " to a load"
                   << "\nResults     " << results << std::endl;
       }

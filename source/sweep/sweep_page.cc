@@ -1,8 +1,7 @@
 #include "plate_impact/sweep/sweep_page.h"
 
 #include "plate_impact/analysis/impact_figures.h"
-#include "plate_impact/base/columns.h"
-#include "plate_impact/base/prefixed_unit.h"
+#include "plate_impact/base/text.h"
 #include "plate_impact/base/version.h"
 #include "plate_impact/sweep/sweep_warnings.h"
 
@@ -407,7 +406,7 @@ namespace PlateImpact
         for (std::size_t i = 0; i < impact_figures().size(); ++i)
           row.push_back(
             rows[point]->failure.empty() ?
-              six_digits(rows[point]->figures[i].value_or(std::nan(""))) :
+              number(rows[point]->figures[i].value_or(std::nan(""))) :
               "–");
         row.push_back(!rows[point]->failure.empty()   ? rows[point]->failure :
                         rows[point]->warnings.empty() ? "ok" :

@@ -4,6 +4,7 @@
 
 #include "plate_impact/analysis/impact_figures.h"
 #include "plate_impact/base/exceptions.h"
+#include "plate_impact/base/text.h"
 #include "plate_impact/scene/allowed.h"
 
 #include <map>

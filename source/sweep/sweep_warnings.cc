@@ -7,12 +7,15 @@ namespace PlateImpact
 {
   namespace
   {
-    /// A sentence without its numbers.
+    /// A sentence without its numbers and the prefixes of their units.
     std::string
     kind_of(const std::string &sentence)
     {
-      static const std::regex number("[0-9][0-9.]*(e[-+]?[0-9]+)?");
-      return std::regex_replace(sentence, number, "#");
+      static const std::regex number("[0-9][0-9.]*(e[-+]?[0-9]+)?"),
+        prefix("# (p|n|µ|m|k|M|G|T)(m|s|N|J|Pa)\\b");
+      return std::regex_replace(std::regex_replace(sentence, number, "#"),
+                                prefix,
+                                "# $2");
     }
 
 

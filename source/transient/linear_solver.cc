@@ -1,7 +1,7 @@
 #include "plate_impact/transient/linear_solver.h"
 
 #include "plate_impact/base/exceptions.h"
-#include "plate_impact/transient/blas.h"
+#include "plate_impact/base/text.h"
 
 #include <Amesos.h>
 #include <Amesos_BaseSolver.h>
@@ -10,15 +10,36 @@
 #include <Epetra_Vector.h>
 #include <cholmod.h>
 
+#include <fmt/format.h>
 #include <new>
-#include <sstream>
 #include <stdexcept>
 #include <unistd.h>
+
+// Present when the BLAS is OpenBLAS and when CHOLMOD was built with OpenMP.
+extern "C" {
+void
+openblas_set_num_threads(int) __attribute__((weak));
+void
+omp_set_max_active_levels(int) __attribute__((weak));
+}
 
 namespace PlateImpact
 {
   namespace
   {
+    /// Threads, four in CHOLMOD whatever the machine has, cost more than they
+    /// bring.
+    void
+    forgo_threads()
+    {
+      if (openblas_set_num_threads != nullptr)
+        openblas_set_num_threads(1);
+      if (omp_set_max_active_levels != nullptr)
+        omp_set_max_active_levels(0);
+    }
+
+
+
     /// The system would end the process without a word.
     void
     require_memory(const double bytes, const std::size_t n_unknowns)
@@ -27,12 +48,13 @@ namespace PlateImpact
         static_cast<double>(sysconf(_SC_PAGESIZE));
       if (bytes < physical)
         return;
-      std::ostringstream text;
-      text << "the factor of the effective stiffness matrix of " << n_unknowns
-           << " unknowns needs " << bytes * 1e-9 << " GB of memory, of "
-           << physical * 1e-9
-           << " GB; try fewer cells or a larger Adaptivity/Minimum cell size";
-      throw ComputationError(text.str());
+      throw ComputationError(
+        fmt::format("the factor of the effective stiffness matrix of {} "
+                    "unknowns needs {} of memory, of {}; try fewer cells or a "
+                    "larger Adaptivity/Minimum cell size",
+                    n_unknowns,
+                    number(bytes, "B"),
+                    number(physical, "B")));
     }
 
 
@@ -43,7 +65,7 @@ namespace PlateImpact
     public:
       CholmodSolver()
       {
-        prepare_blas();
+        forgo_threads();
         cholmod_start(&common);
         common.supernodal = CHOLMOD_SUPERNODAL;
         common.nmethods   = 1;

@@ -131,7 +131,7 @@ namespace PlateImpact
     if (!scheme.conserves_energy())
       {
         TimeStepper stepper(time, reduced, law, integration, impactor);
-        return of_all_steps(history_to_end(stepper));
+        return of_all_steps(step_to_end(stepper).history);
       }
     return of_all_steps(response(reduced).impact(law, impactor).history);
   }

@@ -2,13 +2,14 @@
 
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/stage_clock.h"
+#include "plate_impact/base/text.h"
 #include "plate_impact/plate/load_distribution.h"
 #include "plate_impact/transient/linear_solver.h"
 #include "plate_impact/transient/make_integrator.h"
+#include "plate_impact/transient/natural_frequencies.h"
 #include "plate_impact/transient/newmark_scheme.h"
 #include "plate_impact/transient/time_error.h"
 
-#include <sstream>
 #include <utility>
 
 namespace PlateImpact
@@ -27,48 +28,13 @@ namespace PlateImpact
       if (drift <= 1e-6 ||
           parameters.contact.integration != ForceIntegration::energy_conserving)
         return;
-      std::ostringstream text;
-      text << "the total energy, which the scheme keeps, changes by "
-           << 100. * drift << " %";
-      if (parameters.time.integrator != IntegratorType::Newmark)
-        text << "; try Time/Integrator = Newmark";
-      throw ComputationError(text.str());
+      throw ComputationError(
+        "the total energy, which the scheme keeps, changes by " +
+        about_percentage(drift) +
+        (parameters.time.integrator == IntegratorType::Newmark ?
+           "" :
+           "; try Time/Integrator = Newmark"));
     }
-
-
-
-    /// Steps to the end, telling a listener.
-    Impact
-    step_to_end(TimeStepper &stepper, TransientListener &listener)
-    {
-      Impact result;
-      result.history.reserve(stepper.n_steps() + 1);
-      result.history.add(stepper.state());
-      for (unsigned int step = 1; step <= stepper.n_steps(); ++step)
-        {
-          stepper.advance();
-          result.history.add(stepper.state());
-          listener.take_step(step, stepper);
-        }
-      result.impulse         = stepper.impulse();
-      result.n_contact_steps = stepper.n_contact_steps();
-      result.separation_time = stepper.separation_time();
-      return result;
-    }
-
-
-
-    /// Nobody.
-    class NoListener : public TransientListener
-    {
-      void
-      begin(const SemidiscreteSystem &, const TimeStepper &) override
-      {}
-
-      void
-      take_step(unsigned int, const TimeStepper &) override
-      {}
-    };
   } // namespace
 
 
@@ -111,7 +77,9 @@ namespace PlateImpact
                         *load.integration,
                         make_impactor(parameters.impactor));
     listener.begin(system, stepper);
-    Impact result = step_to_end(stepper, listener);
+    Impact result = step_to_end(stepper, [&](const unsigned int step) {
+      listener.take_step(step, stepper);
+    });
     require_energy(parameters, result.history);
     return result;
   }
@@ -128,8 +96,7 @@ namespace PlateImpact
     if (NewmarkScheme(time).conserves_energy())
       return load.integrator->response(system).impact(law, impactor);
     TimeStepper stepper(time, system, law, *load.integration, impactor);
-    NoListener  nobody;
-    return step_to_end(stepper, nobody);
+    return step_to_end(stepper);
   }
 
 
@@ -169,19 +136,40 @@ namespace PlateImpact
 
 
 
-  StruckPlate::Load &
-  StruckPlate::prepare(const Parameters &parameters)
+  std::vector<double>
+  StruckPlate::natural_frequencies(const unsigned int n)
   {
-    StageClock    clock;
-    const LoadKey key = load_key(parameters);
+    if (n == 0)
+      return {};
+    return PlateImpact::natural_frequencies(plate, assembled(), n);
+  }
+
+
+
+  FullSystem &
+  StruckPlate::assembled()
+  {
     if (full == nullptr)
       {
+        StageClock clock;
         plate.assemble();
         full = std::make_unique<FullSystem>(plate,
                                             Eigen::VectorXd(),
                                             make_linear_solver(linear_solver));
+        clock.charge(assembly_seconds);
       }
-    auto known = loads.find(key);
+    return *full;
+  }
+
+
+
+  StruckPlate::Load &
+  StruckPlate::prepare(const Parameters &parameters)
+  {
+    FullSystem   &system = assembled();
+    StageClock    clock;
+    const LoadKey key   = load_key(parameters);
+    auto          known = loads.find(key);
     if (known == loads.end())
       {
         forget_loads();
@@ -191,10 +179,11 @@ namespace PlateImpact
                                                    parameters.impactor.length));
         load.integration =
           make_contact_integration(parameters.contact.integration);
-        load.integrator = make_integrator(parameters, *full, *load.integration);
+        load.integrator =
+          make_integrator(parameters, system, *load.integration);
         ++n_loads;
       }
-    full->set_load(known->second.u);
+    system.set_load(known->second.u);
     clock.charge(assembly_seconds);
     return known->second;
   }

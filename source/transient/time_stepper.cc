@@ -102,17 +102,23 @@ namespace PlateImpact
 
 
 
-  ContactHistory
-  history_to_end(TimeStepper &stepper)
+  Impact
+  step_to_end(TimeStepper                             &stepper,
+              const std::function<void(unsigned int)> &listener)
   {
-    ContactHistory history;
-    history.reserve(stepper.n_steps() + 1);
-    history.add(stepper.state());
-    for (unsigned int step = 0; step < stepper.n_steps(); ++step)
+    Impact result;
+    result.history.reserve(stepper.n_steps() + 1);
+    result.history.add(stepper.state());
+    for (unsigned int step = 1; step <= stepper.n_steps(); ++step)
       {
         stepper.advance();
-        history.add(stepper.state());
+        result.history.add(stepper.state());
+        if (listener)
+          listener(step);
       }
-    return history;
+    result.impulse         = stepper.impulse();
+    result.n_contact_steps = stepper.n_contact_steps();
+    result.separation_time = stepper.separation_time();
+    return result;
   }
 } // namespace PlateImpact

@@ -64,6 +64,8 @@ namespace PlateImpact
     std::optional<Sensitivity> sensitivity; ///< of several contacts
     std::vector<Snapshot>      snapshots;
 
+    std::vector<double> natural_frequencies; ///< where asked for [Hz]
+
     /// For the report: the state of the largest force, and states evenly over
     /// the samples of the estimator, those of error->kept_element_errors.
     std::optional<Snapshot> peak_state;

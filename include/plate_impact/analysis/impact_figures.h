@@ -3,7 +3,7 @@
 
 #include "plate_impact/base/parameters.h"
 #include "plate_impact/contact/zener.h"
-#include "plate_impact/transient/plate_response.h"
+#include "plate_impact/transient/impact.h"
 
 #include <optional>
 #include <string>

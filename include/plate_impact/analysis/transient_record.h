@@ -4,13 +4,11 @@
 #include "plate_impact/analysis/cycle.h"
 #include "plate_impact/base/parameters.h"
 #include "plate_impact/base/stage_clock.h"
-#include "plate_impact/estimator/error_estimator.h"
 #include "plate_impact/estimator/sample_buffer.h"
 #include "plate_impact/plate/snapshot.h"
 #include "plate_impact/transient/struck_plate.h"
 
 #include <functional>
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -26,8 +24,8 @@ namespace PlateImpact
     /// Told after every step: the step and the number of steps.
     using Progress = std::function<void(unsigned int, unsigned int)>;
 
-    /// @param cycle  that is computed; seconds are charged to its result. All
-    ///               must outlive the record
+    /// @param cycle  that is computed; gets its estimator, and seconds are
+    ///               charged to its result. All must outlive the record
     TransientRecord(const Parameters &parameters,
                     Cycle            &cycle,
                     const Progress   &progress);
@@ -39,8 +37,8 @@ namespace PlateImpact
     void
     take_step(unsigned int step, const TimeStepper &stepper) override;
 
-    /// Puts what was kept, and the estimate where the scene asks for one, into
-    /// the result of the cycle.
+    /// Puts what was kept into the result of the cycle, and the last samples
+    /// into its estimator.
     void
     finish();
 
@@ -55,8 +53,8 @@ namespace PlateImpact
     unknowns_of(const std::vector<Snapshot> &states) const;
 
     const Parameters &parameters;
+    Cycle            &cycle;
     CycleResult      &result;
-    const Cycle      &cycle;
     const Progress    progress;
     StageClock        clock;
 
@@ -64,8 +62,7 @@ namespace PlateImpact
     const SemidiscreteSystem *system = nullptr;
     unsigned int n_steps = 0, sampling_interval = 0, samples_per_frame = 0,
                  n_samples = 0;
-    std::unique_ptr<ErrorEstimator> estimator; ///< null where none is wanted
-    std::optional<SampleBuffer>     buffer;    ///< with it
+    std::optional<SampleBuffer> buffer; ///< where an estimator is wanted
 
     /// in coordinates of the system
     std::vector<Snapshot> fields, film, peak; ///< the last one or none

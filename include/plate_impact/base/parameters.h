@@ -157,6 +157,7 @@ namespace PlateImpact
     bool         write_meshes;
     bool         write_report;
     unsigned int field_samples;
+    unsigned int natural_frequencies;
   };
 
   struct ComparisonParameters

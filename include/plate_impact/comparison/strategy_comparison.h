@@ -36,7 +36,7 @@ namespace PlateImpact
 
     /// Where a field is to compare with: not under a point load, whose energy
     /// has no limit.
-    std::shared_ptr<const ReferenceError> true_error;
+    std::shared_ptr<const ReferenceError> field_error;
   };
 
 

@@ -22,7 +22,7 @@ namespace PlateImpact
   /// with sigma* recovered by patches (StressRecovery), and time integrals by
   /// the trapezoidal rule over samples. While the plate is at rest eta_i is
   /// taken as 0 (the paper's table has 0/0 at t = 0). What a cell may have of
-  /// the error is for the adaptation to say (element_errors_over_limit()).
+  /// the error is for the adaptation to say (error_over_limit()).
   ///
   /// Under a point load the energy of the exact error is infinite around the
   /// load, on every mesh: there is nothing to estimate, and nearer than about

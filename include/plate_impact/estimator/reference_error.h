@@ -27,7 +27,7 @@ namespace PlateImpact
 
     /// @param snapshots  at the times of those of the fine mesh
     double
-    of(const PlateDiscretization   &model,
+    of(const PlateDiscretization   &discretization,
        const std::vector<Snapshot> &snapshots) const;
 
   private:

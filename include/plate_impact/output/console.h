@@ -3,7 +3,7 @@
 
 #include "plate_impact/analysis/cycle_result.h"
 #include "plate_impact/analysis/outcome.h"
-#include "plate_impact/base/prefixed_unit.h"
+#include "plate_impact/base/text.h"
 #include "plate_impact/output/progress_line.h"
 #include "plate_impact/output/terminal.h"
 #include "plate_impact/scene/scene.h"

@@ -23,7 +23,8 @@ namespace PlateImpact
   /// small. On large meshes frames are left out, on very large ones all: the
   /// result is then null.
   nlohmann::ordered_json
-  deflection_film(const CycleResult &result, const PlateDiscretization &model);
+  deflection_film(const CycleResult         &result,
+                  const PlateDiscretization &discretization);
 } // namespace PlateImpact
 
 #endif

@@ -6,11 +6,6 @@
 
 namespace PlateImpact
 {
-  /// A time that someone waits: "12 s", "3 min".
-  std::string
-  waiting_time(double seconds);
-
-
   enum class Emphasis
   {
     good,

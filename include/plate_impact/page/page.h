@@ -102,7 +102,7 @@ namespace PlateImpact
   /// page.plots({{"Error of the force", "",
   ///              {"time [s]", true}, {"error [%]", true},
   ///              {{"uniform", seconds, errors, 0, Style::line_and_points}}, {}}});
-  /// page.table({{"Strategy", "Error [%]"}, {{"uniform", six_digits(error)}}});
+  /// page.table({{"Strategy", "Error [%]"}, {{"uniform", number(error)}}});
   /// page.write(out);
   /// @endcode
   /// Text and tables are plain HTML and need no script. The numbers behind the

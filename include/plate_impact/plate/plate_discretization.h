@@ -33,7 +33,7 @@ namespace PlateImpact
   class PlateDiscretization
   {
   public:
-    /// Numbers the unknowns; the mesh must outlive the model.
+    /// Numbers the unknowns; the mesh must outlive the discretization.
     PlateDiscretization(const dealii::Triangulation<2> &mesh,
                         const PlateElement             &element,
                         const PlateParameters          &plate,

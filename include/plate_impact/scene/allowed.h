@@ -99,11 +99,6 @@ namespace PlateImpact
   convert(const std::string &text, std::array<double, 2> &value);
   void
   convert(const std::string &text, std::array<unsigned int, 2> &value);
-
-
-  /// The shortest text that reads back as the same number.
-  std::string
-  shortest(double value);
 } // namespace PlateImpact
 
 #endif

@@ -19,6 +19,7 @@
 #include <memory>
 #include <optional>
 #include <tuple>
+#include <vector>
 
 namespace PlateImpact
 {
@@ -74,6 +75,10 @@ namespace PlateImpact
     std::optional<Sensitivity>
     sensitivity(const Parameters &parameters, const ContactHistory &history);
 
+    /// As the function of that name. [Hz]
+    std::vector<double>
+    natural_frequencies(unsigned int n);
+
     const PlateDiscretization &
     discretization() const;
 
@@ -110,6 +115,9 @@ namespace PlateImpact
       std::unique_ptr<Integrator>               integrator;
     };
 
+    /// Assembled when it is first needed.
+    FullSystem &
+    assembled();
     /// The load of an impact, now that of the plate as well.
     Load &
     prepare(const Parameters &parameters);
@@ -128,7 +136,7 @@ namespace PlateImpact
     const SolverType                                linear_solver;
     PlateDiscretization                             plate;
 
-    std::unique_ptr<FullSystem> full; ///< from the first strike on
+    std::unique_ptr<FullSystem> full; ///< of assembled()
     std::map<LoadKey, Load>     loads;
     unsigned int                n_loads = 0, n_forgotten_vectors = 0;
     double                      assembly_seconds = 0.;

@@ -2,13 +2,14 @@
 #define plate_impact_transient_time_stepper_h
 
 #include "plate_impact/base/parameters.h"
-#include "plate_impact/contact/contact_history.h"
+#include "plate_impact/transient/impact.h"
 #include "plate_impact/transient/impactor_stepper.h"
 #include "plate_impact/transient/plate_stepper.h"
 #include "plate_impact/transient/semidiscrete_system.h"
 
 #include <Eigen/Core>
 
+#include <functional>
 #include <optional>
 
 namespace PlateImpact
@@ -77,10 +78,12 @@ namespace PlateImpact
 
 
   /// Steps to the end time.
-  /// @return the present state and that after every step
+  /// @param listener  told after every step, from 1
+  /// @return the impact from the present state on
   /// @throws ComputationError as TimeStepper::advance()
-  ContactHistory
-  history_to_end(TimeStepper &stepper);
+  Impact
+  step_to_end(TimeStepper                             &stepper,
+              const std::function<void(unsigned int)> &listener = {});
 } // namespace PlateImpact
 
 #endif

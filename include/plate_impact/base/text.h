@@ -1,0 +1,103 @@
+#ifndef plate_impact_base_text_h
+#define plate_impact_base_text_h
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// Numbers and words that a user reads, by one rule everywhere: results have
+/// six significant digits, estimates and advice three; both have the prefix of
+/// their unit that makes them easy to read. What a user may type into a scene
+/// stands as it is typed, in the unit of the entry.
+namespace PlateImpact
+{
+  /// A unit with the prefix that makes values easy to read: of 3.43e-5 s it
+  /// makes 34.3 µs. Forces and the like read better as 1301 N than as 1.301 kN:
+  /// numbers from 1 to 1e5 have no prefix.
+  class PrefixedUnit
+  {
+  public:
+    /// @param unit   of SI without prefix, such as "s"
+    /// @param value  the largest to show; 0 or not finite: no prefix
+    PrefixedUnit(const std::string &unit, double value);
+
+    /// For the largest of some values.
+    PrefixedUnit(const std::string &unit, const std::vector<double> &values);
+
+    /// A value in this unit, from SI units.
+    double
+    operator()(double value) const;
+    std::vector<double>
+    operator()(std::vector<double> values) const;
+
+    /// A result with the unit.
+    std::string
+    text(double value) const;
+
+    const std::string &
+    name() const;
+
+  private:
+    std::string prefixed;
+    double      factor;
+  };
+
+
+  /// A result; a dash when it is not finite.
+  std::string
+  number(double value);
+
+  /// A result with its unit.
+  /// @param unit  of SI without prefix
+  std::string
+  number(double value, const std::string &unit);
+
+  /// A fraction as "5 %".
+  std::string
+  percentage(double fraction);
+
+  /// An estimate or advice.
+  std::string
+  about(double value);
+  std::string
+  about(double value, const std::string &unit);
+  std::string
+  about_percentage(double fraction);
+
+  /// The shortest text that reads back as the same number.
+  std::string
+  shortest(double value);
+
+  /// "1 point", "2 points", "3 meshes".
+  std::string
+  counted(std::size_t n, const std::string &noun);
+
+  /// A time that was measured: "0.37 s".
+  std::string
+  wall_time(double seconds);
+
+  /// A time that someone waits: "12 s", "3 min".
+  std::string
+  waiting_time(double seconds);
+
+  /// In the letters that every terminal has: u for µ.
+  std::string
+  in_ascii(std::string text);
+
+  /// Columns of the tables that the program prints: a word at the left or at
+  /// the right end of a column of some width.
+  std::string
+  left(std::size_t width, const std::string &word);
+  std::string
+  right(std::size_t width, const std::string &word);
+
+  /// A number, or a dash, at the right end.
+  /// @param format  of {fmt}, as "{:.2f}"
+  std::string
+  column(std::size_t                  width,
+         const char                  *format,
+         const std::optional<double> &value);
+} // namespace PlateImpact
+
+#endif

@@ -1,0 +1,61 @@
+#ifndef plate_impact_command_expectation_h
+#define plate_impact_command_expectation_h
+
+#include "plate_impact/base/parameters.h"
+#include "plate_impact/contact/contact_history.h"
+#include "plate_impact/contact/zener.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace PlateImpact
+{
+  /// What is known of an impact before it is paid for: from a coarse mesh, or,
+  /// where that does not carry the waves, from Zener's infinite plate until
+  /// waves are back from the edges.
+  struct Expectation
+  {
+    /// @param parameters  of a scene with an impactor
+    explicit Expectation(const Parameters &parameters);
+
+    ExpectedPeak zener; ///< on the infinite plate
+    ExpectedPeak rigid; ///< on a plate that does not move
+    BendingWave  wave;  ///< of half the period of Zener's contact
+
+    ContactHistory        history; ///< up to the scene's end at most
+    std::optional<double> contact_end;
+    double                until = 0.;       ///< when what is known ends [s]
+    std::string           source;           ///< where it comes from
+    bool                  is_bound = false; ///< whether the force is larger
+
+    std::vector<std::string> warnings; ///< as model_warnings()
+  };
+
+
+  /// The lowest natural frequencies of the plate, whatever strikes it, on a
+  /// coarse mesh: see natural_frequencies(). [Hz]
+  std::vector<double>
+  expected_frequencies(const Parameters &parameters);
+
+
+  /// Shortest way from the load to an edge. [m]
+  double
+  distance_to_edge(const Parameters &parameters);
+
+
+  /// What a run costs, from what scenes of prm/ take.
+  struct ExpectedCost
+  {
+    ExpectedCost(const Parameters &parameters, const BendingWave &wave);
+
+    /// Of the program and all cycles. [s]
+    double
+    seconds() const;
+
+    double cells, unknowns, cycles, steps;
+    double seconds_of_cycle;
+  };
+} // namespace PlateImpact
+
+#endif

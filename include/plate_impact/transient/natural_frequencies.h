@@ -1,0 +1,28 @@
+#ifndef plate_impact_transient_natural_frequencies_h
+#define plate_impact_transient_natural_frequencies_h
+
+#include "plate_impact/plate/plate_discretization.h"
+#include "plate_impact/transient/full_system.h"
+
+#include <vector>
+
+namespace PlateImpact
+{
+  /// The lowest natural frequencies of a plate, of motions that mirror in both
+  /// planes of symmetry, as all that an impact at the centre excites:
+  ///   K x = omega^2 M x,
+  /// by Trilinos' Anasazi, block Krylov-Schur (Stewart 2002,
+  /// doi:10.1137/S0895479800371529) with (K + c M)^{-1} M in the inner product
+  /// of M. Motions as a rigid body are left out.
+  /// @param system  of the discretization; is factorized anew
+  /// @param n       how many; fewer where the mesh has less than four unknowns
+  ///                for each
+  /// @return in ascending order [Hz]
+  /// @throws ComputationError when they are not found
+  std::vector<double>
+  natural_frequencies(const PlateDiscretization &discretization,
+                      FullSystem                &system,
+                      unsigned int               n);
+} // namespace PlateImpact
+
+#endif
