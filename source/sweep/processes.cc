@@ -1,7 +1,6 @@
 #include "plate_impact/sweep/processes.h"
 
 #include <cstdlib>
-#include <list>
 #include <mpi.h>
 
 namespace PlateImpact
@@ -22,15 +21,9 @@ namespace PlateImpact
 
 
 
-  /// What needs MPI: the shared counter and messages on their way.
+  /// What needs MPI: the shared counter.
   struct Processes::Connection
   {
-    struct Message
-    {
-      std::vector<char> bytes;
-      MPI_Request       request;
-    };
-
     Connection()
     {
       MPI_Init(nullptr, nullptr);
@@ -56,16 +49,13 @@ namespace PlateImpact
 
     ~Connection()
     {
-      for (Message &message : sent)
-        MPI_Wait(&message.request, MPI_STATUS_IGNORE);
       MPI_Win_free(&window);
       MPI_Finalize();
     }
 
-    unsigned int       rank, size;
-    MPI_Win            window;
-    unsigned long     *counter = nullptr; ///< on the first process
-    std::list<Message> sent;
+    unsigned int   rank, size;
+    MPI_Win        window;
+    unsigned long *counter = nullptr; ///< on the first process
   };
 
 
@@ -139,21 +129,13 @@ namespace PlateImpact
   void
   Processes::send(const std::vector<char> &bytes)
   {
-    auto &sent = connection->sent;
-    for (auto message = sent.begin(); message != sent.end();)
-      {
-        int arrived;
-        MPI_Test(&message->request, &arrived, MPI_STATUS_IGNORE);
-        message = arrived ? sent.erase(message) : std::next(message);
-      }
-    sent.push_back({bytes, MPI_REQUEST_NULL});
-    MPI_Isend(sent.back().bytes.data(),
-              static_cast<int>(bytes.size()),
-              MPI_CHAR,
-              0,
-              0,
-              MPI_COMM_WORLD,
-              &sent.back().request);
+    // without waiting for the first process as long as the message is small
+    MPI_Send(bytes.data(),
+             static_cast<int>(bytes.size()),
+             MPI_CHAR,
+             0,
+             0,
+             MPI_COMM_WORLD);
   }
 
 

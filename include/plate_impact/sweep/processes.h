@@ -33,8 +33,8 @@ namespace PlateImpact
     void
     broadcast(std::vector<std::size_t> &numbers) const;
 
-    /// Sends bytes to the first process, without waiting for it. Empty ones say
-    /// that nothing will follow.
+    /// Sends bytes to the first process, which takes them between two points of
+    /// its own. Empty ones say that nothing will follow.
     void
     send(const std::vector<char> &bytes);
 
