@@ -200,6 +200,38 @@ namespace PlateImpact
 
 
 
+    TEST_F(Scenes, IntegratorsReportTheSame)
+    {
+      const std::string common =
+        "--set Adaptivity/Strategy=none --set 'Discretization/Initial "
+        "cells=8,8' --set 'Time/End time=600e-6' --set 'Time/Time step=5e-7' "
+        "--set Plate/Thickness=";
+      // two contacts, and one after which the ball is gone
+      for (const auto &[thickness, reported] :
+           {std::make_pair("0.003", "sensitivity"),
+            std::make_pair("0.004", "no_contact_after")})
+        {
+          nlohmann::json cycles[2];
+          for (const bool is_reduced : {false, true})
+            {
+              ASSERT_EQ(run(main_scene,
+                            common + thickness + " --set 'Time/Integrator=" +
+                              (is_reduced ? "Ritz vectors'" : "Newmark'")),
+                        0)
+                << err;
+              cycles[is_reduced] = last_cycle();
+            }
+          EXPECT_TRUE(cycles[0].contains(reported)) << thickness;
+          for (const auto &[key, value] : cycles[0].items())
+            EXPECT_TRUE(cycles[1].contains(key)) << key;
+          for (const auto &[key, value] : cycles[1].items())
+            EXPECT_TRUE(cycles[0].contains(key)) << key;
+          expect_near(cycles[0][reported], cycles[1][reported], 1e-2);
+        }
+    }
+
+
+
     TEST_F(Scenes, RitzVectorsGiveTheHistoryOfTheMesh)
     {
       for (const std::string &scene : {main_scene, cylinder_scene})

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
 
 namespace PlateImpact
@@ -141,9 +141,10 @@ namespace PlateImpact
         alpha =
           newton > low && newton < high ? newton : low + 0.5 * (high - low);
       }
-    std::ostringstream text;
-    text << "the contact equation was not solved (indentation " << alpha
-         << " m, force " << phi << " N); try a smaller Time/Time step";
-    throw ComputationError(text.str());
+    throw ComputationError(
+      fmt::format("the contact equation was not solved (indentation {} m, "
+                  "force {} N); try a smaller Time/Time step",
+                  alpha,
+                  phi));
   }
 } // namespace PlateImpact

@@ -3,7 +3,7 @@
 #include "plate_impact/base/exceptions.h"
 
 #include <cmath>
-#include <sstream>
+#include <fmt/format.h>
 #include <string>
 
 namespace PlateImpact
@@ -96,11 +96,13 @@ namespace PlateImpact
   {
     if (std::isfinite(value))
       return;
-    std::ostringstream text;
-    text << "step " << step << " (t = " << current.time << " s): the "
-         << quantity << " is not finite (" << value
-         << "); try a smaller Time/Time step";
-    throw ComputationError(text.str());
+    throw ComputationError(fmt::format(
+      "step {} (t = {} s): the {} is not finite ({}); try a smaller "
+      "Time/Time step",
+      step,
+      current.time,
+      quantity,
+      value));
   }
 
 
