@@ -177,5 +177,62 @@ namespace PlateImpact
             EXPECT_GT(stage, 0.) << integrator;
         }
     }
+
+
+
+    /// Counts what it is told.
+    class Counter : public AnalysisListener
+    {
+    public:
+      void
+      step(const unsigned int cycle, unsigned int, unsigned int) override
+      {
+        EXPECT_EQ(cycle, cells.size() + 1); // the cycle of the step comes after
+        ++n_steps;
+      }
+
+      void
+      cycle(Cycle &cycle) override
+      {
+        EXPECT_EQ(cycle.mesh().n_active_cells(), cycle.result.cells);
+        EXPECT_TRUE(cycle.result.over_limit);
+        cells.push_back(cycle.result.cells);
+      }
+
+      unsigned int              n_steps = 0;
+      std::vector<unsigned int> cells; ///< of the cycles
+    };
+
+
+
+    TEST(ImpactAnalysis, TellsEveryStepAndCycleToTheEnd)
+    {
+      const Parameters parameters =
+        parameters_with({"Discretization/Initial cells=3,3",
+                         "Time/Time step=1e-6",
+                         "Adaptivity/Maximum cycles=2",
+                         "Adaptivity/Target error=0.01"});
+      ImpactAnalysis    analysis(parameters);
+      AdaptationControl control(parameters.adaptivity);
+      Counter           counter;
+      EXPECT_EQ(analysis.run(control, counter), Outcome::maximum_cycles);
+      ASSERT_EQ(counter.cells.size(), 2u);
+      EXPECT_EQ(counter.cells[0], 9u);
+      EXPECT_GT(counter.cells[1], 9u);
+      EXPECT_EQ(analysis.last_cycle().result.cells, counter.cells[1]);
+      EXPECT_EQ(counter.n_steps, 2 * analysis.last_cycle().result.steps);
+    }
+
+
+
+    TEST(ImpactAnalysis, LeavesAPlateAtRestThatNothingStrikes)
+    {
+      ImpactAnalysis analysis(parameters_with({"Impactor/Shape=none"}));
+      EXPECT_EQ(analysis.run(), Outcome::single_mesh);
+      EXPECT_FALSE(analysis.last_cycle().result.history);
+      EXPECT_FALSE(analysis.last_cycle().result.error);
+      EXPECT_EQ(analysis.last_cycle().plate.work().factorizations, 0u);
+      EXPECT_TRUE(analysis.all_warnings().empty());
+    }
   } // namespace
 } // namespace PlateImpact
