@@ -1,5 +1,6 @@
 // Static deflections and frequencies against series and Ritz solutions of high
 // order (tests/reference).
+#include "plate_impact/base/exceptions.h"
 #include "plate_impact/transient/natural_frequencies.h"
 #include "plate_impact/transient/struck_plate.h"
 #include "test_plate.h"
@@ -191,6 +192,58 @@ namespace PlateImpact
           ASSERT_FALSE(few.empty());
           EXPECT_LT(few.size(), 10u);
           EXPECT_GT(few.front(), 0.);
+        }
+    }
+
+
+
+    TEST(Frequencies, FillTheWholeSpaceOfSmallMeshes)
+    {
+      for (const EdgeSupport support :
+           {EdgeSupport::clamped, EdgeSupport::free})
+        for (const ElementType element : all_elements())
+          for (const unsigned int n_cells : {1, 2, 3})
+            for (const unsigned int n : {1, 7, 40})
+              {
+                // a free plate of Lagrange elements has its spurious mode
+                if (support == EdgeSupport::free &&
+                    element == ElementType::Lagrange)
+                  continue;
+                EXPECT_NO_THROW(scaled_frequencies(unit_plate(support, 0.05),
+                                                   element,
+                                                   n_cells,
+                                                   n))
+                  << element << ' ' << n_cells << ' ' << n;
+              }
+    }
+
+
+
+    TEST(Frequencies, AreNotWhatRoundOffLeaves)
+    {
+      // by the beam, (1.875 / (L/2))^2 (E I / rho A)^{1/2} / 2 pi and more
+      for (const double length : {1., 10., 2000.})
+        {
+          PlateParameters plate = unit_plate(EdgeSupport::free, 0.05);
+          plate.side_lengths    = {{0.2, length}};
+          StruckPlate  struck(plate,
+                             {ElementType::MITC9,
+                               {{8, 8}},
+                               SolverType::CHOLMOD},
+                             make_plate_quadrant(plate, {{8, 8}}));
+          const double beam = std::pow(4.730 / length, 2) *
+            std::sqrt(plate.youngs_modulus / plate.density / 12.) *
+            plate.thickness / (2. * numbers::PI);
+          try
+            {
+              const auto frequencies = struck.natural_frequencies(2);
+              ASSERT_EQ(frequencies.size(), 2u);
+              EXPECT_NEAR(frequencies[0] / beam, 1., 0.05) << length;
+            }
+          catch (const ComputationError &)
+            {
+              EXPECT_GT(length, 10.);
+            }
         }
     }
   } // namespace

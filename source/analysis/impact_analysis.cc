@@ -74,6 +74,8 @@ namespace PlateImpact
   ImpactAnalysis::build()
   {
     StageClock clock;
+    if (mesh == nullptr) // the present one again
+      mesh = copy_of(current->mesh());
     current.reset();
     current = std::make_unique<Cycle>(++n_cycles, parameters, std::move(mesh));
     current->result.seconds.mesh = seconds_for_mesh;
@@ -162,12 +164,11 @@ namespace PlateImpact
   {
     const unsigned int most_cells = parameters.adaptivity.maximum_cells;
     StageClock         clock;
-    auto               adapted = std::make_unique<Triangulation<2>>();
-    // whoever keeps the last cycle needs its mesh: adapt a copy
-    adapted->copy_triangulation(current->mesh());
-    ErrorOverLimit over_limit;
+    ErrorOverLimit     over_limit;
     do
       {
+        // whoever keeps the last cycle needs its mesh: adapt a copy
+        auto adapted = copy_of(current->mesh());
         over_limit =
           error_over_limit(*current->result.error, control.target_error());
         // before there is a mesh that does not fit into the memory
@@ -193,8 +194,7 @@ namespace PlateImpact
   ImpactAnalysis::refine_everywhere()
   {
     StageClock clock;
-    mesh = std::make_unique<Triangulation<2>>();
-    mesh->copy_triangulation(current->mesh());
+    mesh = copy_of(current->mesh());
     mesh->refine_global();
     seconds_for_mesh = 0.;
     clock.charge(seconds_for_mesh);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 namespace PlateImpact
 {
@@ -107,19 +108,21 @@ namespace PlateImpact
 
 
   std::vector<Snapshot>
-  TransientRecord::unknowns_of(const std::vector<Snapshot> &states) const
+  TransientRecord::unknowns_of(std::vector<Snapshot> states) const
   {
-    if (states.empty())
-      return {};
-    // one product of matrices instead of many with a vector
-    Eigen::MatrixXd columns(states.front().unknowns.size(), states.size());
-    for (std::size_t i = 0; i < states.size(); ++i)
-      columns.col(i) = states[i].unknowns;
-    const Eigen::MatrixXd unknowns = system->unknowns(columns);
-    std::vector<Snapshot> result;
-    for (std::size_t i = 0; i < states.size(); ++i)
-      result.push_back({states[i].time, unknowns.col(i)});
-    return result;
+    // products of matrices instead of many with a vector, a few at a time
+    const std::size_t batch = 16;
+    for (std::size_t first = 0; first < states.size(); first += batch)
+      {
+        const std::size_t n = std::min(batch, states.size() - first);
+        Eigen::MatrixXd   columns(states[first].unknowns.size(), n);
+        for (std::size_t i = 0; i < n; ++i)
+          columns.col(i) = states[first + i].unknowns;
+        const Eigen::MatrixXd unknowns = system->unknowns(columns);
+        for (std::size_t i = 0; i < n; ++i)
+          states[first + i].unknowns = unknowns.col(i);
+      }
+    return states;
   }
 
 
@@ -129,8 +132,8 @@ namespace PlateImpact
   {
     clock.charge(result.seconds.stepping);
     result.steps     = n_steps;
-    result.snapshots = unknowns_of(fields);
-    result.frames    = unknowns_of(film);
+    result.snapshots = unknowns_of(std::move(fields));
+    result.frames    = unknowns_of(std::move(film));
     if (!peak.empty())
       result.peak_state = unknowns_of(peak).front();
     if (buffer)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <fmt/format.h>
 #include <string>
 
@@ -109,7 +110,7 @@ namespace PlateImpact
   about(const double value)
   {
     // rounded first, so that 1310 does not become 1.31e+03
-    return number(std::stod(fmt::format("{:.2e}", value)));
+    return number(std::strtod(fmt::format("{:.2e}", value).c_str(), nullptr));
   }
 
 

@@ -1,5 +1,6 @@
 #include "plate_impact/command/check.h"
 
+#include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/command/expectation.h"
 #include "plate_impact/plate/plate_section.h"
@@ -136,16 +137,22 @@ namespace PlateImpact
 
     void
     add_frequencies(ExpectationText &text, const Parameters &parameters)
-    {
-      const std::vector<double> frequencies = expected_frequencies(parameters);
-      const PrefixedUnit        unit("Hz", frequencies);
-      std::string               values;
-      for (const double frequency : frequencies)
-        values += (values.empty() ? "" : ", ") + about(unit(frequency));
-      text.line("natural frequencies",
-                values + ' ' + unit.name() +
-                  ", the lowest of those that an impact excites");
-    }
+    try
+      {
+        const std::vector<double> frequencies =
+          expected_frequencies(parameters);
+        const PrefixedUnit unit("Hz", frequencies);
+        std::string        values;
+        for (const double frequency : frequencies)
+          values += (values.empty() ? "" : ", ") + about(unit(frequency));
+        text.line("natural frequencies",
+                  values + ' ' + unit.name() +
+                    ", the lowest of those that an impact excites");
+      }
+    catch (const ComputationError &)
+      {
+        text.line("natural frequencies", "cannot be said for this plate");
+      }
 
 
 

@@ -2,10 +2,13 @@
 
 #include "plate_impact/analysis/impact_analysis.h"
 #include "plate_impact/base/exceptions.h"
+#include "plate_impact/base/stage_clock.h"
 #include "plate_impact/output/console.h"
 #include "plate_impact/output/output.h"
 
 #include <new>
+#include <string>
+#include <vector>
 
 namespace PlateImpact
 {
@@ -42,6 +45,27 @@ namespace PlateImpact
 
 
 
+    /// The impact is what counts: without them there is a warning.
+    void
+    add_frequencies(const unsigned int        n,
+                    Cycle                    &cycle,
+                    std::vector<std::string> &warnings)
+    {
+      StageClock clock;
+      try
+        {
+          cycle.result.natural_frequencies = cycle.plate.natural_frequencies(n);
+        }
+      catch (const ComputationError &error)
+        {
+          warnings.push_back("there are no natural frequencies: " +
+                             std::string(error.what()));
+        }
+      clock.charge(cycle.result.seconds.output);
+    }
+
+
+
     void
     run(const Scene &scene, Output &output, Console &console)
     {
@@ -50,7 +74,10 @@ namespace PlateImpact
       AdaptationControl control(scene.parameters.adaptivity);
       RunListener       listener(output, console);
       const Outcome     outcome  = analysis.run(control, listener);
-      const auto        warnings = analysis.all_warnings();
+      auto              warnings = analysis.all_warnings();
+      add_frequencies(scene.parameters.output.natural_frequencies,
+                      analysis.last_cycle(),
+                      warnings);
       output.finish(outcome, warnings, analysis.last_cycle());
       console.end(outcome,
                   analysis.last_cycle().result,

@@ -314,8 +314,6 @@ namespace PlateImpact
     StageClock clock;
     if (!last.result.snapshots.empty())
       write_fields(last);
-    last.result.natural_frequencies = last.plate.natural_frequencies(
-      scene.parameters.output.natural_frequencies);
     clock.charge(last.result.seconds.output);
     cycles.back() = to_json(last.result);
     const nlohmann::ordered_json summary =

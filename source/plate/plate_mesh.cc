@@ -27,6 +27,16 @@ namespace PlateImpact
 
 
 
+  std::unique_ptr<Triangulation<2>>
+  copy_of(const Triangulation<2> &mesh)
+  {
+    auto copy = std::make_unique<Triangulation<2>>();
+    copy->copy_triangulation(mesh);
+    return copy;
+  }
+
+
+
   double
   cell_size(const Triangulation<2>::cell_iterator &cell)
   {

@@ -18,16 +18,6 @@ namespace PlateImpact
 
   namespace
   {
-    std::unique_ptr<Triangulation<2>>
-    copy_of(const Triangulation<2> &mesh)
-    {
-      auto copy = std::make_unique<Triangulation<2>>();
-      copy->copy_triangulation(mesh);
-      return copy;
-    }
-
-
-
     /// A message in one line.
     std::string
     in_one_line(std::string text)
@@ -145,7 +135,12 @@ namespace PlateImpact
       {
         Parameters on_mesh          = parameters;
         on_mesh.adaptivity.strategy = AdaptationStrategy::none;
-        return analyse(on_mesh, copy_of(struck_plate->discretization().mesh()));
+        Computed computed =
+          analyse(on_mesh, copy_of(struck_plate->discretization().mesh()));
+        computed.warnings.insert(computed.warnings.end(),
+                                 mesh_warnings.begin(),
+                                 mesh_warnings.end());
+        return computed;
       }
     return strike(point);
   }

@@ -16,6 +16,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 namespace PlateImpact
 {
@@ -108,7 +110,7 @@ namespace PlateImpact
 
 
     /// Of the order of the square of the lowest frequency: bending of a square
-    /// of the plate's area. [1/s^2]
+    /// of the area of the mesh. [1/s^2]
     double
     shift(const PlateDiscretization &discretization)
     {
@@ -121,11 +123,13 @@ namespace PlateImpact
 
 
 
-    /// The largest eigenvalues theta of (K + c M)^{-1} M.
+    /// Squares of frequencies, by Rayleigh's quotient of the modes with the
+    /// largest eigenvalues theta of (K + c M)^{-1} M, ascending. [1/s^2]
     std::vector<double>
-    largest_eigenvalues(const Epetra_CrsMatrix &mass,
-                        FullSystem             &system,
-                        const int               n)
+    lowest_squares(const Epetra_CrsMatrix &mass,
+                   FullSystem             &system,
+                   const double            c,
+                   const int               n)
     {
       using Problem =
         Anasazi::BasicEigenproblem<double, Epetra_MultiVector, Epetra_Operator>;
@@ -153,20 +157,45 @@ namespace PlateImpact
       parameters.set("Which", "LM");
       parameters.set("Block Size", block_size);
       parameters.set("Num Blocks",
-                     std::min((n_unknowns - 1) / block_size, 2 * n + 8));
+                     std::min(n_unknowns / block_size - 1, 2 * n + 8));
       parameters.set("Maximum Restarts", 100);
       parameters.set("Convergence Tolerance", 1e-9);
       parameters.set("Verbosity", Anasazi::Errors);
       Anasazi::
         BlockKrylovSchurSolMgr<double, Epetra_MultiVector, Epetra_Operator>
           solver(problem, parameters);
-      if (solver.solve() != Anasazi::Converged)
-        throw ComputationError("Anasazi does not find the " +
-                               std::to_string(n) +
-                               " lowest natural frequencies");
+      try
+        {
+          if (solver.solve() != Anasazi::Converged)
+            throw ComputationError("Anasazi does not find the " +
+                                   std::to_string(n) +
+                                   " lowest natural frequencies");
+        }
+      catch (const std::logic_error &error)
+        {
+          throw ComputationError("Anasazi fails to find natural frequencies: " +
+                                 std::string(error.what()));
+        }
+
+      const auto         &solution = problem->getSolution();
       std::vector<double> result;
-      for (const auto &value : problem->getSolution().Evals)
-        result.push_back(value.realpart);
+      Eigen::VectorXd     Kx, Mx;
+      for (int mode = 0; mode < solution.numVecs; ++mode)
+        {
+          const Eigen::VectorXd x =
+            Eigen::Map<const Eigen::VectorXd>((*solution.Evecs)[mode],
+                                              n_unknowns);
+          system.multiply_stiffness(x, Kx);
+          system.multiply_mass(x, Mx);
+          const double square   = x.dot(Kx) / x.dot(Mx),
+                       by_theta = 1. / solution.Evals[mode].realpart - c;
+          // a motion as a rigid body has none
+          if (std::abs(square - by_theta) > 1e-2 * std::abs(square) + 1e-6 * c)
+            throw ComputationError(
+              "round-off hides the lowest natural frequencies");
+          result.push_back(square);
+        }
+      std::sort(result.begin(), result.end());
       return result;
     }
   } // namespace
@@ -184,13 +213,17 @@ namespace PlateImpact
       return {};
     const double c = shift(discretization);
     system.factorize(c);
+    const std::vector<double> squares =
+      lowest_squares(discretization.mass(), system, c, n_wanted + n_rigid);
     std::vector<double> result;
-    for (const double theta :
-         largest_eigenvalues(discretization.mass(), system, n_wanted + n_rigid))
-      result.push_back(std::sqrt(std::max(0., 1. / theta - c)) /
-                       (2. * std::acos(-1.)));
-    std::sort(result.begin(), result.end());
-    result.erase(result.begin(), result.begin() + n_rigid);
+    for (std::size_t mode = n_rigid; mode < squares.size(); ++mode)
+      {
+        // what is left of a rigid body's, if it is not less by far
+        if (squares[mode] < 1e-6 * c)
+          throw ComputationError(
+            "round-off hides the lowest natural frequencies");
+        result.push_back(std::sqrt(squares[mode]) / (2. * std::acos(-1.)));
+      }
     return result;
   }
 } // namespace PlateImpact

@@ -167,14 +167,16 @@ namespace PlateImpact
     Parameters                rounded  = parameters;
     const ImpactorParameters &impactor = rounded.impactor =
       nearby(parameters.impactor, plate);
-    const auto [known, is_new] =
-      settled.try_emplace({parameters.contact, impactor});
-    if (is_new)
+    const auto key   = std::make_pair(parameters.contact, impactor);
+    auto       known = settled.find(key);
+    if (known == settled.end())
       {
-        const auto     law    = make_contact_law(rounded);
-        const Impactor struck = make_impactor(impactor);
+        const auto     law     = make_contact_law(rounded);
+        const Impactor struck  = make_impactor(impactor);
+        ReducedSystem *reduced = nullptr;
         if (!steps_are_fewer(*law, struck))
-          known->second = settle(*law, struck);
+          reduced = settle(*law, struck);
+        known = settled.emplace(key, reduced).first;
       }
     if (known->second == nullptr)
       return full;

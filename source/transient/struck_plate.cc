@@ -173,14 +173,14 @@ namespace PlateImpact
     if (known == loads.end())
       {
         forget_loads();
-        known      = loads.try_emplace(key).first;
-        Load &load = known->second;
-        load.u     = plate.load(make_load_distribution(parameters.contact,
+        Load load;
+        load.u = plate.load(make_load_distribution(parameters.contact,
                                                    parameters.impactor.length));
         load.integration =
           make_contact_integration(parameters.contact.integration);
         load.integrator =
           make_integrator(parameters, system, *load.integration);
+        known = loads.emplace(key, std::move(load)).first;
         ++n_loads;
       }
     system.set_load(known->second.u);

@@ -3,7 +3,6 @@
 #include "plate_impact/transient/newmark_scheme.h"
 #include "plate_impact/transient/time_stepper.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace PlateImpact

@@ -50,7 +50,7 @@ namespace PlateImpact
     is_field(unsigned int step) const;
     /// On the mesh.
     std::vector<Snapshot>
-    unknowns_of(const std::vector<Snapshot> &states) const;
+    unknowns_of(std::vector<Snapshot> states) const;
 
     const Parameters &parameters;
     Cycle            &cycle;

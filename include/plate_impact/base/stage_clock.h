@@ -6,7 +6,7 @@
 namespace PlateImpact
 {
   /// Charges the wall time since the last charge, or since it was made, to a
-  /// stage. A cycle has one clock, so that no second is charged twice.
+  /// stage, so that no second is charged twice.
   class StageClock
   {
   public:

@@ -26,6 +26,9 @@ namespace PlateImpact
   make_plate_quadrant(const PlateParameters             &plate,
                       const std::array<unsigned int, 2> &n_cells);
 
+  std::unique_ptr<dealii::Triangulation<2>>
+  copy_of(const dealii::Triangulation<2> &mesh);
+
   /// Size h of a cell: its longest side, which is what resolves a field. [m]
   double
   cell_size(const dealii::Triangulation<2>::cell_iterator &cell);

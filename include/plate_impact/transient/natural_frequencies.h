@@ -18,7 +18,7 @@ namespace PlateImpact
   /// @param n       how many; fewer where the mesh has less than four unknowns
   ///                for each
   /// @return in ascending order [Hz]
-  /// @throws ComputationError when they are not found
+  /// @throws ComputationError when they are not found or lost in round-off
   std::vector<double>
   natural_frequencies(const PlateDiscretization &discretization,
                       FullSystem                &system,

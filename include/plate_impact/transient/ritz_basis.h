@@ -30,7 +30,7 @@ namespace PlateImpact
 
     /// Adds vectors, one solve each, until there are n or, when the space is
     /// exhausted, as many as there can be. Factorizes K + sigma M unless the
-    /// plate holds it.
+    /// system holds it.
     void
     grow(unsigned int n);
 

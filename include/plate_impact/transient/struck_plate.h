@@ -30,7 +30,7 @@ namespace PlateImpact
     virtual ~TransientListener() = default;
 
     /// Before the first step.
-    /// @param system  that is stepped; lives as long as the struck plate
+    /// @param system  that is stepped; lives until the plate is struck again
     virtual void
     begin(const SemidiscreteSystem &system, const TimeStepper &stepper) = 0;
 
