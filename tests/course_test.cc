@@ -106,7 +106,7 @@ namespace PlateImpact
 
 
 
-    TEST_F(Course, EtaDoesNotSeeWavesShorterThanTheCells)
+    TEST_F(Course, EtaDoesNotContainWavesShorterThanTheCells)
     {
       const auto coarse = outcome_of("02")["cycles"];
       const auto fine = last_of("02", {hanging, "Adaptivity/Maximum cycles=8"});

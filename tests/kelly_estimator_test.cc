@@ -77,7 +77,7 @@ namespace PlateImpact
 
 
 
-    TEST(KellyEstimator, SeesNothingInAFieldWithoutJumps)
+    TEST(KellyEstimator, IsZeroInAFieldWithoutJumps)
     {
       auto mesh = unit_square(3);
       refine_randomly(*mesh, 2);

@@ -91,7 +91,7 @@ namespace PlateImpact
         return p.norm() < 0.2 ? 200. : 0.9;
       });
       EXPECT_TRUE(adapt(parameters, *mesh, estimate));
-      // sqrt(200) asks for 14.1 times smaller cells: four levels
+      // sqrt(200) makes cells 14.1 times smaller: four levels
       EXPECT_NEAR(smallest(*mesh), 0.25 / 16., 1e-12);
       for (const auto &cell : mesh->active_cell_iterators())
         if (cell->center()[0] < 0.25 && cell->center()[1] < 0.25)

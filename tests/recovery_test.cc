@@ -7,6 +7,7 @@
 #include "test_plate.h"
 
 #include <cmath>
+#include <fmt/format.h>
 
 namespace PlateImpact
 {
@@ -442,6 +443,7 @@ namespace PlateImpact
           {
             const auto mesh   = make_plate_quadrant(plate, {{n, n}});
             const auto result = effectivity(name, *mesh);
+            record(fmt::format("{}/{}", n, word_for(name)), result.overall);
             EXPECT_GT(result.overall, 0.9) << name << ' ' << n;
             EXPECT_LT(result.overall, 1.1) << name << ' ' << n;
           }
@@ -458,6 +460,7 @@ namespace PlateImpact
             const auto mesh = make_plate_quadrant(plate, {{6, 6}});
             remesh(*mesh, fine, 0.1);
             const auto result = effectivity(name, *mesh);
+            record(fmt::format("{}/{}", fine, word_for(name)), result.overall);
             EXPECT_GT(result.overall, 0.9) << name << ' ' << fine;
             EXPECT_LT(result.overall, 1.1) << name << ' ' << fine;
             EXPECT_GT(result.smallest_of_cells, 0.5) << name << ' ' << fine;
@@ -478,6 +481,7 @@ namespace PlateImpact
               cell->set_refine_flag();
           mesh->execute_coarsening_and_refinement();
           const auto result = effectivity(name, *mesh);
+          record(word_for(name), result.overall);
           EXPECT_GT(result.overall, 0.9) << name;
           EXPECT_LT(result.overall, 1.1) << name;
           EXPECT_GT(result.smallest_of_cells, 0.7) << name;

@@ -7,6 +7,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <fmt/format.h>
+
 namespace PlateImpact
 {
   namespace
@@ -228,6 +230,44 @@ namespace PlateImpact
       };
       EXPECT_LT(error(300), 2e-5);
       EXPECT_GT(error(0), 2. * error(300));
+    }
+
+
+
+    TEST(ReducedSystem, ErrorsWithAndWithoutATerminator)
+    {
+      Target target(
+        {"Discretization/Initial cells=24,24", "Discretization/Element=MITC9"});
+      // what RitzReduction chooses for this scene
+      const double sigma = std::exp2(38.);
+      const double distance =
+        std::sqrt(sigma) * target.parameters.time.end_time;
+      const unsigned int   n_beyond = 7. * distance;
+      const ContactHistory of_mesh  = target.strike(target.plate, 1.);
+      RitzBasis            basis(target.plate, sigma);
+      basis.grow(60);
+      const auto error = [&](const unsigned int n, const unsigned int beyond) {
+        ReducedSystem reduced(basis, n, beyond);
+        return difference(target.strike(reduced, 1.), of_mesh);
+      };
+      record("distance", distance);
+      for (const unsigned int n : {10, 12, 15, 20, 25, 30, 40, 60})
+        {
+          const double without = error(n, 0), with = error(n, n_beyond);
+          record(fmt::format("without/{}", n), without);
+          record(fmt::format("with/{}", n), with);
+          EXPECT_LT(with, 2e-4) << n;
+          EXPECT_LT(with, without) << n;
+        }
+
+      // until waves come back from the edges, the chain is uniform
+      const Eigen::VectorXd on  = 2. * sigma * basis.mass_diagonal(),
+                            off = 4. * sigma * basis.mass_subdiagonal();
+      const double deviation =
+        std::max((on.segment(3, 7).array() - 1.).abs().maxCoeff(),
+                 (off.segment(3, 7).array() - 1.).abs().maxCoeff());
+      record("deviation from the uniform chain", deviation);
+      EXPECT_LT(deviation, 0.03);
     }
 
 

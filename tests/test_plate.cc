@@ -14,6 +14,7 @@
 #include <Epetra_Vector.h>
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
 #include <fstream>
 #include <limits>
 #include <random>
@@ -246,5 +247,13 @@ namespace PlateImpact
   {
     std::ifstream in(std::string(TEST_DATA) + "/reference/" + name);
     return nlohmann::json::parse(in);
+  }
+
+
+
+  void
+  record(const std::string &name, const double value)
+  {
+    testing::Test::RecordProperty(name, fmt::format("{:.12g}", value));
   }
 } // namespace PlateImpact

@@ -117,6 +117,11 @@ namespace PlateImpact
   nlohmann::json
   reference(const std::string &name);
 
+  /// Puts a number that the test measures into GoogleTest's report, from which
+  /// doc/make takes it.
+  void
+  record(const std::string &name, double value);
+
   /// Deflection and rotations given by a function of a point.
   class Field : public dealii::Function<2>
   {

@@ -75,8 +75,8 @@ namespace PlateImpact
 
 
 
-    /// Flags cells off their wanted level; a family is coarsened when all of
-    /// its cells want it, to what the most demanding of them wants.
+    /// Flags cells off their target level; a family is coarsened when all of
+    /// its cells are too fine, to the finest of their levels.
     void
     flag(Triangulation<2> &mesh)
     {
@@ -136,10 +136,10 @@ namespace PlateImpact
                              sizes[cell->active_cell_index()],
                              adaptivity));
 
-    // One level at a time. Cells refined for the sake of their neighbours want
-    // to be coarsened again; prepare_coarsening_and_refinement() takes such
-    // flags back, which ends the loop. The bound is for meshes where it does
-    // not.
+    // One level at a time. Cells refined for the sake of their neighbours are
+    // flagged to be coarsened again; prepare_coarsening_and_refinement() takes
+    // such flags back, which ends the loop. The bound is for meshes where it
+    // does not.
     for (unsigned int pass = 0; pass < 64; ++pass)
       {
         flag(mesh);

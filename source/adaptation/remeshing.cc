@@ -42,7 +42,7 @@ namespace PlateImpact
 
 
 
-    /// Sizes at the vertices: the smallest that their cells want, nowhere
+    /// Sizes at the vertices: the smallest that their cells need, nowhere
     /// growing faster than the gradation.
     std::vector<double>
     sizes_at_vertices(const Triangulation<2>    &mesh,

@@ -40,7 +40,9 @@ namespace PlateImpact
       {"zener_loss_factor", "Loss factor of Zener's formula", ""},
       {"peak_force_over_zener", "Peak force over Zener's", ""},
       {"restitution_over_zener", "Restitution over Zener's", ""},
-      {"discretization_error", "Discretization error eta, fraction", ""}};
+      {"discretization_error",
+       "Relative error in the energy norm eta, fraction",
+       ""}};
     return figures;
   }
 

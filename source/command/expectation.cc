@@ -53,7 +53,7 @@ namespace PlateImpact
                   const double      wavelength)
     {
       std::array<unsigned int, 2> n_cells = {{8, 8}};
-      // Zener's equation, which knows short waves, is of no help for a cylinder
+      // Zener's equation, which gives short waves, is of no help for a cylinder
       for (unsigned int d = 0; d < 2; ++d)
         if (scene.impactor.is_cylinder())
           n_cells[d] = static_cast<unsigned int>(

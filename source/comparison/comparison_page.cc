@@ -200,7 +200,7 @@ namespace PlateImpact
                                 number(100. * remeshed->eta)});
       }
     page.paragraph(
-      "Hanging nodes halve sizes: a cell that asks for a little less than its "
+      "Hanging nodes halve sizes: a cell that needs a little less than its "
       "size gets half of it, up to four times the cells. Remeshing gives any "
       "size, but its cells are no parallelograms, on which elements of eight "
       "nodes (serendipity, and the deflection of heterosis) lose an order "

@@ -219,15 +219,14 @@ namespace PlateImpact
         scene.parameters.adaptivity.target_error;
     if (was_met || result.cells > most_drawn_cells)
       return;
-    curve.picture = {curve.name() + ": " + std::to_string(result.cells) +
-                       " cells",
-                     result.cells,
-                     mesh_picture(cycle.mesh(),
-                                  "Mesh of cycle " +
-                                    std::to_string(result.cycle) +
-                                    ", impact at the lower left corner",
-                                  result.element_errors()),
-                     {{"element error ξ′", true, result.over_limit->elements}}};
+    curve.picture = {
+      curve.name() + ": " + std::to_string(result.cells) + " cells",
+      result.cells,
+      mesh_picture(cycle.mesh(),
+                   "Mesh of cycle " + std::to_string(result.cycle) +
+                     ", impact at the lower left corner",
+                   result.element_errors()),
+      {{"local error ratio ξ′", true, result.over_limit->elements}}};
   }
 
 

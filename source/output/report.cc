@@ -186,9 +186,9 @@ namespace PlateImpact
     if (!error_histories.empty())
       {
         const PrefixedUnit unit("s", error_histories.back().time);
-        Plot               plot{"Relative error in time, η(t)",
+        Plot plot{"Relative error in the energy norm over time, η(t)",
                   "‖e‖ over the norm of the solution at the samples of the "
-                                "estimator; η is its mean with that norm as weight.",
+                  "estimator; η is its mean with that norm as weight.",
                   {"time [" + unit.name() + "]"},
                   {"η(t) [%]", true},
                   {},
@@ -239,7 +239,7 @@ namespace PlateImpact
     if (film.is_null())
       return;
     page.section("In time");
-    page.paragraph("Deflection and element errors on the last mesh.");
+    page.paragraph("Deflection and local error ratio on the last mesh.");
     page.film(film);
   }
 
@@ -300,7 +300,7 @@ namespace PlateImpact
                        result.element_errors());
         if (result.error)
           mesh.fields.push_back(
-            {"element error ξ′", true, result.over_limit->elements});
+            {"local error ratio ξ′", true, result.over_limit->elements});
         if (result.peak_state)
           for (const CellField &field :
                resultant_fields(*result.peak_state, cycle))

@@ -95,7 +95,7 @@ namespace PlateImpact
                            number(value("plate_displacement_at_peak"), "m")});
       }
     if (last.contains("discretization_error"))
-      facts.push_back({"Discretization error η",
+      facts.push_back({"Relative error in the energy norm η",
                        percentage(value("discretization_error")),
                        "target " +
                          percentage(parameters.adaptivity.target_error) +
@@ -119,7 +119,7 @@ namespace PlateImpact
     if (last.contains("discretization_error"))
       {
         std::string text = "η = " + percentage(last["discretization_error"]) +
-          " of the energy norm, target " +
+          " in the energy norm, target " +
           percentage(parameters.adaptivity.target_error) +
           "; the peak force is usually far more accurate.";
         if (last.contains("singular_cells"))

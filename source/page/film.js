@@ -77,7 +77,7 @@ class Film {
     this.slider.setAttribute('aria-label', 'Time');
     const label = add('label', { textContent: 'Colour: ' }, controls);
     this.select = add('select', {}, label);
-    for (const [value, text] of [['deflection', 'deflection'], ['error', 'element error ξ']])
+    for (const [value, text] of [['deflection', 'deflection'], ['error', 'local error ratio ξ']])
       add('option', { value, textContent: text }, this.select);
     this.readout = add('div', { className: 'readout' }, holder);
     this.readout.setAttribute('aria-live', 'off');
@@ -189,7 +189,7 @@ class Film {
     const top = withUnit(this.largest * this.film.deflectionUnit, 'm');
     this.scale.replaceChildren(this.field === 'deflection' ?
       makeScale(palettes.diverging, ['−' + top, '0', top], 'deflection, positive in the direction of impact') :
-      makeScale(palettes.diverging, ['0.01', '0.1', '1', '10', '100'], 'element error ξ(t)'));
+      makeScale(palettes.diverging, ['0.01', '0.1', '1', '10', '100'], 'local error ratio ξ(t)'));
   }
 }
 

@@ -42,7 +42,7 @@ namespace PlateImpact
       const double       height = 300.;
       const unsigned int n      = 40;
       out << "<text x=\"" << left << "\" y=\"" << top - 12
-          << "\">element error xi&#8242;</text>\n";
+          << "\">local error ratio xi&#8242;</text>\n";
       for (unsigned int i = 0; i < n; ++i)
         out << "<rect x=\"" << left << "\" y=\"" << top + height * i / n
             << "\" width=\"18\" height=\"" << height / n + 0.5 << "\" fill=\""

@@ -101,10 +101,10 @@ namespace PlateImpact
         "Hertz disc",
         Allowed::word_for<LoadShape>(),
         contact.load_distribution,
-        "How the contact force spreads over the plate. The contact "
-        "law sees the plate's displacement averaged with the same "
-        "weights. Under 'point' the peak force has no limit under "
-        "refinement: it drops 0.7 % per halving of the cells.");
+        "How the contact force spreads over the plate. The "
+        "displacement of the plate in the contact law is averaged with "
+        "the same weights. Under 'point' the peak force has no limit "
+        "under refinement: it drops with every halving of the cells.");
       schema.declare(
         "Patch radius",
         "0",
@@ -224,7 +224,7 @@ namespace PlateImpact
                      "0.05",
                      Allowed::number_between(0, 1),
                      adaptivity.target_error,
-                     "Overall discretization error eta, a fraction. [-]");
+                     "Relative error in the energy norm eta, a fraction. [-]");
       schema.declare("Maximum cycles",
                      "6",
                      Allowed::whole_number(1, 1000),
@@ -423,8 +423,8 @@ namespace PlateImpact
                      "false",
                      Allowed::truth(),
                      sweep.estimate_error,
-                     "Estimate the discretization error of every point, which "
-                     "then costs as much as the stepping of a run.");
+                     "Estimate the error in the energy norm of every point, "
+                     "which then costs as much as the stepping of a run.");
       schema.declare("Write histories",
                      "false",
                      Allowed::truth(),

@@ -10,6 +10,7 @@
 #include <Epetra_Vector.h>
 #include <cholmod.h>
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <new>
 #include <stdexcept>
@@ -67,8 +68,12 @@ namespace PlateImpact
       {
         forgo_threads();
         cholmod_start(&common);
-        common.supernodal = CHOLMOD_SUPERNODAL;
-        common.nmethods   = 1;
+        // Dense blocks pay from some thousand unknowns on. Without them no BLAS
+        // is called, whose kernels differ from processor to processor.
+        common.supernodal        = CHOLMOD_AUTO;
+        common.supernodal_switch = 80.; // operations per entry of the factor
+        common.final_ll          = 1; // fails where K* is not positive definite
+        common.nmethods          = 1;
         // METIS' nested dissection costs as much as twenty solves and makes
         // them faster by a few per cent, if at all, up to a million unknowns
         common.method[0].ordering = CHOLMOD_AMD;
@@ -112,7 +117,9 @@ namespace PlateImpact
           factor = cholmod_analyze(&A, &common);
         if (factor != nullptr)
           {
-            require_memory(factor->xsize * sizeof(double), A.nrow);
+            require_memory(std::max<double>(factor->xsize, common.lnz) *
+                             sizeof(double),
+                           A.nrow);
             cholmod_factorize(&A, factor, &common);
           }
         if (common.status == CHOLMOD_OUT_OF_MEMORY ||

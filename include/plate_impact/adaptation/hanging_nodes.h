@@ -6,7 +6,7 @@
 namespace PlateImpact
 {
   /// Satisfies target sizes by refining and coarsening cells of the given mesh,
-  /// several levels at once where asked for. Levels are rounded up, so that no
+  /// several levels at once where necessary. Levels are rounded up, so that no
   /// cell stays larger than its target.
   class HangingNodeAdaptation : public MeshAdaptation
   {

@@ -12,7 +12,7 @@
 
 namespace PlateImpact
 {
-  /// Sizes that the error of each cell asks for (Table 1 of the paper),
+  /// Sizes that follow from the error of each cell (Table 1 of the paper),
   /// h_new = h / xi'^phi, infinite without an error. By active index. Whether
   /// a cell is coarsened is decided on these, its size by allowed_size(). [m]
   std::vector<double>

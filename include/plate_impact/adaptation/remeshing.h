@@ -12,10 +12,10 @@ namespace PlateImpact
   /// The impact and the end of a line contact are vertices.
   ///
   /// Sizes are held at the vertices of the old mesh, the smallest that the
-  /// cells there ask for, bilinear between them and limited in gradation.
+  /// cells there need, bilinear between them and limited in gradation.
   /// Gmsh's cells scatter around their size, and xi' with its square, so that
   /// without more half of the cells would exceed their limit for ever: cells to
-  /// be refined get somewhat less than they ask for, and cells grow only when
+  /// be refined get somewhat less than they need, and cells grow only when
   /// their target is well above them. For the same reason a mesh is kept when
   /// eta is met and no cell is off its target by more than the scatter.
   class Remeshing : public MeshAdaptation

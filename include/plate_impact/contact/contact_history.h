@@ -9,7 +9,7 @@
 namespace PlateImpact
 {
   /// State of the impact at one time. Displacements are positive towards the
-  /// plate; the plate's is the load-weighted one that the contact law sees.
+  /// plate; the plate's is the load-weighted one that enters the contact law.
   struct ContactState
   {
     double time                  = 0.; ///< [s]

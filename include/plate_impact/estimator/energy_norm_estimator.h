@@ -30,8 +30,8 @@ namespace PlateImpact
   /// singular zone are left out of eta, which then is the error in the rest of
   /// the plate and converges; what they would add is told beside.
   ///
-  /// The estimate is no bound: it judges what the mesh resolves, and sees waves
-  /// shorter than its cells only after refinement.
+  /// The estimate is no bound: it measures what the mesh resolves, and contains
+  /// waves shorter than its cells only after refinement.
   class EnergyNormEstimator : public ErrorEstimator
   {
   public:

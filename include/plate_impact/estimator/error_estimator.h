@@ -10,7 +10,8 @@ namespace PlateImpact
   /// Result of the estimator for one mesh; cells by active index.
   struct ErrorEstimate
   {
-    /// Overall discretization error, a fraction; without the singular cells.
+    /// Relative error in the energy norm, eta, a fraction; without the singular
+    /// cells.
     double eta = 0.;
 
     /// The same with them.

@@ -46,8 +46,8 @@ namespace PlateImpact
   /// in the interior are used, averaged. So they are at hanging vertices: the
   /// twelve samples of their three cells do determine eight terms, but such a
   /// fit follows the error that it should expose (measured on a simply
-  /// supported plate: cells along a change of level then see half of their
-  /// error).
+  /// supported plate: cells along a change of level then have half of their
+  /// error in the estimate).
   ///
   /// A patch whose samples do not determine the polynomial grows by the cells
   /// around it: decided by rank, since 2x2 points in two cells side by side are

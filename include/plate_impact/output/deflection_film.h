@@ -8,8 +8,8 @@
 
 namespace PlateImpact
 {
-  /// Deflection and element errors over the frames of a result, the plate at
-  /// rest before them, for the player of a page (Page::film()):
+  /// Deflection and local error ratios over the frames of a result, the plate
+  /// at rest before them, for the player of a page (Page::film()):
   ///
   ///  - `times` [s], `forces` [N] of the nearest steps, `errors` ||e||/||u*||;
   ///  - `corners`: x and y of the four corners of every cell [m], float32;

@@ -13,7 +13,7 @@ namespace PlateImpact
   using Resultants = Eigen::Matrix<double, 5, 1>;
 
   /// The homogeneous isotropic section of a Reissner-Mindlin plate: what its
-  /// strains cost and what it weighs. The only place that knows the material. A
+  /// strains cost and what it weighs. The only place of the material. A
   /// flat plate under transverse load has no membrane response, so the paper's
   /// in-plane unknowns are left out; stresses are linear through the thickness,
   /// so that resultants give the energies of its through-thickness Gauss

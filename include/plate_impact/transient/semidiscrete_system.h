@@ -5,7 +5,7 @@
 
 namespace PlateImpact
 {
-  /// The plate as the time stepper sees it, M z'' + K z = f u: a stiffness, one
+  /// The plate for the time stepper, M z'' + K z = f u: a stiffness, one
   /// shape u of the load, and solves with K + c M. The same for the unknowns of
   /// a mesh and for a reduced basis.
   class SemidiscreteSystem

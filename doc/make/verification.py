@@ -17,6 +17,7 @@ import sys
 KINDS = {
     "theory": ("Theory", "Compared with a formula, an exact solution or an invariant that must hold."),
     "reference": ("Other codes and tables", "Compared with published values or with the results of an independent program (`tests/reference`)."),
+    "documents": ("Pages", "Their tables, numbers in the text, pictures and quoted output are what the program gives."),
     "interface": ("Interface", "What the program reads, writes, says and answers to mistakes."),
 }
 

@@ -1,0 +1,171 @@
+"""The pictures of the pages, drawn from runs (doc/make/runs.py). Every function
+returns the text of an SVG file."""
+
+import io
+import re
+
+import matplotlib
+matplotlib.use("svg")
+import matplotlib.pyplot as plt
+from matplotlib.ticker import MaxNLocator
+import numpy as np
+
+plt.rcParams["svg.hashsalt"] = "plate-impact"
+plt.rcParams["svg.fonttype"] = "none"
+
+
+def alike(picture, other, tolerance=0.1):
+    """Whether two pictures differ by no more than the last digits of their coordinates
+    [pt]; identifiers, which are made from these, do not count."""
+    number = r"-?\d+(?:\.\d+)?(?:e-?\d+)?"
+    texts = [re.sub(r'(id="|#)[^")]*', r"\1", text) for text in (picture, other)]
+    shapes = [re.sub(number, "0", text) for text in texts]
+    values = [np.array(re.findall(number, text), float) for text in texts]
+    return shapes[0] == shapes[1] and np.all(abs(values[0] - values[1]) < tolerance)
+
+
+def new_figure(n_axes=1, **options):
+    return plt.subplots(1, n_axes, figsize=(4.2 * n_axes, 3.2), **options)
+
+
+def svg(figure):
+    text = io.StringIO()
+    figure.tight_layout()
+    figure.savefig(text, format="svg", metadata={"Date": None})
+    plt.close(figure)
+    return "\n".join(map(str.rstrip, text.getvalue().splitlines())) + "\n"
+
+
+def mesh(run, cycle=-1):
+    """The mesh of a cycle as the program draws it."""
+    return run.meshes[cycle]
+
+
+def cells_and_error(named_runs):
+    """eta and the peak force against the number of cells, of runs by name."""
+    figure, (left, right) = new_figure(2)
+    for (label, run), marker in zip(named_runs.items(), ("s-", "o-", "^-")):
+        left.loglog(run.column("cells"), 100 * run.column("discretization_error"), marker,
+                    label=label)
+        right.semilogx(run.column("cells"), run.column("peak_force"), marker)
+    left.set(xlabel="cells", ylabel="eta [%]")
+    left.legend()
+    right.set(xlabel="cells", ylabel="peak force [N]")
+    return svg(figure)
+
+
+def waves_and_cells(coarse, fine):
+    """Histories on equal cells and on cells that follow the error; eta and the error of
+    the peak force against the size of the equal cells."""
+    figure, (left, right) = new_figure(2)
+    for cycle, history in zip(coarse.cycles, coarse.histories):
+        left.plot(1e6 * history["time"], history["force"], label=f"{cycle['cells']} equal cells")
+    left.plot(1e6 * fine.histories[-1]["time"], fine.histories[-1]["force"], "k--",
+              label=f"{fine.last['cells']} adapted cells")
+    left.set(xlabel="time [us]", ylabel="force [N]",
+             ylim=(None, 1.5 * coarse.column("peak_force").max()))
+    left.legend(fontsize="small", ncols=2)
+    size = 1e3 * coarse.column("min_cell_size")
+    right.loglog(size, 100 * coarse.column("discretization_error"), "s-", label="eta")
+    right.loglog(size, 100 * abs(coarse.column("peak_force") / fine.last["peak_force"] - 1),
+                 "o-", label="error of the peak force")
+    right.set(xlabel="cell size [mm]", ylabel="[%]")
+    right.set_xticks(size, [f"{value:.2g}" for value in size])
+    right.minorticks_off()
+    right.legend()
+    return svg(figure)
+
+
+def recovery_against_jumps(on_equal_cells, adapted):
+    """xi' of all cells of the third mesh, and cells and eta of adapted meshes, by
+    both indicators."""
+    figure, (left, right) = new_figure(2)
+    for (name, run), marker in zip(on_equal_cells.items(), ("s", "o")):
+        xi = np.sort(run.element_errors[2])[::-1]
+        left.loglog(np.arange(1, xi.size + 1), xi, marker, markersize=3, label=name)
+    left.axhline(1, color="0.5", linewidth=0.8)
+    left.set(xlabel="cell, the worst first", ylabel=f"xi' on {xi.size} equal cells")
+    left.legend()
+    for (name, run), marker in zip(adapted.items(), ("s-", "o-")):
+        right.semilogy(run.column("cells"), 100 * run.column("discretization_error"),
+                       marker, label=f"{name}, {len(run.cycles)} cycles")
+    right.set(xlabel="cells of the thin plate, adapted", ylabel="eta [%]")
+    right.set_yticks([2, 5, 10, 20, 50], ["2", "5", "10", "20", "50"])
+    right.minorticks_off()
+    right.legend()
+    return svg(figure)
+
+
+def smallest_cell(runs_by_load):
+    """Peak force against the smallest cell, by load distribution."""
+    figure, axes = new_figure()
+    for (load, runs), marker in zip(runs_by_load.items(), ("o-", "s-")):
+        shown = [1e3 * run.last["min_cell_size"] for run in runs]
+        axes.semilogx(shown, [run.last["peak_force"] for run in runs], marker, label=load)
+    axes.invert_xaxis()
+    axes.set(xlabel="smallest cell [mm]", ylabel="peak force [N]")
+    axes.set_xticks(shown, [f"{value:.2g}" for value in shown])
+    axes.minorticks_off()
+    axes.legend()
+    return svg(figure)
+
+
+def histories_of_elements(runs_by_element):
+    """Force histories on the first two meshes, by element."""
+    figure, axes = new_figure()
+    for (element, run), colour in zip(runs_by_element.items(), ("C0", "C1")):
+        for cycle, history, line in zip(run.cycles[:2], run.histories, ("-", "--")):
+            axes.plot(1e3 * history["time"], 1e3 * history["force"], colour + line,
+                      label=f"{element}, {cycle['cells']} cells")
+    axes.set(xlabel="time [ms]", ylabel="force [mN]")
+    axes.legend(fontsize="small", loc="lower center", bbox_to_anchor=(0.4, 0), handlelength=1.4)
+    return svg(figure)
+
+
+def total_energy(runs_by_integration):
+    """Total energy over time, a plot for each integration, a line for each step [us]."""
+    figure, axes = new_figure(2, sharey=True)
+    for (integration, runs), axis in zip(runs_by_integration.items(), axes):
+        for step, run in runs.items():
+            axis.plot(1e6 * run.histories[-1]["time"], 1 + run.energy_changes, "o-",
+                      label=f"{step:g} us")
+        axis.set(title=integration, xlabel="time [us]")
+    axes[0].set(ylabel="total energy over that of the ball")
+    axes[0].legend(title="step")
+    return svg(figure)
+
+
+def histories_of_sweeps(*studies):
+    """Histories over their peaks, a plot for each sweep, its entry, unit and factor."""
+    figure, axes = new_figure(len(studies))
+    for axis, (sweep, entry, unit, factor) in zip(axes, studies):
+        for point, history in zip(sweep.points, sweep.histories):
+            axis.plot(1e6 * history["time"], history["force"] / point["peak_force"],
+                      label=f"{factor * point[entry]:.3g} {unit}")
+        axis.set(xlabel="time [us]", ylabel="force over its peak")
+        axis.legend()
+    return svg(figure)
+
+
+def changes_of_the_force(changes):
+    """Relative changes of the peak force, largest first, as they are given by name."""
+    figure, axes = plt.subplots(figsize=(6, 3.2))
+    axes.barh(range(len(changes)), 100 * np.abs(list(changes.values())))
+    axes.set_yticks(range(len(changes)), changes.keys())
+    axes.invert_yaxis()
+    axes.set(xscale="log", xlabel="change of the peak force [%]")
+    return svg(figure)
+
+
+def stress_contours(run, side=50):
+    """The von Mises stress at the faces around the impact, so many mm along both axes, at
+    the end of a run with `Output/Field samples=1`."""
+    x, y, triangles, stress = run.field("von_mises_stress")
+    stress = 1e-6 * stress
+    figure, axes = plt.subplots(figsize=(5, 4.2))
+    levels = MaxNLocator(10).tick_values(0, np.quantile(stress, 0.995))
+    bands = axes.tricontourf(1e3 * x, 1e3 * y, triangles, stress, levels, extend="max",
+                             cmap="viridis")
+    figure.colorbar(bands, label="von Mises stress at the faces [MPa]")
+    axes.set(xlabel="x [mm]", ylabel="y [mm]", aspect="equal", xlim=(0, side), ylim=(0, side))
+    return svg(figure)

@@ -1,0 +1,302 @@
+"""What templates may ask the program and its tests for; every answer is computed
+once."""
+
+import csv
+import functools
+import itertools
+import json
+import pathlib
+import re
+import shlex
+import subprocess
+import tempfile
+
+import numpy as np
+
+import vtu
+from digits import free_seconds, plain
+
+root = pathlib.Path(__file__).resolve().parent.parent.parent
+
+
+class Failed(Exception):
+    """A command of a page that does not do what the page expects."""
+
+
+def wrapped(words, width=96):
+    """A command as it is typed, on several lines where it is long."""
+    quoted = [word if shlex.quote(word) == word else f'"{word}"' for word in words]
+    groups = [[]]
+    for word in quoted:
+        if word == "--set":
+            groups.append([])
+        groups[-1].append(word)
+    lines = [""]
+    for group in map(" ".join, groups):
+        if lines[-1] and len(lines[-1]) + len(group) > width - 2:
+            lines[-1] += " \\"
+            lines.append(" ")
+        lines[-1] += (" " if lines[-1] else "") + group
+    return "\n".join(lines)
+
+
+class Command:
+    """The program at work on a scene, some of whose entries are changed; its files
+    stay until the pages are written."""
+
+    def __init__(self, program, verb, scene, *changes):
+        self.words = ["plate-impact", verb, scene]
+        for change in changes:
+            self.words += ["--set", change]
+        self.folder = tempfile.TemporaryDirectory()
+        (pathlib.Path(self.folder.name) / "prm").symlink_to(root / "prm")
+        command = [program, *self.words[1:]]
+        done = subprocess.run(command, cwd=self.folder.name, capture_output=True, text=True)
+        if done.returncode != 0:
+            raise Failed(f"{self.command}\n{done.stderr}")
+        self.results = pathlib.Path(self.folder.name) / "output"
+        self.console = free_seconds(done.stdout)
+        self.messages = done.stderr
+
+    def said(self, pattern):
+        """The first group of a pattern in what the program printed."""
+        found = re.search(pattern, plain(self.console) + self.messages)
+        if found is None:
+            raise Failed(f"{self.command}\ndoes not say: {pattern}")
+        return found[1]
+
+    @property
+    def command(self):
+        """As a reader types it."""
+        return wrapped(self.words)
+
+    @property
+    def sets(self):
+        """Its changes alone, to be added to a command."""
+        return " ".join(wrapped(self.words[3:], 10**6).split())
+
+    @staticmethod
+    def table(path):
+        """Columns by name."""
+        return np.genfromtxt(path, delimiter=",", names=True)
+
+
+class Run(Command):
+    """A `run`: `cycles` and `last` have the names of summary.json."""
+
+    def __init__(self, program, scene, *changes):
+        super().__init__(program, "run", scene, *changes)
+        self.summary = json.loads((self.results / "summary.json").read_text())
+        self.cycles = self.summary["cycles"]
+        self.last = self.cycles[-1]
+        self.warnings = self.summary["warnings"]
+        self.outcome = self.summary["outcome"]
+
+    @functools.cached_property
+    def histories(self):
+        """The contact history of every cycle, columns by name."""
+        names = [f"contact_history_cycle_{i}.csv" for i in range(1, len(self.cycles))]
+        return [self.table(self.results / name) for name in names + ["contact_history.csv"]]
+
+    @functools.cached_property
+    def entries(self):
+        """Every entry of the scene as text, by `Section/Entry`."""
+        entries, section = {}, ""
+        for line in (self.results / "scene.prm").read_text().splitlines():
+            if line.startswith("subsection "):
+                section = line.split(None, 1)[1]
+            elif " = " in line:
+                name, value = line.split(" = ", 1)
+                entries[f"{section}/{name.split(None, 1)[1].strip()}"] = value
+        return entries
+
+    @functools.cached_property
+    def energy_changes(self):
+        """The total energy of the last cycle, relative to that of the beginning, at every
+        step."""
+        history = self.histories[-1]
+        energy = sum(history[f"{part}_energy"] for part in ("plate", "contact", "impactor"))
+        return energy / energy[0] - 1
+
+    @functools.cached_property
+    def element_errors(self):
+        """The error of every cell over its limit, xi', of every cycle."""
+        return [self.table(self.results / f"element_errors_cycle_{i}.csv")["element_error"]
+                for i in range(1, len(self.cycles) + 1)]
+
+    @property
+    def meshes(self):
+        """Pictures of the meshes of all cycles."""
+        return [(self.results / f"mesh_cycle_{i}.svg").read_text()
+                for i in range(1, len(self.cycles) + 1)]
+
+    def column(self, name):
+        """A number of every cycle."""
+        return np.array([cycle[name] for cycle in self.cycles])
+
+    def force_at(self, time, cycle=-1):
+        """The force of a cycle at a time, between two steps linear. [N]"""
+        history = self.histories[cycle]
+        return float(np.interp(time, history["time"], history["force"]))
+
+    @functools.cached_property
+    def contacts(self):
+        """Begin and end of the contacts of the last cycle, where the indentation passes
+        through zero, between two steps linear; the end is None for a contact that lasts. [s]"""
+        history = self.histories[-1]
+        time, alpha = history["time"], history["indentation"]
+        passes = np.flatnonzero((alpha[:-1] > 0) != (alpha[1:] > 0))
+        times = [float(time[i] - alpha[i] * (time[i + 1] - time[i]) / (alpha[i + 1] - alpha[i]))
+                 for i in passes]
+        return list(itertools.zip_longest(times[::2], times[1::2]))
+
+    @property
+    def integral_of_force(self):
+        """The integral of the last force history by the trapezoidal rule. [N s]"""
+        history = self.histories[-1]
+        return float(np.trapz(history["force"], history["time"]))
+
+    def field(self, name):
+        """x, y [m], triangles and a field at the end, of a run with `Output/Field
+        samples=1`."""
+        return vtu.field(self.results / "fields_0.vtu", name)
+
+    def warns(self, words):
+        """Whether a warning has these words."""
+        return any(words in warning for warning in self.warnings)
+
+
+class Sweep(Command):
+    """A `sweep`: `points` has a row of sweep.csv each."""
+
+    def __init__(self, program, scene, *changes):
+        super().__init__(program, "sweep", scene, *changes)
+        with open(self.results / "sweep.csv") as file:
+            self.points = [dict(zip(row, map(self.number, row.values())))
+                           for row in csv.DictReader(file)]
+
+    @staticmethod
+    def number(text):
+        try:
+            return float(text)
+        except ValueError:
+            return text or None
+
+    def exponents(self, entry, result="peak_force"):
+        """n of `result ~ entry^n` between each point and the next."""
+        logarithms = [np.log([point[name] for point in self.points]) for name in (entry, result)]
+        return np.diff(logarithms[1]) / np.diff(logarithms[0])
+
+    @functools.cached_property
+    def histories(self):
+        """The contact history of every point, where the scene asks for them."""
+        return [self.table(self.results / f"contact_history_point_{i}.csv")
+                for i in range(1, len(self.points) + 1)]
+
+    def force_at(self, time, point):
+        """The force of a point, from 0, at a time, between two steps linear. [N]"""
+        history = self.histories[point]
+        return float(np.interp(time, history["time"], history["force"]))
+
+
+class Comparison(Command):
+    """A `compare`: `rows` are those of comparison.csv, `result` is comparison.json."""
+
+    def __init__(self, program, scene, *changes):
+        super().__init__(program, "compare", scene, *changes)
+        self.result = json.loads((self.results / "comparison.json").read_text())
+        with open(self.results / "comparison.csv") as file:
+            self.rows = [dict(zip(row, map(Sweep.number, row.values())))
+                         for row in csv.DictReader(file)]
+
+
+def scenes(folder):
+    """The paths of the scenes of a folder."""
+    return sorted(str(path.relative_to(root)) for path in (root / folder).glob("*.prm"))
+
+
+def header(scene, key):
+    """A paragraph of the first lines of a scene, as that after `Shows:`."""
+    text = (root / scene).read_text()
+    found = re.search(rf"^# {key}:(.*\n(?:#  .*\n)*)", text, re.M)
+    if found is None:
+        raise Failed(f"{scene} has no paragraph {key}")
+    return " ".join(found[1].replace("#", " ").split())
+
+
+class Program:
+    """The program and the tests of a build directory."""
+
+    def __init__(self, build):
+        self.build = pathlib.Path(build).resolve()
+        self.program = self.build / "plate-impact"
+        self.done = []
+
+    @functools.cache
+    def run(self, scene, *changes):
+        return self.remembered(Run(self.program, scene, *changes))
+
+    @functools.cache
+    def sweep(self, scene, *changes):
+        return self.remembered(Sweep(self.program, scene, *changes))
+
+    @functools.cache
+    def compare(self, scene, *changes):
+        return self.remembered(Comparison(self.program, scene, *changes))
+
+    @functools.cache
+    def check(self, scene, *changes):
+        """What `check` prints of a scene."""
+        return self.remembered(Command(self.program, "check", scene, *changes))
+
+    @functools.cached_property
+    def entries(self):
+        """Section, name, default and meaning of every entry that `defaults` prints."""
+        printed = subprocess.run([self.program, "defaults"], check=True, capture_output=True,
+                                 text=True).stdout
+        entries, section, comment = [], None, []
+        for line in map(str.strip, printed.splitlines()):
+            if line.startswith("subsection "):
+                section, comment = line.removeprefix("subsection "), []
+            elif line.startswith("#"):
+                comment.append(line.lstrip("# "))
+            elif line.startswith("set "):
+                name, value = map(str.strip, line.removeprefix("set ").split("=", 1))
+                entries.append((section, name, value, " ".join(comment)))
+                comment = []
+        return entries
+
+    def chosen_for_zero(self):
+        """Entries whose 0 lets the program choose, and what it chooses."""
+        found = ((f"{section}/{name}", re.search(r"\b0: (.*?)\.?(?: \[.*\])?$", meaning))
+                 for section, name, _, meaning in self.entries)
+        return [(entry, meaning[1]) for entry, meaning in found if meaning]
+
+    def mistakes_of(self, scene):
+        """What the program answers to the text of a scene with mistakes."""
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "my.prm").write_text(scene)
+            done = subprocess.run([self.program, "run", "my.prm"], cwd=folder,
+                                  capture_output=True, text=True)
+        if done.returncode != 1:
+            raise Failed(f"this is no mistake:\n{scene}")
+        return done.stderr
+
+    def remembered(self, command):
+        self.done.append(command)
+        return command
+
+    @functools.cache
+    def test(self, name):
+        """What a test of unit_tests records of what it measures, by name."""
+        with tempfile.TemporaryDirectory() as folder:
+            report = pathlib.Path(folder) / "report.json"
+            done = subprocess.run(
+                [self.build / "tests/unit_tests", f"--gtest_filter={name}",
+                 f"--gtest_output=json:{report}"], capture_output=True, text=True, cwd=folder)
+            if done.returncode != 0:
+                raise Failed(f"{name}\n{done.stdout}")
+            suite, = json.loads(report.read_text())["testsuites"]
+        recorded, = suite["testsuite"]
+        known = {"name", "file", "line", "status", "result", "timestamp", "time", "classname"}
+        return {key: Sweep.number(value) for key, value in recorded.items() if key not in known}
