@@ -22,7 +22,15 @@ namespace PlateImpact
     const double  modulus = 2.1e11 / (2. * 0.91);
     const LineLaw line(0.01, 0.0333335, modulus);
 
-    const std::vector<const ContactLaw *> laws = {&hertz, &line};
+    // in series with the layer of an 8 mm steel plate, and on it
+    const SeriesLaw series(1.4e10, -3.3e-10), softer(1.4e10, 3.3e-10);
+    const LineLaw   line_on_layer(0.01, 0.0333335, modulus, -0.69);
+
+    const std::vector<const ContactLaw *> laws = {&hertz,
+                                                  &line,
+                                                  &series,
+                                                  &softer,
+                                                  &line_on_layer};
 
 
 

@@ -33,6 +33,7 @@ namespace PlateImpact
                                           "cylinder",
                                           "Hertz",
                                           "Sun",
+                                          "layer",
                                           "point",
                                           "Newmark",
                                           "collocation",

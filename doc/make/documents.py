@@ -68,7 +68,7 @@ class References:
 
     def __getattr__(self, name):
         cases = json.loads((root / f"tests/reference/{name}_cases.json").read_text())
-        return {case["name"]: case["values"] for case in cases}
+        return {case["name"]: case.get("values", case) for case in cases}
 
 
 class Blank:

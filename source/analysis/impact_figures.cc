@@ -61,7 +61,7 @@ namespace PlateImpact
     std::optional<double> loss_factor, peak_over_zener, e_over_zener;
     if (!parameters.impactor.is_cylinder())
       {
-        const auto         law      = make_contact_law(parameters);
+        const auto         law      = make_half_space_law(parameters);
         const Impactor     impactor = make_impactor(parameters.impactor);
         const PlateSection section(parameters.plate);
         loss_factor          = zener_loss_factor(*law, impactor, section);

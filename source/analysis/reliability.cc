@@ -61,7 +61,7 @@ namespace PlateImpact
       const auto force = [&](const double factor_of_k) {
         Parameters changed = parameters;
         changed.impactor.radius *= factor_of_k * factor_of_k;
-        return zener_peak(*make_contact_law(changed),
+        return zener_peak(*make_half_space_law(changed),
                           make_impactor(changed.impactor),
                           section)
           .force;
@@ -208,6 +208,8 @@ namespace PlateImpact
         return {};
       const ContactParameters &contact = parameters.contact;
       const double             radius  = radius_at(parameters, peak);
+      if (contact.local_response == LocalResponse::layer)
+        return {};
       if (parameters.impactor.is_cylinder())
         {
           if (contact.has_patch() &&
@@ -335,6 +337,12 @@ namespace PlateImpact
                       "the laws of contact are for less than 0.1",
                       about(peak.indentation / parameters.impactor.radius)));
       const double half_width = radius_at(parameters, peak);
+      if (parameters.contact.local_response == LocalResponse::layer &&
+          half_width > 0.2 * thickness)
+        warnings.push_back(fmt::format(
+          "the contact radius is {} of the plate's thickness: from 0.2 on the "
+          "pressure is not Hertz's, which the local response assumes",
+          about(half_width / thickness)));
       if (parameters.impactor.is_cylinder() &&
           half_width > 0.25 * parameters.impactor.length)
         warnings.push_back(
@@ -383,7 +391,7 @@ namespace PlateImpact
       return {};
     const PlateSection section(parameters.plate);
     const double       contact_time = 2. *
-      zener_peak(*make_contact_law(parameters),
+      zener_peak(*make_half_space_law(parameters),
                  make_impactor(parameters.impactor),
                  section)
         .time;

@@ -48,6 +48,18 @@ namespace PlateImpact
 
 
   template <>
+  const Words<LocalResponse> &
+  choices()
+  {
+    static const Words<LocalResponse> words = {{LocalResponse::layer, "layer"},
+                                               {LocalResponse::half_space,
+                                                "half-space"}};
+    return words;
+  }
+
+
+
+  template <>
   const Words<LoadShape> &
   choices()
   {

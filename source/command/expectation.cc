@@ -23,7 +23,7 @@ namespace PlateImpact
     {
       PlateSection immovable(parameters.plate);
       immovable.mass *= 1e12;
-      return zener_peak(*make_contact_law(parameters),
+      return zener_peak(*make_half_space_law(parameters),
                         make_impactor(parameters.impactor),
                         immovable);
     }
@@ -128,7 +128,7 @@ namespace PlateImpact
   Expectation::Expectation(const Parameters &parameters)
   {
     const PlateSection section(parameters.plate);
-    const auto         law      = make_contact_law(parameters);
+    const auto         law      = make_half_space_law(parameters);
     const Impactor     impactor = make_impactor(parameters.impactor);
     zener                       = zener_peak(*law, impactor, section);
     rigid                       = rigid_plate_peak(parameters);

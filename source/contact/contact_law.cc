@@ -1,10 +1,12 @@
 #include "plate_impact/contact/contact_law.h"
 
 #include "plate_impact/base/parameters.h"
+#include "plate_impact/plate/layer_response.h"
 
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/special_functions/lambert_w.hpp>
+#include <boost/math/tools/roots.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -14,14 +16,6 @@
 namespace PlateImpact
 {
   namespace numbers = boost::math::double_constants;
-
-  namespace
-  {
-    /// Johnson's constant of the line contact.
-    constexpr double line_constant = 1.886;
-  } // namespace
-
-
 
   double
   ContactLaw::mean_force(const double a, const double b) const
@@ -100,13 +94,136 @@ namespace PlateImpact
 
 
 
+  SeriesLaw::SeriesLaw(const double coefficient, const double compliance)
+    : hertz(coefficient)
+    , compliance(compliance)
+  {
+    if (compliance >= 0.)
+      return;
+    // C F' = -0.9 with F' = 3/2 k alpha^{1/2}
+    const double root   = -0.6 / (coefficient * compliance);
+    largest_indentation = root * root;
+    largest_approach =
+      largest_indentation + compliance * hertz.force(largest_indentation);
+  }
+
+
+
+  double
+  SeriesLaw::local_indentation(const double approach) const
+  {
+    if (approach <= 0. || compliance == 0.)
+      return approach;
+    if (approach >= largest_approach)
+      return approach - compliance * force(approach);
+
+    // s^2 + C k s^3 = approach, s^2 = alpha
+    const double Ck     = compliance * hertz.force(1.);
+    const double simple = std::sqrt(approach);
+    const double bound  = compliance < 0. ? std::sqrt(largest_indentation) : 0.;
+    std::uintmax_t n_iterations = 50;
+    const double   s            = boost::math::tools::newton_raphson_iterate(
+      [Ck, approach](const double s) {
+        return std::make_pair(s * s * (1. + Ck * s) - approach,
+                              s * (2. + 3. * Ck * s));
+      },
+      simple,
+      std::min(simple, bound),
+      std::max(simple, bound),
+      std::numeric_limits<double>::digits,
+      n_iterations);
+    return s * s;
+  }
+
+
+
+  double
+  SeriesLaw::force(const double approach) const
+  {
+    if (approach < largest_approach)
+      return hertz.force(local_indentation(approach));
+    return hertz.force(largest_indentation) +
+      (approach - largest_approach) * stiffness(approach);
+  }
+
+
+
+  double
+  SeriesLaw::stiffness(const double approach) const
+  {
+    const double local = hertz.stiffness(approach < largest_approach ?
+                                           local_indentation(approach) :
+                                           largest_indentation);
+    return local / (1. + compliance * local);
+  }
+
+
+
+  double
+  SeriesLaw::potential(const double approach) const
+  {
+    const double alpha  = approach < largest_approach ?
+       local_indentation(approach) :
+       largest_indentation;
+    const double F      = hertz.force(alpha);
+    const double beyond = std::max(0., approach - largest_approach);
+    return hertz.potential(alpha) + 0.5 * compliance * F * F +
+      beyond * (F + 0.5 * beyond * stiffness(approach));
+  }
+
+
+
+  double
+  SeriesLaw::mean_force(const double a, const double b) const
+  {
+    const double low = std::min(a, b), high = std::max(a, b);
+    if (high <= 0. || low <= 0. || high >= largest_approach)
+      return ContactLaw::mean_force(a, b);
+
+    // change of the energies over that of the approach, both divided by the
+    // change of alpha, so that nothing cancels: q = (F_b - F_a) / (alpha_b -
+    // alpha_a) of x^3 and x^2, alpha = x^2
+    const double alpha_a = local_indentation(low),
+                 alpha_b = local_indentation(high);
+    const double x = std::sqrt(alpha_a), y = std::sqrt(alpha_b);
+    const double q   = hertz.force(1.) * (alpha_a + x * y + alpha_b) / (x + y);
+    const double sum = hertz.force(alpha_a) + hertz.force(alpha_b);
+    return (hertz.mean_force(alpha_a, alpha_b) + 0.5 * compliance * sum * q) /
+      (1. + compliance * q);
+  }
+
+
+
+  double
+  SeriesLaw::indentation(const double force) const
+  {
+    if (force <= largest_force())
+      return hertz.indentation(force) + compliance * std::max(0., force);
+    return largest_approach +
+      (force - largest_force()) / stiffness(largest_approach);
+  }
+
+
+
+  double
+  SeriesLaw::largest_force() const
+  {
+    return hertz.force(largest_indentation);
+  }
+
+
+
   LineLaw::LineLaw(const double radius,
                    const double half_length,
-                   const double modulus)
-    : compliance(1. / (numbers::pi * half_length * modulus))
+                   const double modulus,
+                   const double constant)
+    : constant(constant)
+    , compliance(1. / (numbers::pi * half_length * modulus))
     , force_scale(half_length * half_length * half_length * numbers::pi *
                   modulus / (2. * radius))
-    , largest_indentation(compliance * force_scale * line_constant)
+    , least_logarithm(std::max(1., constant))
+    , tangent_force(force_scale * std::exp(2. * (constant - least_logarithm)))
+    , largest_indentation(compliance * tangent_force * least_logarithm)
   {}
 
 
@@ -115,7 +232,7 @@ namespace PlateImpact
   LineLaw::logarithm(const double force) const
   {
     // a^2 / l^2 = F / force_scale
-    return line_constant - 0.5 * std::log(force / force_scale);
+    return constant - 0.5 * std::log(force / force_scale);
   }
 
 
@@ -126,12 +243,12 @@ namespace PlateImpact
     if (indentation <= 0.)
       return 0.;
     if (indentation >= largest_indentation)
-      return force_scale +
+      return tangent_force +
         (indentation - largest_indentation) * stiffness(indentation);
 
     // alpha = -C/2 g ln g, g = F / (force_scale e^{2 c}), C = compliance
     // force_scale e^{2 c}: ln g = W_{-1}(-2 alpha / C)
-    const double scale = force_scale * std::exp(2. * line_constant);
+    const double scale = force_scale * std::exp(2. * constant);
     const double q     = 2. * indentation / (compliance * scale);
     if (q < std::numeric_limits<double>::min())
       return 0.;
@@ -146,7 +263,7 @@ namespace PlateImpact
     if (indentation <= 0.)
       return 0.;
     const double L = indentation >= largest_indentation ?
-      line_constant :
+      least_logarithm :
       logarithm(
         std::max(force(indentation), std::numeric_limits<double>::min()));
     return 1. / (compliance * (L - 0.5));
@@ -173,9 +290,9 @@ namespace PlateImpact
   {
     if (force <= 0.)
       return 0.;
-    if (force >= force_scale)
+    if (force >= tangent_force)
       return largest_indentation +
-        (force - force_scale) / stiffness(largest_indentation);
+        (force - tangent_force) / stiffness(largest_indentation);
     return compliance * force * logarithm(force);
   }
 
@@ -229,33 +346,84 @@ namespace PlateImpact
 
 
 
+  namespace
+  {
+    /// k of Hertz's law for the compliance that the scene's law has for the
+    /// plate.
+    double
+    coefficient_of(const Parameters &parameters)
+    {
+      const PlateParameters    &plate    = parameters.plate;
+      const ImpactorParameters &impactor = parameters.impactor;
+      const double              of_half_space =
+        (1. - plate.poissons_ratio * plate.poissons_ratio) /
+        plate.youngs_modulus;
+      return hertz_coefficient(
+        impactor.radius,
+        (1. - impactor.poissons_ratio * impactor.poissons_ratio) /
+          impactor.youngs_modulus,
+        parameters.contact.law == ForceLaw::Sun ? 1. / plate.youngs_modulus :
+                                                  of_half_space);
+    }
+
+
+
+    /// The constant beside ln(l/a) of a line contact on a layer: the plate's
+    /// side of the approach is F' (1 - nu) / (pi G) (ln(h/a) + Lambda), the
+    /// cylinder's F' (1 - nu^2) / (pi E) (2 ln(4r/a) - 1), to its axis
+    /// (Johnson, sec. 5.6), F' the force per length.
+    double
+    line_constant_of_layer(const Parameters &parameters)
+    {
+      const PlateParameters    &plate    = parameters.plate;
+      const ImpactorParameters &impactor = parameters.impactor;
+      const double nu_p = plate.poissons_ratio, nu_i = impactor.poissons_ratio;
+      const double h = plate.thickness;
+      const double Lambda =
+        LayerResponse(plate, parameters.contact.load_distribution)
+          .line_constant(parameters.contact.patch_radius / h);
+      return contact_modulus(parameters) *
+        ((1. - nu_p * nu_p) / plate.youngs_modulus * (std::log(h) + Lambda) +
+         (1. - nu_i * nu_i) / impactor.youngs_modulus *
+           (std::log(4. * impactor.radius) - 0.5)) -
+        std::log(0.5 * impactor.length);
+    }
+  } // namespace
+
+
+
+  std::unique_ptr<const ContactLaw>
+  make_half_space_law(const Parameters &parameters)
+  {
+    const ImpactorParameters &impactor = parameters.impactor;
+    if (parameters.contact.law == ForceLaw::line)
+      return std::make_unique<LineLaw>(impactor.radius,
+                                       0.5 * impactor.length,
+                                       contact_modulus(parameters));
+    return std::make_unique<HertzLaw>(coefficient_of(parameters));
+  }
+
+
+
   std::unique_ptr<const ContactLaw>
   make_contact_law(const Parameters &parameters)
   {
-    const PlateParameters    &plate    = parameters.plate;
     const ImpactorParameters &impactor = parameters.impactor;
-    const double              impactor_compliance =
-      (1. - impactor.poissons_ratio * impactor.poissons_ratio) /
-      impactor.youngs_modulus;
-
-    switch (parameters.contact.law)
-      {
-        case ForceLaw::line:
-          return std::make_unique<LineLaw>(impactor.radius,
-                                           0.5 * impactor.length,
-                                           contact_modulus(parameters));
-        case ForceLaw::Sun:
-          return std::make_unique<HertzLaw>(
-            hertz_coefficient(impactor.radius,
-                              impactor_compliance,
-                              1. / plate.youngs_modulus));
-        case ForceLaw::Hertz:
-          return std::make_unique<HertzLaw>(hertz_coefficient(
-            impactor.radius,
-            impactor_compliance,
-            (1. - plate.poissons_ratio * plate.poissons_ratio) /
-              plate.youngs_modulus));
-      }
-    throw std::logic_error("no such contact law");
+    const PlateParameters    &plate    = parameters.plate;
+    if (parameters.contact.local_response == LocalResponse::half_space)
+      return make_half_space_law(parameters);
+    if (parameters.contact.law == ForceLaw::line)
+      return std::make_unique<LineLaw>(impactor.radius,
+                                       0.5 * impactor.length,
+                                       contact_modulus(parameters),
+                                       line_constant_of_layer(parameters));
+    const double shear_modulus =
+      plate.youngs_modulus / (2. * (1. + plate.poissons_ratio));
+    return std::make_unique<SeriesLaw>(
+      coefficient_of(parameters),
+      LayerResponse(plate, parameters.contact.load_distribution)
+          .sphere_compliance(parameters.contact.patch_radius /
+                             plate.thickness) /
+        (shear_modulus * plate.thickness));
   }
 } // namespace PlateImpact

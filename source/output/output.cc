@@ -9,6 +9,7 @@
 #include "plate_impact/base/stage_clock.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/base/version.h"
+#include "plate_impact/contact/contact_law.h"
 #include "plate_impact/output/deflection_film.h"
 #include "plate_impact/page/mesh_picture.h"
 #include "plate_impact/plate/plate_mesh.h"
@@ -74,7 +75,7 @@ namespace PlateImpact
 
 
     nlohmann::ordered_json
-    to_json(const CycleResult &result)
+    to_json(const CycleResult &result, const Parameters &parameters)
     {
       nlohmann::ordered_json cycle;
       cycle["cycle"]              = result.cycle;
@@ -114,6 +115,9 @@ namespace PlateImpact
             history.states().back().impactor_velocity;
           cycle["max_plate_displacement"] = history.max_plate_displacement();
           cycle["plate_displacement_at_peak"] = peak.plate_displacement;
+          cycle["contact_radius_over_thickness"] =
+            contact_radius(parameters, peak.force, peak.indentation) /
+            parameters.plate.thickness;
           if (result.error)
             cycle["max_effective_stress"] = result.error->max_effective_stress;
           cycle["relative_energy_drift"] = history.relative_energy_drift();
@@ -200,7 +204,7 @@ namespace PlateImpact
     if (scene.parameters.output.write_report)
       report.add_cycle(cycle);
     clock.charge(result.seconds.output);
-    cycles.push_back(to_json(result));
+    cycles.push_back(to_json(result, scene.parameters));
   }
 
 
@@ -293,9 +297,12 @@ namespace PlateImpact
                         const std::vector<std::string> &warnings)
   {
     nlohmann::ordered_json summary;
-    summary["scene"]    = scene.name;
-    summary["version"]  = PLATE_IMPACT_VERSION;
-    summary["outcome"]  = outcome;
+    summary["scene"]   = scene.name;
+    summary["version"] = PLATE_IMPACT_VERSION;
+    summary["outcome"] = outcome;
+    if (scene.parameters.has_impactor())
+      summary["local_response"] =
+        word_for(scene.parameters.contact.local_response);
     summary["warnings"] = warnings;
     summary["cycles"]   = cycles;
     directory.write_file("summary.json", [&](std::ostream &out) {
@@ -315,7 +322,7 @@ namespace PlateImpact
     if (!last.result.snapshots.empty())
       write_fields(last);
     clock.charge(last.result.seconds.output);
-    cycles.back() = to_json(last.result);
+    cycles.back() = to_json(last.result, scene.parameters);
     const nlohmann::ordered_json summary =
       write_summary(word_for(outcome), warnings);
     if (scene.parameters.output.write_report)

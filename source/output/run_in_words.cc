@@ -23,7 +23,7 @@ namespace PlateImpact
     zener_fact(const Parameters &parameters, const double peak_force)
     {
       const ExpectedPeak expected =
-        zener_peak(*make_contact_law(parameters),
+        zener_peak(*make_half_space_law(parameters),
                    make_impactor(parameters.impactor),
                    PlateSection(parameters.plate));
       const double deviation = peak_force / expected.force - 1.;

@@ -1,6 +1,7 @@
 #include "plate_impact/plate/plate_discretization.h"
 
 #include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping_q1.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/vector.h>
@@ -255,7 +256,8 @@ namespace PlateImpact
 
 
   Eigen::VectorXd
-  PlateDiscretization::load(const std::vector<LoadPoint> &points) const
+  PlateDiscretization::load(const std::vector<LoadPoint> &points,
+                            const double                  rotation_factor) const
   {
     Eigen::VectorXd    u  = Eigen::VectorXd::Zero(n_unknowns());
     const FESystem<2> &fe = plate_element.finite_element();
@@ -284,11 +286,40 @@ namespace PlateImpact
                                      points[p].weight * value,
                                      u);
                 }
+              if (rotation_factor != 0.)
+                add_divergence(cell,
+                               *unit,
+                               points[p].weight * rotation_factor,
+                               u);
             }
         if (n_found == points.size())
           return u;
       }
     throw ComputationError("the load distribution reaches beyond the mesh");
+  }
+
+
+
+  void
+  PlateDiscretization::add_divergence(
+    const Triangulation<2>::active_cell_iterator &cell,
+    const Point<2>                               &unit,
+    const double                                  factor,
+    Eigen::VectorXd                              &u) const
+  {
+    const FESystem<2> &fe = plate_element.finite_element();
+    FEValues<2>        values(fe, Quadrature<2>(unit), update_gradients);
+    values.reinit(cell);
+    for (int i = 0; i < n_cell_dofs; ++i)
+      {
+        const unsigned int component = fe.system_to_component_index(i).first;
+        if (component != deflection)
+          unknowns.add_force(cell->active_cell_index(),
+                             i,
+                             factor *
+                               values.shape_grad(i, 0)[component - rotation_x],
+                             u);
+      }
   }
 
 

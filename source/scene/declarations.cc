@@ -97,6 +97,15 @@ namespace PlateImpact
         "the paper's eq. 17. Hertz: with (1 - nu^2)/E for both "
         "bodies. line: the paper's eq. 32, for a cylinder.");
       schema.declare(
+        "Local response",
+        "half-space",
+        Allowed::word_for<LocalResponse>(),
+        contact.local_response,
+        "What the plate does under the contact besides bending and shear. "
+        "half-space: what Hertz's law says, as usual and in the paper, which "
+        "counts the shortest waves twice. layer: what an elastic layer of "
+        "the plate's thickness does.");
+      schema.declare(
         "Load distribution",
         "Hertz disc",
         Allowed::word_for<LoadShape>(),
@@ -110,9 +119,10 @@ namespace PlateImpact
         "0",
         Allowed::number_from(0),
         contact.patch_radius,
-        "Radius of the disc or half-width of the strip; 0: the Hertz "
-        "contact radius at the peak force that Zener's equation "
-        "predicts, to the nearest of 64 in an octave. [m]");
+        "Radius of the disc or half-width of the strip; 0: with a layer "
+        "that with which plate theory and layer answer alike to long waves, "
+        "with a half-space the Hertz contact radius at the peak force that "
+        "Zener's equation predicts, to the nearest of 64 in an octave. [m]");
       schema.declare(
         "Integration",
         "energy conserving",

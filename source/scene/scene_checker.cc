@@ -4,6 +4,7 @@
 #include "plate_impact/base/text.h"
 #include "plate_impact/contact/contact_law.h"
 #include "plate_impact/contact/impactor.h"
+#include "plate_impact/plate/layer_response.h"
 #include "plate_impact/plate/plate_section.h"
 
 #include <algorithm>
@@ -112,6 +113,18 @@ namespace PlateImpact
                "does not fit a cylinder; expected line or strip" :
                "does not fit a sphere; expected Hertz disc, uniform "
                "disc or point");
+    if (scene.contact.local_response == LocalResponse::layer)
+      {
+        if (scene.contact.law == ForceLaw::Sun)
+          refuse({"Contact/Local response", "Contact/Law"},
+                 "does not fit the law Sun, whose compliance of the plate is "
+                 "not that of its material; expected Law = Hertz, or Local "
+                 "response = half-space");
+        if (!scene.contact.has_patch())
+          refuse({"Contact/Local response", "Contact/Load distribution"},
+                 "needs a load patch; expected Load distribution = Hertz disc, "
+                 "uniform disc or strip, or Local response = half-space");
+      }
     if (is_cylinder && scene.impactor.length > scene.plate.side_lengths[0])
       refuse({"Impactor/Length", "Plate/Side lengths"},
              "m reaches beyond the plate; expected at most its side along x, " +
@@ -222,7 +235,7 @@ namespace PlateImpact
       choose("Impactor", "Mass", scene.impactor.mass, impactor.mass);
     try
       {
-        expected_peak = zener_peak(*make_contact_law(scene),
+        expected_peak = zener_peak(*make_half_space_law(scene),
                                    impactor,
                                    PlateSection(scene.plate));
       }
@@ -244,7 +257,7 @@ namespace PlateImpact
              "Time step",
              scene.time.time_step,
              chosen_time_step(scene.time,
-                              *make_contact_law(scene),
+                              *make_half_space_law(scene),
                               make_impactor(scene.impactor),
                               PlateSection(scene.plate)));
     if (scene.time.end_time / scene.time.time_step > 1e8)
@@ -268,6 +281,17 @@ namespace PlateImpact
   {
     if (!scene.contact.has_patch() || scene.contact.patch_radius > 0.)
       return;
+    const double thickness = scene.plate.thickness;
+    if (scene.contact.local_response == LocalResponse::layer)
+      // the functional with div theta stands in for radii that are too small
+      return choose("Contact",
+                    "Patch radius",
+                    scene.contact.patch_radius,
+                    thickness *
+                      std::max(0.2,
+                               LayerResponse(scene.plate,
+                                             scene.contact.load_distribution)
+                                 .patch_radius()));
     const double radius = contact_radius(scene, peak.force, peak.indentation);
     const auto  &sides  = scene.plate.side_lengths;
     if (radius > 0.5 * std::min(sides[0], sides[1]))
@@ -281,7 +305,6 @@ namespace PlateImpact
     // one of few, so that similar impactors share their load; what that changes
     // of the radius, half a per cent at most, is a ten thousandth of the force
     // of the steel case
-    const double thickness = scene.plate.thickness;
     choose("Contact",
            "Patch radius",
            scene.contact.patch_radius,

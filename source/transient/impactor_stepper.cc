@@ -1,6 +1,7 @@
 #include "plate_impact/transient/impactor_stepper.h"
 
 #include "plate_impact/base/exceptions.h"
+#include "plate_impact/base/text.h"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -47,7 +48,8 @@ namespace PlateImpact
       {
         return solve_contact(integration,
                              law,
-                             current.indentation,
+                             current.impactor_displacement -
+                               current.plate_displacement,
                              impactor_free - plate_free,
                              compliance);
       }
@@ -79,13 +81,23 @@ namespace PlateImpact
     current.plate_displacement    = plate_displacement;
     current.impactor_displacement = impactor.displacement;
     current.impactor_velocity     = impactor.velocity;
-    current.indentation           = impactor.displacement - plate_displacement;
-    current.force                 = law.force(current.indentation);
+    const double approach         = impactor.displacement - plate_displacement;
+    current.indentation           = law.local_indentation(approach);
+    current.force                 = law.force(approach);
     current.plate_energy          = plate_energy;
-    current.contact_energy        = law.potential(current.indentation);
+    current.contact_energy        = law.potential(approach);
     current.impactor_energy       = impactor.kinetic_energy();
     require_finite(current.plate_displacement, "plate displacement");
     require_finite(current.total_energy(), "total energy");
+    if (current.force > law.largest_force())
+      throw ComputationError(fmt::format(
+        "step {} (t = {}): the contact force, {}, is beyond what the local "
+        "response of a layer holds, {}: the contact is about as wide as the "
+        "plate is thick; choose Contact/Local response = half-space",
+        step,
+        number(current.time, "s"),
+        number(current.force, "N"),
+        number(law.largest_force(), "N")));
   }
 
 

@@ -174,7 +174,7 @@ namespace PlateImpact
         const auto     law     = make_contact_law(rounded);
         const Impactor struck  = make_impactor(impactor);
         ReducedSystem *reduced = nullptr;
-        if (!steps_are_fewer(*law, struck))
+        if (!steps_are_fewer(*make_half_space_law(rounded), struck))
           reduced = settle(*law, struck);
         known = settled.emplace(key, reduced).first;
       }

@@ -3,6 +3,7 @@
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/stage_clock.h"
 #include "plate_impact/base/text.h"
+#include "plate_impact/plate/layer_response.h"
 #include "plate_impact/plate/load_distribution.h"
 #include "plate_impact/transient/linear_solver.h"
 #include "plate_impact/transient/make_integrator.h"
@@ -175,7 +176,9 @@ namespace PlateImpact
         forget_loads();
         Load load;
         load.u = plate.load(make_load_distribution(parameters.contact,
-                                                   parameters.impactor.length));
+                                                   parameters.impactor.length),
+                            load_rotation_factor(parameters.plate,
+                                                 parameters.contact));
         load.integration =
           make_contact_integration(parameters.contact.integration);
         load.integrator =

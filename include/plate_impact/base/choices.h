@@ -32,6 +32,12 @@ namespace PlateImpact
     line
   };
 
+  enum class LocalResponse
+  {
+    layer,
+    half_space
+  };
+
   enum class LoadShape
   {
     point,
@@ -111,6 +117,9 @@ namespace PlateImpact
   choices();
   template <>
   const std::vector<std::pair<ForceLaw, std::string>> &
+  choices();
+  template <>
+  const std::vector<std::pair<LocalResponse, std::string>> &
   choices();
   template <>
   const std::vector<std::pair<LoadShape, std::string>> &

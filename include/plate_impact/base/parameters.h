@@ -58,6 +58,7 @@ namespace PlateImpact
   struct ContactParameters
   {
     ForceLaw         law;
+    LocalResponse    local_response;
     LoadShape        load_distribution;
     double           patch_radius;
     ForceIntegration integration;
@@ -93,7 +94,11 @@ namespace PlateImpact
     auto
     members() const
     {
-      return std::tie(law, load_distribution, patch_radius, integration);
+      return std::tie(law,
+                      local_response,
+                      load_distribution,
+                      patch_radius,
+                      integration);
     }
   };
 

@@ -1,6 +1,7 @@
 #ifndef plate_impact_contact_contact_law_h
 #define plate_impact_contact_contact_law_h
 
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -11,6 +12,9 @@ namespace PlateImpact
   /// Force between impactor and plate as a function of the indentation, the
   /// approach of the impactor's centre to the plate's midsurface beyond first
   /// touch. The force is zero for negative indentation and never decreases.
+  ///
+  /// A law in series with a compliance has two parts of that approach, and
+  /// local_indentation() is that of the bodies at the contact.
   class ContactLaw
   {
   public:
@@ -38,6 +42,22 @@ namespace PlateImpact
     /// Indentation at which the force is reached; 0 for forces up to 0. [m]
     virtual double
     indentation(double force) const = 0;
+
+    /// Indentation of the bodies at the contact under an approach; the approach
+    /// itself but for laws in series. [m]
+    virtual double
+    local_indentation(const double approach) const
+    {
+      return approach;
+    }
+
+    /// The force up to which the law holds; beyond it is continued, so that
+    /// iterations may pass there. [N]
+    virtual double
+    largest_force() const
+    {
+      return std::numeric_limits<double>::infinity();
+    }
 
     /// k of a law F = k alpha^{3/2}; empty for others. [N/m^{3/2}]
     virtual std::optional<double>
@@ -75,23 +95,66 @@ namespace PlateImpact
     const double k;
   };
 
+  /// Hertz's law in series with a compliance C: the approach is alpha + C F,
+  /// F = k alpha^{3/2}. C is negative where the plate under the contact is
+  /// stiffer than plate theory and half-space together (LayerResponse). The
+  /// approach then has a largest value, near C F' = -1; from C F' = -0.9 on,
+  /// where the contact is about as wide as the plate is thick, the law is
+  /// continued by its tangent.
+  class SeriesLaw : public ContactLaw
+  {
+  public:
+    /// @param coefficient k [N/m^{3/2}]
+    /// @param compliance  C [m/N]
+    SeriesLaw(double coefficient, double compliance);
+
+    double
+    force(double approach) const override;
+    double
+    stiffness(double approach) const override;
+    double
+    potential(double approach) const override;
+    double
+    mean_force(double a, double b) const override;
+    double
+    indentation(double force) const override;
+    double
+    local_indentation(double approach) const override;
+    double
+    largest_force() const override;
+
+  private:
+    const HertzLaw hertz;
+    const double   compliance;
+    /// alpha where the tangent begins. [m]
+    double largest_indentation = std::numeric_limits<double>::infinity();
+    /// The approach there. [m]
+    double largest_approach = std::numeric_limits<double>::infinity();
+  };
+
   /// A cylinder of radius r that touches a half-space along the length 2l (eq.
   /// 32 of the paper, Johnson, Contact Mechanics, sec. 5.3):
   ///   alpha = F / (pi l E*) (1.886 + ln(l/a)),  a = sqrt(4 (F/2l) r / (pi
-  ///   E*)).
+  ///   E*)),
+  /// or another constant in place of 1.886.
   /// The paper prints a with the total force F in place of the force per
   /// length, and inverts to a power 3/2 (eq. 33); up to the logarithm the law
   /// is linear.
   ///
   /// The inverse is Lambert's function W_{-1}. The law loses its meaning when
-  /// the contact is as wide as long, a = l, and would turn back at a = 4 l:
-  /// from a = l on it is continued by its tangent.
+  /// the contact is as wide as long, a = l, and would turn back where the
+  /// logarithm with its constant is 1/2: from a = l on, or from 1, it is
+  /// continued by its tangent.
   class LineLaw : public ContactLaw
   {
   public:
     /// @param half_length  l [m]
     /// @param modulus      E* [Pa]
-    LineLaw(double radius, double half_length, double modulus);
+    /// @param constant     beside ln(l/a); Johnson's 1.886 is for half-spaces
+    LineLaw(double radius,
+            double half_length,
+            double modulus,
+            double constant = 1.886);
 
     double
     force(double indentation) const override;
@@ -103,13 +166,16 @@ namespace PlateImpact
     indentation(double force) const override;
 
   private:
-    /// 1.886 + ln(l/a) at a force.
+    /// constant + ln(l/a) at a force.
     double
     logarithm(double force) const;
 
+    const double constant;
     const double compliance;          ///< 1 / (pi l E*) [m/N]
     const double force_scale;         ///< force at which a = l [N]
-    const double largest_indentation; ///< where the tangent begins [m]
+    const double least_logarithm;     ///< where the tangent begins
+    const double tangent_force;       ///< there [N]
+    const double largest_indentation; ///< there [m]
   };
 
   /// Coefficient of Hertz's law for a sphere and a half-space,
@@ -143,9 +209,15 @@ namespace PlateImpact
 
   /// The law that the scene names: `line` (eq. 32), `Sun` (eq. 17 as printed:
   /// 1/E for the plate, after Yang & Sun, NASA CR-165460, 1981) or `Hertz` ((1
-  /// - nu^2)/E for both bodies, Johnson, Contact Mechanics, eq. 4.23).
+  /// - nu^2)/E for both bodies, Johnson, Contact Mechanics, eq. 4.23), with the
+  /// local response of the layer that the plate is where the scene says so.
   std::unique_ptr<const ContactLaw>
   make_contact_law(const Parameters &parameters);
+
+  /// The law without the layer, for Zener's equation: the point load on a thin
+  /// plate, which has no thickness, needs none.
+  std::unique_ptr<const ContactLaw>
+  make_half_space_law(const Parameters &parameters);
 } // namespace PlateImpact
 
 #endif

@@ -54,10 +54,13 @@ namespace PlateImpact
 
     /// Forces conjugate to the unknowns under a unit force on the whole plate,
     /// distributed over these points; its product with the unknowns is the
-    /// load-weighted deflection.
+    /// load-weighted deflection, or w + beta div theta in place of the
+    /// deflection w.
+    /// @param rotation_factor  beta [m^2]
     /// @throws ComputationError when a point lies outside of the mesh
     Eigen::VectorXd
-    load(const std::vector<LoadPoint> &points) const;
+    load(const std::vector<LoadPoint> &points,
+         double                        rotation_factor = 0.) const;
 
     /// The unknowns of a given field of deflection and rotations.
     Eigen::VectorXd
@@ -107,6 +110,14 @@ namespace PlateImpact
     add_cell_matrix(unsigned int      cell,
                     const CellMatrix &matrix,
                     Epetra_CrsMatrix &sum) const;
+
+    /// Adds a factor times the divergence of the rotations at a point of a
+    /// cell.
+    void
+    add_divergence(const dealii::Triangulation<2>::active_cell_iterator &cell,
+                   const dealii::Point<2>                               &unit,
+                   double                                                factor,
+                   Eigen::VectorXd &u) const;
 
     const PlateElement               &plate_element;
     const PlateSection                plate_section;

@@ -1,0 +1,74 @@
+#ifndef plate_impact_plate_layer_response_h
+#define plate_impact_plate_layer_response_h
+
+#include "plate_impact/base/parameters.h"
+
+namespace PlateImpact
+{
+  /// What the struck face of an elastic layer does beyond plate theory and a
+  /// half-space.
+  ///
+  /// Hertz's law holds the local compression of a half-space. Plate theory
+  /// holds the bending and the shear of the plate, but its shear term goes on
+  /// to waves far shorter than the thickness, which the half-space answers
+  /// already, and lacks the bending by the thickness stress under a load on one
+  /// face. Both cure a load patch that belongs to the plate and a compliance in
+  /// series with Hertz's law, from the static compliance C(k) of the struck
+  /// face of a free layer at the wavenumber k (doc/theory.md).
+  ///
+  /// Lengths are relative to the thickness h.
+  class LayerResponse
+  {
+  public:
+    /// @param plate  isotropic
+    /// @param load   Hertz disc, uniform disc or strip
+    LayerResponse(const PlateParameters &plate, LoadShape load);
+
+    /// Radius of the patch, c/h, with which plate and layer answer alike to all
+    /// waves longer than the thickness; 0 where there is none.
+    double
+    patch_radius() const;
+
+    /// beta / h^2 of the functional w + beta div theta that load and reading
+    /// use with another radius; 0 with patch_radius().
+    double
+    rotation_factor(double radius) const;
+
+    /// Lambda of the compliance Lambda / (G h) in series with the law of a
+    /// sphere, negative: layer less half-space less plate.
+    double
+    sphere_compliance(double radius) const;
+
+    /// Lambda of the plate's side of a line contact, F' (1 - nu) / (pi G) (ln
+    /// (h/a) + Lambda), with F' the force per length and a the half-width of
+    /// the contact.
+    double
+    line_constant(double radius) const;
+
+  private:
+    /// G/h [C(k) - (1-nu)/(G k) - C_R(k)] y at y = k h, C_R the compliance of
+    /// plate theory under the patch.
+    double
+    excess(double y, double radius) const;
+
+    /// The integral of a function like excess() over all wavenumbers.
+    template <typename Function>
+    double
+    integral(const Function &function, double radius) const;
+
+    const double    poissons_ratio;
+    const double    shear_correction;
+    const LoadShape load;
+
+    /// The transform of the pressure has the square 1 - x^2 / spread + ...
+    const double spread;
+  };
+
+  /// beta of the functional w + beta div theta that load and reading of a scene
+  /// use, 0 for w alone: a half-space, or the layer's own patch radius. [m^2]
+  double
+  load_rotation_factor(const PlateParameters   &plate,
+                       const ContactParameters &contact);
+} // namespace PlateImpact
+
+#endif

@@ -1,0 +1,175 @@
+#include "plate_impact/plate/layer_response.h"
+
+#include <boost/math/constants/constants.hpp>
+#include <boost/math/quadrature/gauss.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace PlateImpact
+{
+  namespace
+  {
+    namespace numbers = boost::math::double_constants;
+
+    /// 2 sinh^2(y/2) / (sinh y + y) + 2 cosh^2(y/2) / (sinh y - y): the
+    /// symmetric and the antisymmetric deformation of a layer.
+    double
+    compliance_of_layer(const double y)
+    {
+      const double E         = std::exp(-y);
+      const double symmetric = (1. - E) * (1. - E) / (1. - E * E + 2. * y * E);
+      if (y > 1.)
+        return symmetric + (1. + E) * (1. + E) / (1. - E * E - 2. * y * E);
+
+      // sinh y - y without cancellation
+      double term = y * y * y / 6., difference = 0.;
+      for (unsigned int n = 4; difference + term > difference; n += 2)
+        {
+          difference += term;
+          term *= y * y / (n * (n + 1));
+        }
+      return symmetric + (std::cosh(y) + 1.) / difference;
+    }
+
+
+
+    /// Hankel transform of a hemispherical pressure on a disc of radius 1,
+    /// normalized: 3 (sin x - x cos x) / x^3.
+    double
+    transform_of_hertz_disc(const double x)
+    {
+      if (x > 1.)
+        return 3. * (std::sin(x) - x * std::cos(x)) / (x * x * x);
+      double sum = 0., term = 1.;
+      for (unsigned int n = 1; std::abs(term) > 1e-18; ++n)
+        {
+          sum += term;
+          term *= -x * x / (2 * n * (2 * n + 3));
+        }
+      return sum;
+    }
+
+
+
+    /// Hankel transform of a constant pressure on that disc, and Fourier
+    /// transform of a hemispherical one on a strip: 2 J_1(x) / x.
+    double
+    transform_of_uniform_disc(const double x)
+    {
+      if (x > 1.)
+        return 2. * ::j1(x) / x;
+      double sum = 0., term = 1.;
+      for (unsigned int n = 1; std::abs(term) > 1e-18; ++n)
+        {
+          sum += term;
+          term *= -x * x / (4 * n * (n + 1));
+        }
+      return sum;
+    }
+  } // namespace
+
+
+
+  LayerResponse::LayerResponse(const PlateParameters &plate,
+                               const LoadShape        load)
+    : poissons_ratio(plate.poissons_ratio)
+    , shear_correction(plate.shear_correction_factor)
+    , load(load)
+    , spread(load == LoadShape::Hertz_disc ? 5. : 4.)
+  {}
+
+
+
+  double
+  LayerResponse::patch_radius() const
+  {
+    // the terms k^-2 of plate and layer agree
+    const double square = spread / 5. *
+      (1. / (1.2 * shear_correction * (1. - poissons_ratio)) - 1.);
+    return square > 0. ? std::sqrt(square) : 0.;
+  }
+
+
+
+  double
+  LayerResponse::rotation_factor(const double radius) const
+  {
+    return 1. / (12. * shear_correction * (1. - poissons_ratio)) - 0.1 -
+      radius * radius / (2. * spread);
+  }
+
+
+
+  double
+  LayerResponse::excess(const double y, const double radius) const
+  {
+    const double P       = load == LoadShape::Hertz_disc ?
+            transform_of_hertz_disc(radius * y) :
+            transform_of_uniform_disc(radius * y);
+    const double bending = 1. - rotation_factor(radius) * y * y;
+    return 0.5 * (1. - poissons_ratio) * (compliance_of_layer(y) - 2.) -
+      P * P *
+      (6. * (1. - poissons_ratio) * bending * bending / (y * y * y) +
+       1. / (shear_correction * y));
+  }
+
+
+
+  template <typename Function>
+  double
+  LayerResponse::integral(const Function &function, const double radius) const
+  {
+    // The layer decays within y of 40, the plate over some oscillations of the
+    // transform. Gauss points do not come close to 0, where terms cancel.
+    using Gauss                 = boost::math::quadrature::gauss<double, 20>;
+    const double oscillation    = numbers::pi / radius;
+    const double n_oscillations = 64.;
+    double       sum = 0., begin = 0.;
+    while (begin < std::max(40., n_oscillations * oscillation))
+      {
+        const double end =
+          begin + (begin < 40. ? std::min(2., oscillation) : oscillation);
+        sum += Gauss::integrate(function, begin, end);
+        begin = end;
+      }
+    return sum;
+  }
+
+
+
+  double
+  LayerResponse::sphere_compliance(const double radius) const
+  {
+    return integral([&](const double y) { return excess(y, radius); }, radius) /
+      (2. * numbers::pi);
+  }
+
+
+
+  double
+  LayerResponse::line_constant(const double radius) const
+  {
+    return numbers::ln_two + 0.5 +
+      integral(
+        [&](const double y) {
+          return (excess(y, radius) + (1. - poissons_ratio) * std::exp(-y)) / y;
+        },
+        radius) /
+      (1. - poissons_ratio);
+  }
+
+
+
+  double
+  load_rotation_factor(const PlateParameters   &plate,
+                       const ContactParameters &contact)
+  {
+    if (contact.local_response != LocalResponse::layer)
+      return 0.;
+    const double h    = plate.thickness;
+    const double beta = LayerResponse(plate, contact.load_distribution)
+                          .rotation_factor(contact.patch_radius / h);
+    return std::abs(beta) > 1e-9 ? beta * h * h : 0.;
+  }
+} // namespace PlateImpact
