@@ -22,8 +22,8 @@ namespace PlateImpact
   {
     explicit PlateSection(const PlateParameters &plate);
 
-    /// Moments per curvature, D = E t^3 / (12 (1 - nu^2)) times the plane stress
-    /// matrix. [N m]
+    /// Moments per curvature, D = E t^3 / (12 (1 - nu^2)) times the plane
+    /// stress matrix. [N m]
     Eigen::Matrix3d bending_stiffness;
 
     /// Shear force per shear strain, kappa G t. [N/m]
