@@ -104,4 +104,3 @@ FILTERS = {
     "log2": math.log2,
     "us": scale(1e6), "ms": scale(1e3), "mm": scale(1e3), "um": scale(1e6), "mN": scale(1e3),
 }
-assert math.isclose(float(plain(decimals(2.5, 2))), 2.5)

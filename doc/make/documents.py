@@ -178,7 +178,7 @@ def make(name, build, checks):
         new = renewed(text, old)
         if checks:
             return (typed.complaints(name, (templates / name).read_text())
-                    + drift(name, old, new) + "".join(pictures.drifted))
+                    + typed.text_in_tables(name, new) + drift(name, old, new) + "".join(pictures.drifted))
         page.write_text(new)
         return ""
     except (runs.Failed, jinja2.TemplateError) as problem:

@@ -1,5 +1,5 @@
-"""What a template must not hold: numbers of a table that are typed, and formulas that
-one of the two readers of Markdown takes apart."""
+"""What templates and pages must not hold: numbers of a table that are typed, formulas
+that one of the two readers of Markdown takes apart, text that it takes for a row."""
 
 import re
 
@@ -24,6 +24,14 @@ def broken_formulas(lines):
         for formula in re.findall(r"\$([^$]+)\$", re.sub(r"`[^`]*`|{%.*?%}", "", line)):
             if re.search(r"\\[^A-Za-z\s\\]", formula):
                 yield number, "in a formula Markdown takes a backslash before a sign for itself"
+
+
+def text_in_tables(name, page):
+    """Lines of a page that follow a table without an empty one between."""
+    lines = page.splitlines()
+    return "".join(f"{name}:{number}: an empty line is missing after the table\n"
+                   for number, (before, line) in enumerate(zip(lines, lines[1:]), 2)
+                   if before.startswith("|") and line and not line.startswith("|"))
 
 
 def complaints(name, template):
