@@ -115,6 +115,15 @@ namespace PlateImpact
   }
 
   const std::string main_scene = SCENES "/sphere-on-steel-plate.prm";
+
+  /// Plate theory on a half-space, as the paper has it and the references of
+  /// tests/reference/impact_cases.json.
+  const std::string half_space =
+    " --set Contact/Law=Sun --set 'Contact/Local response=half-space' ";
+
+  /// Peak force of the main scene in three-dimensional elasticity, the first of
+  /// tests/reference/layer3d_cases.json. [N]
+  constexpr double elastic_peak = 1389.184;
 } // namespace PlateImpact
 
 #endif

@@ -33,7 +33,7 @@ namespace PlateImpact
                                           "cylinder",
                                           "Hertz",
                                           "Sun",
-                                          "layer",
+                                          "half-space",
                                           "point",
                                           "Newmark",
                                           "collocation",
@@ -82,11 +82,11 @@ namespace PlateImpact
 
       /// The message that it is refused with, its path replaced.
       std::string
-      refusal() const
+      refusal(const std::vector<std::string> &overrides = {}) const
       {
         try
           {
-            read();
+            read(overrides);
           }
         catch (const InputError &error)
           {
@@ -111,9 +111,54 @@ namespace PlateImpact
       EXPECT_DOUBLE_EQ(p.plate.shear_correction_factor, 5. / 6.);
       EXPECT_EQ(p.discretization.initial_cells[1], 3u);
       EXPECT_NEAR(p.impactor.mass, 0.0326725636, 1e-9);
-      // what the program chooses: Hertz radius at Zener's peak, a quarter of it
+      // what the program chooses: h sqrt(nu / (1 - nu)), a quarter of it
+      EXPECT_DOUBLE_EQ(p.contact.patch_radius, 0.008 * std::sqrt(0.3 / 0.7));
+      EXPECT_EQ(p.adaptivity.minimum_cell_size, 0.25 * p.contact.patch_radius);
+    }
+
+
+
+    TEST(Scene, HalfSpacesChooseTheContactRadius)
+    {
+      // Hertz's radius at Zener's peak
+      const Parameters p = SceneText("").read({"Contact/Law=Sun"}).parameters;
       EXPECT_NEAR(p.contact.patch_radius, 0.454e-3, 1e-6);
       EXPECT_EQ(p.adaptivity.minimum_cell_size, 0.25 * p.contact.patch_radius);
+    }
+
+
+
+    TEST(Scene, WhatIsNotGivenOfTheContactFits)
+    {
+      const auto contact = [](const std::vector<std::string> &changes) {
+        return SceneText("").read(changes).parameters.contact;
+      };
+      EXPECT_EQ(contact({}).law, ForceLaw::Hertz);
+      EXPECT_EQ(contact({}).local_response, LocalResponse::layer);
+      for (const std::string change : {"Contact/Law=Sun",
+                                       "Contact/Load distribution=point",
+                                       "Contact/Local response=half-space"})
+        EXPECT_EQ(contact({change}).local_response, LocalResponse::half_space)
+          << change;
+      const std::string cylinder = "Impactor/Shape=cylinder";
+      EXPECT_EQ(contact({cylinder}).law, ForceLaw::line);
+      EXPECT_EQ(contact({cylinder}).load_distribution, LoadShape::strip);
+      EXPECT_EQ(contact({cylinder}).local_response, LocalResponse::layer);
+      EXPECT_EQ(
+        contact({cylinder, "Contact/Load distribution=line"}).local_response,
+        LocalResponse::half_space);
+      // what is given stands
+      EXPECT_EQ(SceneText("").refusal({"Contact/Law=Sun",
+                                        "Contact/Local response=layer"}),
+                "--set: Contact/Local response = layer does not fit the law "
+                "Sun, whose compliance of the plate is not that of its "
+                "material; expected Law = Hertz, or Local response = "
+                "half-space");
+      EXPECT_EQ(SceneText("").refusal({"Contact/Load distribution=point",
+                                        "Contact/Local response=layer"}),
+                "--set: Contact/Local response = layer needs a load patch; "
+                "expected Load distribution = Hertz disc, uniform disc or "
+                "strip, or Local response = half-space");
     }
 
 
@@ -306,10 +351,12 @@ namespace PlateImpact
           "beta = 0.25 and Newmark gamma = 0.5, which alone conserve "
           "energy; with others set Integration = collocation"},
         Mistake{
-          in_section("Impactor", "set Shape = cylinder"),
-          "scene:2: Contact/Law = Sun is a law of spheres; expected line "
+          in_section("Impactor", "set Shape = cylinder") +
+            in_section("Contact",
+                       "set Law = Hertz\nset Load distribution = point"),
+          "scene:5: Contact/Law = Hertz is a law of spheres; expected line "
           "for a cylinder\n"
-          "scene:2: Contact/Load distribution = Hertz disc does not fit a "
+          "scene:6: Contact/Load distribution = point does not fit a "
           "cylinder; expected line or strip"},
         Mistake{
           in_section("Sweep", "set Values 1 = 1, 2"),

@@ -34,6 +34,9 @@ namespace PlateImpact
       {"impulse", "Impulse", "N s"},
       {"final_impactor_velocity", "Final velocity of the impactor", "m/s"},
       {"max_plate_displacement", "Largest displacement of the plate", "m"},
+      {"contact_radius_over_thickness",
+       "Largest contact radius over the thickness",
+       ""},
       {"relative_energy_drift", "Relative drift of the energy", ""},
       {"coefficient_of_restitution", "Coefficient of restitution", ""},
       {"plate_energy_fraction", "Energy left in the plate, fraction", ""},
@@ -77,6 +80,8 @@ namespace PlateImpact
             impact.impulse,
             last.impactor_velocity,
             history.max_plate_displacement(),
+            contact_radius(parameters, peak.force, peak.indentation) /
+              parameters.plate.thickness,
             history.relative_energy_drift(),
             e,
             last.plate_energy / history.states().front().total_energy(),

@@ -25,19 +25,6 @@ namespace PlateImpact
 
 
 
-    /// Largest pressure of Hertz's contact at the peak. [Pa]
-    double
-    hertz_pressure(const Parameters &parameters, const ContactState &peak)
-    {
-      const ImpactorParameters &impactor = parameters.impactor;
-      const double              pi       = std::acos(-1.);
-      return impactor.is_cylinder() ?
-        2. * peak.force / (pi * radius_at(parameters, peak) * impactor.length) :
-        1.5 * peak.force / (pi * impactor.radius * peak.indentation);
-    }
-
-
-
     /// When the radius of the load on the plate is halved, the plate gives way
     /// by F ln 2 / (2 pi kappa G t) more under it; relative to the indentation.
     double
@@ -198,6 +185,25 @@ namespace PlateImpact
 
 
 
+    /// Load and reading with the rotations make plate and layer alike to waves
+    /// long against the patch only: measured, the force of the main scene is
+    /// 0.3 % too large with 1.5 thicknesses, 1.3 % with 3.
+    std::vector<std::string>
+    warn_of_layer_patch(const Parameters &parameters)
+    {
+      const double ratio =
+        parameters.contact.patch_radius / parameters.plate.thickness;
+      if (ratio <= 1.5)
+        return {};
+      return {fmt::format("Contact/Patch radius = {} m is {} thicknesses of the "
+                          "plate: beyond 1.5 it blurs the waves that the "
+                          "contact sends out; choose Contact/Patch radius = 0",
+                          about(parameters.contact.patch_radius),
+                          about(ratio))};
+    }
+
+
+
     std::vector<std::string>
     warn_of_load(const Parameters   &parameters,
                  const PlateSection &section,
@@ -209,7 +215,7 @@ namespace PlateImpact
       const ContactParameters &contact = parameters.contact;
       const double             radius  = radius_at(parameters, peak);
       if (contact.local_response == LocalResponse::layer)
-        return {};
+        return warn_of_layer_patch(parameters);
       if (parameters.impactor.is_cylinder())
         {
           if (contact.has_patch() &&
@@ -323,7 +329,8 @@ namespace PlateImpact
       const bool   yields =
         (plate_is_softer ? parameters.plate.poissons_ratio :
                            parameters.impactor.poissons_ratio) < 0.45;
-      const double pressure = hertz_pressure(parameters, peak);
+      const double pressure =
+        contact_pressure(parameters, peak.force, peak.indentation);
       if (yields && pressure > 0.03 * softer)
         warnings.push_back(
           fmt::format("the contact pressure reaches {}, {} of Young's "

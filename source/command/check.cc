@@ -199,7 +199,8 @@ namespace PlateImpact
     {
       if (given.sweep.estimate_error)
         return "Sweep/Estimate error = true steps every impact by itself";
-      if (given.contact.has_patch() && given.contact.patch_radius == 0. &&
+      if (given.contact.local_response == LocalResponse::half_space &&
+          given.contact.has_patch() && given.contact.patch_radius == 0. &&
           !plan.sweeps("Contact/Patch radius"))
         return "Contact/Patch radius = 0 lets impactors choose";
       if (given.time.time_step == 0. && !plan.sweeps("Time/Time step"))

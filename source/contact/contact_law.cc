@@ -346,6 +346,19 @@ namespace PlateImpact
 
 
 
+  double
+  contact_pressure(const Parameters &parameters,
+                   const double      force,
+                   const double      indentation)
+  {
+    const double a = contact_radius(parameters, force, indentation);
+    return parameters.impactor.is_cylinder() ?
+      2. * force / (numbers::pi * a * parameters.impactor.length) :
+      1.5 * force / (numbers::pi * a * a);
+  }
+
+
+
   namespace
   {
     /// k of Hertz's law for the compliance that the scene's law has for the

@@ -1,6 +1,7 @@
 #include "plate_impact/output/console.h"
 
 #include "plate_impact/base/text.h"
+#include "plate_impact/output/run_in_words.h"
 
 #include <csignal>
 #include <iostream>
@@ -21,6 +22,9 @@ namespace PlateImpact
   void
   Console::begin(const Scene &scene)
   {
+    local_response = scene.parameters.has_impactor() ?
+      local_response_in_words(scene.parameters) :
+      "";
     target    = scene.parameters.adaptivity.target_error;
     time_unit = PrefixedUnit("s", scene.parameters.time.end_time);
     if (quiet)
@@ -97,6 +101,9 @@ namespace PlateImpact
                                       Emphasis::bold)
                     << " at "
                     << in_ascii(time_unit.text(last.history->peak().time));
+        if (!local_response.empty())
+          std::cout << "\nContact     local response of a "
+                    << in_ascii(local_response);
         std::cout << "\nResults     " << results << std::endl;
       }
     print_warnings(warnings);

@@ -32,7 +32,7 @@ namespace PlateImpact
       {"Impulse", "impulse", "N s"},
       {"Impactor at the end", "final_impactor_velocity", "m/s"},
       {"Largest displacement", "max_plate_displacement", "m"},
-      {"Largest stress", "max_effective_stress", "Pa"},
+      {"Largest stress of the plate", "max_effective_stress", "Pa"},
       {"Energy drift", "relative_energy_drift", ""}};
 
 

@@ -118,6 +118,9 @@ namespace PlateImpact
           cycle["contact_radius_over_thickness"] =
             contact_radius(parameters, peak.force, peak.indentation) /
             parameters.plate.thickness;
+          if (peak.force > 0.)
+            cycle["contact_pressure"] =
+              contact_pressure(parameters, peak.force, peak.indentation);
           if (result.error)
             cycle["max_effective_stress"] = result.error->max_effective_stress;
           cycle["relative_energy_drift"] = history.relative_energy_drift();

@@ -67,6 +67,23 @@ namespace PlateImpact
 
 
 
+  std::string
+  local_response_in_words(const Parameters &parameters)
+  {
+    const ContactParameters &contact = parameters.contact;
+    if (contact.local_response == LocalResponse::layer)
+      return "layer, as three-dimensional elasticity has it";
+    std::string text = "half-space, beside the plate's own shear: the shortest "
+                       "waves count twice and the force is too small";
+    if (contact.law == ForceLaw::Sun)
+      text += "; the law Sun has no other";
+    else if (!contact.has_patch())
+      text += "; a " + word_for(contact.load_distribution) + " load has no other";
+    return text;
+  }
+
+
+
   std::vector<Fact>
   facts_of_run(const Parameters &parameters, const Json &summary)
   {
@@ -93,6 +110,14 @@ namespace PlateImpact
                          number(value("max_plate_displacement"), "m"),
                          "at the peak force " +
                            number(value("plate_displacement_at_peak"), "m")});
+        if (last.contains("max_effective_stress") &&
+            last.contains("contact_pressure"))
+          facts.push_back(
+            {"Largest stress of the plate",
+             number(value("max_effective_stress"), "Pa"),
+             "von Mises, at the faces, of plate theory under the spread load; "
+             "not that of the contact, whose pressure reaches " +
+               number(value("contact_pressure"), "Pa")});
       }
     if (last.contains("discretization_error"))
       facts.push_back({"Relative error in the energy norm η",
@@ -150,7 +175,12 @@ namespace PlateImpact
                 parameters.time.time_step)) +
               " of the steps in the first contact" :
                                                "")});
-    const ContactParameters &contact   = parameters.contact;
+    const ContactParameters &contact = parameters.contact;
+    table.rows.push_back(
+      {"Local response under the contact",
+       local_response_in_words(parameters) + "; contact radius " +
+         number(last["contact_radius_over_thickness"]) +
+         " of the thickness"});
     std::string              load_text = word_for(contact.load_distribution);
     if (contact.load_is_singular())
       load_text += ": the peak force has no limit under refinement";

@@ -90,29 +90,31 @@ namespace PlateImpact
       schema.begin_section("Contact");
       schema.declare(
         "Law",
-        "Sun",
+        "Hertz",
         Allowed::word_for<ForceLaw>(),
         contact.law,
-        "Sun: F = k alpha^1.5 with the compliance 1/E of the plate, "
-        "the paper's eq. 17. Hertz: with (1 - nu^2)/E for both "
-        "bodies. line: the paper's eq. 32, for a cylinder.");
+        "Hertz: F = k alpha^1.5 with the compliance (1 - nu^2)/E of both "
+        "bodies. Sun: with 1/E for the plate, the paper's eq. 17. line: of a "
+        "cylinder, and what one has where no law is given; on a half-space "
+        "the paper's eq. 32.");
       schema.declare(
         "Local response",
-        "half-space",
+        "layer",
         Allowed::word_for<LocalResponse>(),
         contact.local_response,
         "What the plate does under the contact besides bending and shear. "
+        "layer: what an elastic layer of the plate's thickness does. "
         "half-space: what Hertz's law says, as usual and in the paper, which "
-        "counts the shortest waves twice. layer: what an elastic layer of "
-        "the plate's thickness does.");
+        "counts the shortest waves twice; where no response is given, that "
+        "of the law Sun and of point and line loads.");
       schema.declare(
         "Load distribution",
         "Hertz disc",
         Allowed::word_for<LoadShape>(),
         contact.load_distribution,
-        "How the contact force spreads over the plate. The "
-        "displacement of the plate in the contact law is averaged with "
-        "the same weights. Under 'point' the peak force has no limit "
+        "How the contact force spreads over the plate; where it is not "
+        "given, as a strip under a cylinder. The displacement of the plate in "
+        "the contact law is averaged with the same weights. Under 'point' the peak force has no limit "
         "under refinement: it drops with every halving of the cells.");
       schema.declare(
         "Patch radius",

@@ -38,7 +38,41 @@ namespace PlateImpact
                        const double       value)
   {
     variable = value;
-    schema.choose(section, entry, value);
+    schema.choose(section, entry, shortest(value));
+  }
+
+
+
+  template <typename Choice>
+  void
+  SceneChecker::choose_unless_given(const std::string &entry,
+                                    Choice            &variable,
+                                    const Choice       value)
+  {
+    const std::string path = "Contact/" + entry;
+    if (schema.origin(path) != "default" || swept.count(path) > 0)
+      return;
+    variable = value;
+    schema.choose("Contact", entry, word_for(value));
+  }
+
+
+
+  void
+  SceneChecker::choose_contact()
+  {
+    ContactParameters &contact = scene.contact;
+    if (scene.impactor.is_cylinder())
+      {
+        choose_unless_given("Law", contact.law, ForceLaw::line);
+        choose_unless_given("Load distribution",
+                            contact.load_distribution,
+                            LoadShape::strip);
+      }
+    if (contact.law == ForceLaw::Sun || !contact.has_patch())
+      choose_unless_given("Local response",
+                          contact.local_response,
+                          LocalResponse::half_space);
   }
 
 
@@ -64,6 +98,7 @@ namespace PlateImpact
   void
   SceneChecker::check_together()
   {
+    choose_contact();
     check_plate();
     check_contact();
     check_time();

@@ -34,11 +34,11 @@ namespace PlateImpact
   void
   SceneSchema::choose(const std::string &section,
                       const std::string &entry,
-                      const double       value)
+                      const std::string &value)
   {
     given.try_emplace({section, entry}, this->value(section + '/' + entry));
     prm.enter_subsection(section);
-    prm.set(entry, shortest(value));
+    prm.set(entry, value);
     prm.leave_subsection();
   }
 

@@ -92,8 +92,9 @@ namespace PlateImpact
     if (current.force > law.largest_force())
       throw ComputationError(fmt::format(
         "step {} (t = {}): the contact force, {}, is beyond what the local "
-        "response of a layer holds, {}: the contact is about as wide as the "
-        "plate is thick; choose Contact/Local response = half-space",
+        "response of a layer holds, {}; choose Contact/Patch radius = 0 or, "
+        "where it is and the contact becomes as wide as the plate is thick, "
+        "Contact/Local response = half-space",
         step,
         number(current.time, "s"),
         number(current.force, "N"),

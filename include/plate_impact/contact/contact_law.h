@@ -207,6 +207,14 @@ namespace PlateImpact
                  double            force,
                  double            indentation);
 
+  /// Largest pressure of Hertz's contact, of a sphere or a cylinder. [Pa]
+  /// @param force        [N]
+  /// @param indentation  under that force, above 0 [m]
+  double
+  contact_pressure(const Parameters &parameters,
+                   double            force,
+                   double            indentation);
+
   /// The law that the scene names: `line` (eq. 32), `Sun` (eq. 17 as printed:
   /// 1/E for the plate, after Yang & Sun, NASA CR-165460, 1981) or `Hertz` ((1
   /// - nu^2)/E for both bodies, Johnson, Contact Mechanics, eq. 4.23), with the

@@ -42,6 +42,7 @@ namespace PlateImpact
     const Terminal out;
     double         target    = 0.;        ///< eta that is asked for
     PrefixedUnit   time_unit = {"s", 0.}; ///< for the end time
+    std::string    local_response;        ///< in words
   };
 } // namespace PlateImpact
 

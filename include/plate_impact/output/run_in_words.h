@@ -15,6 +15,11 @@ namespace PlateImpact
   std::string
   scene_in_words(const Parameters &parameters);
 
+  /// The local response under the contact, and why where it is the only one
+  /// that fits. For scenes with an impactor.
+  std::string
+  local_response_in_words(const Parameters &parameters);
+
   /// What a reader looks for first: peak force, Zener's beside it, contact,
   /// rebound, error, outcome.
   /// @param summary  the content of summary.json

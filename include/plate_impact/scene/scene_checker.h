@@ -24,7 +24,8 @@ namespace PlateImpact
                  const Parameters            &parameters,
                  const std::set<std::string> &swept = {});
 
-    /// Entries against each other.
+    /// Entries against each other, with words in place of those not given that
+    /// follow from others.
     void
     check_together();
 
@@ -56,6 +57,18 @@ namespace PlateImpact
            const std::string &entry,
            double            &variable,
            double             value);
+
+    /// The same with a word, unless the scene gives the entry.
+    template <typename Choice>
+    void
+    choose_unless_given(const std::string &entry,
+                        Choice            &variable,
+                        Choice             value);
+
+    /// Law, load and local response that fit the rest of the scene, where they
+    /// are not given.
+    void
+    choose_contact();
 
     void
     check_plate();

@@ -37,7 +37,9 @@ namespace PlateImpact
 
     /// Sets an entry that the program has chosen a value for.
     void
-    choose(const std::string &section, const std::string &entry, double value);
+    choose(const std::string &section,
+           const std::string &entry,
+           const std::string &value);
 
     /// Gives entries that the program has chosen a value for back what they
     /// were given.
