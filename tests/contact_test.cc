@@ -56,9 +56,15 @@ namespace PlateImpact
                         1.,
                         1e-7)
               << alpha;
+            EXPECT_NEAR((law->approach(alpha + h) - law->approach(alpha - h)) /
+                          (2 * h) / law->approach_rate(alpha),
+                        1.,
+                        1e-7)
+              << alpha;
             EXPECT_NEAR((law->potential(alpha + h) -
                          law->potential(alpha - h)) /
-                          (2 * h) / law->force(alpha),
+                          (2 * h * law->approach_rate(alpha)) /
+                          law->force(alpha),
                         1.,
                         1e-7)
               << alpha;
@@ -95,6 +101,11 @@ namespace PlateImpact
             EXPECT_NEAR(law->indentation(law->force(alpha)) / alpha, 1., 1e-13)
               << alpha;
           EXPECT_EQ(law->indentation(-1.), 0.);
+          for (const double alpha : {-1e-6, 1e-30, 1e-12, 1e-6, 1e-1, 10.})
+            EXPECT_NEAR(law->indentation_under(law->approach(alpha)) / alpha,
+                        1.,
+                        1e-13)
+              << alpha;
         }
     }
 
@@ -107,7 +118,8 @@ namespace PlateImpact
           for (const double b : {-1e-6, 0., 2e-9, 1.5e-6, 1.03e-6, 2.9e-6})
             if (a != b)
               {
-                EXPECT_NEAR(law->mean_force(a, b) * (b - a),
+                EXPECT_NEAR(law->mean_force(a, b) *
+                              (law->approach(b) - law->approach(a)),
                             law->potential(b) - law->potential(a),
                             1e-14 * (law->potential(a) + law->potential(b)));
               }
@@ -203,7 +215,7 @@ namespace PlateImpact
       };
       for (unsigned int i = 0; i < 200000; ++i)
         {
-          const ContactLaw &law   = i % 2 == 0 ? *laws[0] : *laws[1];
+          const ContactLaw &law   = *laws[i % laws.size()];
           const double      begin = indentation(), free = indentation(),
                        compliance = 1e-5 * std::pow(10., -exponent(generator));
           for (const ContactIntegration *integration :
@@ -213,9 +225,10 @@ namespace PlateImpact
               const double phi =
                 solve_contact(*integration, law, begin, free, compliance);
               ASSERT_GE(phi, 0.);
-              const double end = free - compliance * phi;
-              const double bound =
-                1e-14 * (std::abs(free) + std::abs(end) + compliance * phi);
+              const double end = law.indentation_under(free - compliance * phi);
+              const double bound = 1e-14 *
+                (std::abs(free) + std::abs(end) + compliance * phi) /
+                law.approach_rate(end);
               // the force at an end moved by round-off on either side
               ASSERT_LE(integration->force(law, begin, end - bound),
                         phi * (1. + 1e-12));

@@ -336,10 +336,10 @@ namespace PlateImpact
       ASSERT_EQ(
         run(main_scene,
             half_space +
-            "--set Plate/Thickness=1e-4 --set Impactor/Velocity=50 --set "
-            "Discretization/Element=serendipity --set "
-            "Adaptivity/Strategy=none --set 'Output/Write report=false' "
-            "--set 'Time/End time=10e-6' --set Time/Integrator=Newmark"),
+              "--set Plate/Thickness=1e-4 --set Impactor/Velocity=50 --set "
+              "Discretization/Element=serendipity --set "
+              "Adaptivity/Strategy=none --set 'Output/Write report=false' "
+              "--set 'Time/End time=10e-6' --set Time/Integrator=Newmark"),
         0)
         << err;
       for (const std::string part : {"of its thickness",

@@ -148,14 +148,14 @@ namespace PlateImpact
         contact({cylinder, "Contact/Load distribution=line"}).local_response,
         LocalResponse::half_space);
       // what is given stands
-      EXPECT_EQ(SceneText("").refusal({"Contact/Law=Sun",
-                                        "Contact/Local response=layer"}),
+      EXPECT_EQ(SceneText("").refusal(
+                  {"Contact/Law=Sun", "Contact/Local response=layer"}),
                 "--set: Contact/Local response = layer does not fit the law "
                 "Sun, whose compliance of the plate is not that of its "
                 "material; expected Law = Hertz, or Local response = "
                 "half-space");
       EXPECT_EQ(SceneText("").refusal({"Contact/Load distribution=point",
-                                        "Contact/Local response=layer"}),
+                                       "Contact/Local response=layer"}),
                 "--set: Contact/Local response = layer needs a load patch; "
                 "expected Load distribution = Hertz disc, uniform disc or "
                 "strip, or Local response = half-space");

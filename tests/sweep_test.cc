@@ -181,8 +181,7 @@ namespace PlateImpact
                           "set Values 1 = 0.5, 2\n"
                           "set Entry 2 = Time/Newmark beta\n"
                           "set Values 2 = 0.25, 0.3025"));
-      const std::string more =
-        half_space +
+      const std::string more = half_space +
         "--set 'Contact/Patch radius=0' --set Contact/Integration=collocation "
         "--set Time/Integrator=Newmark";
       ASSERT_EQ(sweep(scene, more), 0) << err;
@@ -240,7 +239,7 @@ namespace PlateImpact
                       1e-9);
           // a plate that waves do not come back in follows Zener's formula
           EXPECT_NEAR(std::stod(row.at("restitution_over_zener")), 1., 0.02);
-          EXPECT_NEAR(std::stod(row.at("peak_force_over_zener")), 1., 0.01);
+          EXPECT_NEAR(std::stod(row.at("peak_force_over_zener")), 1., 0.02);
           EXPECT_NEAR(std::stod(row.at("contact_radius_over_thickness")),
                       0.05,
                       0.01);

@@ -195,11 +195,12 @@ namespace PlateImpact
         parameters.contact.patch_radius / parameters.plate.thickness;
       if (ratio <= 1.5)
         return {};
-      return {fmt::format("Contact/Patch radius = {} m is {} thicknesses of the "
-                          "plate: beyond 1.5 it blurs the waves that the "
-                          "contact sends out; choose Contact/Patch radius = 0",
-                          about(parameters.contact.patch_radius),
-                          about(ratio))};
+      return {
+        fmt::format("Contact/Patch radius = {} m is {} thicknesses of the "
+                    "plate: beyond 1.5 it blurs the waves that the "
+                    "contact sends out; choose Contact/Patch radius = 0",
+                    about(parameters.contact.patch_radius),
+                    about(ratio))};
     }
 
 

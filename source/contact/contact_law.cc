@@ -23,18 +23,23 @@ namespace PlateImpact
     const double low = std::min(a, b), high = std::max(a, b);
     if (high <= 0. || low == high)
       return force(high);
+    const double way = approach(high) - approach(low);
     if (low <= 0.)
-      return potential(high) / (high - low);
+      return potential(high) / way;
     if (high - low > 0.05 * high)
-      return (potential(high) - potential(low)) / (high - low);
+      return (potential(high) - potential(low)) / way;
 
     // Close indentations, where the quotient cancels: Gauss quadrature is exact
     // to round-off for a law that is smooth on the scale of the indentation.
-    return boost::math::quadrature::gauss<double, 10>::integrate(
-             [this](const double alpha) { return force(alpha); },
-             low,
-             high) /
-      (high - low);
+    using Gauss     = boost::math::quadrature::gauss<double, 10>;
+    const auto rate = [this](const double alpha) {
+      return approach_rate(alpha);
+    };
+    const auto work = [this](const double alpha) {
+      return force(alpha) * approach_rate(alpha);
+    };
+    return Gauss::integrate(work, low, high) /
+      Gauss::integrate(rate, low, high);
   }
 
 
@@ -103,72 +108,36 @@ namespace PlateImpact
     // C F' = -0.9 with F' = 3/2 k alpha^{1/2}
     const double root   = -0.6 / (coefficient * compliance);
     largest_indentation = root * root;
-    largest_approach =
-      largest_indentation + compliance * hertz.force(largest_indentation);
   }
 
 
 
   double
-  SeriesLaw::local_indentation(const double approach) const
+  SeriesLaw::force(const double indentation) const
   {
-    if (approach <= 0. || compliance == 0.)
-      return approach;
-    if (approach >= largest_approach)
-      return approach - compliance * force(approach);
-
-    // s^2 + C k s^3 = approach, s^2 = alpha
-    const double Ck     = compliance * hertz.force(1.);
-    const double simple = std::sqrt(approach);
-    const double bound  = compliance < 0. ? std::sqrt(largest_indentation) : 0.;
-    std::uintmax_t n_iterations = 50;
-    const double   s            = boost::math::tools::newton_raphson_iterate(
-      [Ck, approach](const double s) {
-        return std::make_pair(s * s * (1. + Ck * s) - approach,
-                              s * (2. + 3. * Ck * s));
-      },
-      simple,
-      std::min(simple, bound),
-      std::max(simple, bound),
-      std::numeric_limits<double>::digits,
-      n_iterations);
-    return s * s;
+    const double beyond = indentation - largest_indentation;
+    return beyond <= 0. ? hertz.force(indentation) :
+                          largest_force() + beyond * stiffness(indentation);
   }
 
 
 
   double
-  SeriesLaw::force(const double approach) const
+  SeriesLaw::stiffness(const double indentation) const
   {
-    if (approach < largest_approach)
-      return hertz.force(local_indentation(approach));
-    return hertz.force(largest_indentation) +
-      (approach - largest_approach) * stiffness(approach);
+    return hertz.stiffness(std::min(indentation, largest_indentation));
   }
 
 
 
   double
-  SeriesLaw::stiffness(const double approach) const
+  SeriesLaw::potential(const double indentation) const
   {
-    const double local = hertz.stiffness(approach < largest_approach ?
-                                           local_indentation(approach) :
-                                           largest_indentation);
-    return local / (1. + compliance * local);
-  }
-
-
-
-  double
-  SeriesLaw::potential(const double approach) const
-  {
-    const double alpha  = approach < largest_approach ?
-       local_indentation(approach) :
-       largest_indentation;
-    const double F      = hertz.force(alpha);
-    const double beyond = std::max(0., approach - largest_approach);
-    return hertz.potential(alpha) + 0.5 * compliance * F * F +
-      beyond * (F + 0.5 * beyond * stiffness(approach));
+    const double F      = force(indentation);
+    const double beyond = std::max(0., indentation - largest_indentation);
+    return hertz.potential(std::min(indentation, largest_indentation)) +
+      0.5 * compliance * F * F +
+      (beyond > 0. ? 0.5 * beyond * (largest_force() + F) : 0.);
   }
 
 
@@ -177,18 +146,16 @@ namespace PlateImpact
   SeriesLaw::mean_force(const double a, const double b) const
   {
     const double low = std::min(a, b), high = std::max(a, b);
-    if (high <= 0. || low <= 0. || high >= largest_approach)
+    if (low <= 0. || high >= largest_indentation)
       return ContactLaw::mean_force(a, b);
 
     // change of the energies over that of the approach, both divided by the
     // change of alpha, so that nothing cancels: q = (F_b - F_a) / (alpha_b -
     // alpha_a) of x^3 and x^2, alpha = x^2
-    const double alpha_a = local_indentation(low),
-                 alpha_b = local_indentation(high);
-    const double x = std::sqrt(alpha_a), y = std::sqrt(alpha_b);
-    const double q   = hertz.force(1.) * (alpha_a + x * y + alpha_b) / (x + y);
-    const double sum = hertz.force(alpha_a) + hertz.force(alpha_b);
-    return (hertz.mean_force(alpha_a, alpha_b) + 0.5 * compliance * sum * q) /
+    const double x = std::sqrt(low), y = std::sqrt(high);
+    const double q   = hertz.force(1.) * (low + x * y + high) / (x + y);
+    const double sum = hertz.force(low) + hertz.force(high);
+    return (hertz.mean_force(low, high) + 0.5 * compliance * sum * q) /
       (1. + compliance * q);
   }
 
@@ -197,10 +164,63 @@ namespace PlateImpact
   double
   SeriesLaw::indentation(const double force) const
   {
-    if (force <= largest_force())
-      return hertz.indentation(force) + compliance * std::max(0., force);
-    return largest_approach +
-      (force - largest_force()) / stiffness(largest_approach);
+    const double beyond = force - largest_force();
+    return beyond <= 0. ?
+      hertz.indentation(force) :
+      largest_indentation + beyond / stiffness(largest_indentation);
+  }
+
+
+
+  double
+  SeriesLaw::approach(const double indentation) const
+  {
+    return indentation + compliance * force(indentation);
+  }
+
+
+
+  double
+  SeriesLaw::approach_rate(const double indentation) const
+  {
+    return 1. + compliance * stiffness(indentation);
+  }
+
+
+
+  double
+  SeriesLaw::indentation_under(const double approach) const
+  {
+    if (approach <= 0. || compliance == 0.)
+      return approach;
+    if (compliance < 0.)
+      {
+        const double beyond = approach - this->approach(largest_indentation);
+        if (beyond >= 0.)
+          return largest_indentation +
+            beyond / approach_rate(largest_indentation);
+      }
+
+    // s^2 + C k s^3 = approach, s^2 = alpha, from the first terms of the root
+    // in powers of q; as Newton's method doubles the digits, half of them are
+    // enough for the last step
+    const double Ck     = compliance * hertz.force(1.);
+    const double simple = std::sqrt(approach), q = -Ck * simple;
+    const double bound = compliance < 0. ? std::sqrt(largest_indentation) : 0.;
+    std::uintmax_t n_iterations = 50;
+    const double   s            = boost::math::tools::newton_raphson_iterate(
+      [Ck, approach](const double s) {
+        return std::make_pair(s * s * (1. + Ck * s) - approach,
+                              s * (2. + 3. * Ck * s));
+      },
+      std::clamp(simple * (1. + q * (0.5 + q * (0.625 + q))),
+                 std::min(simple, bound),
+                 std::max(simple, bound)),
+      std::min(simple, bound),
+      std::max(simple, bound),
+      std::numeric_limits<double>::digits / 2 + 2,
+      n_iterations);
+    return s * s;
   }
 
 
@@ -386,15 +406,12 @@ namespace PlateImpact
     /// cylinder's F' (1 - nu^2) / (pi E) (2 ln(4r/a) - 1), to its axis
     /// (Johnson, sec. 5.6), F' the force per length.
     double
-    line_constant_of_layer(const Parameters &parameters)
+    line_constant_of_layer(const Parameters &parameters, const double Lambda)
     {
       const PlateParameters    &plate    = parameters.plate;
       const ImpactorParameters &impactor = parameters.impactor;
       const double nu_p = plate.poissons_ratio, nu_i = impactor.poissons_ratio;
       const double h = plate.thickness;
-      const double Lambda =
-        LayerResponse(plate, parameters.contact.load_distribution)
-          .line_constant(parameters.contact.patch_radius / h);
       return contact_modulus(parameters) *
         ((1. - nu_p * nu_p) / plate.youngs_modulus * (std::log(h) + Lambda) +
          (1. - nu_i * nu_i) / impactor.youngs_modulus *
@@ -418,8 +435,31 @@ namespace PlateImpact
 
 
 
+  double
+  layer_constant(const PlateParameters &plate, const ContactParameters &contact)
+  {
+    if (contact.local_response == LocalResponse::half_space)
+      return 0.;
+    const LayerResponse layer(plate, contact.load_distribution);
+    const double        radius = contact.patch_radius / plate.thickness;
+    return contact.law == ForceLaw::line ? layer.line_constant(radius) :
+                                           layer.sphere_compliance(radius);
+  }
+
+
+
   std::unique_ptr<const ContactLaw>
   make_contact_law(const Parameters &parameters)
+  {
+    return make_contact_law(parameters,
+                            layer_constant(parameters.plate,
+                                           parameters.contact));
+  }
+
+
+
+  std::unique_ptr<const ContactLaw>
+  make_contact_law(const Parameters &parameters, const double layer_constant)
   {
     const ImpactorParameters &impactor = parameters.impactor;
     const PlateParameters    &plate    = parameters.plate;
@@ -429,14 +469,12 @@ namespace PlateImpact
       return std::make_unique<LineLaw>(impactor.radius,
                                        0.5 * impactor.length,
                                        contact_modulus(parameters),
-                                       line_constant_of_layer(parameters));
+                                       line_constant_of_layer(parameters,
+                                                              layer_constant));
     const double shear_modulus =
       plate.youngs_modulus / (2. * (1. + plate.poissons_ratio));
-    return std::make_unique<SeriesLaw>(
-      coefficient_of(parameters),
-      LayerResponse(plate, parameters.contact.load_distribution)
-          .sphere_compliance(parameters.contact.patch_radius /
-                             plate.thickness) /
-        (shear_modulus * plate.thickness));
+    return std::make_unique<SeriesLaw>(coefficient_of(parameters),
+                                       layer_constant /
+                                         (shear_modulus * plate.thickness));
   }
 } // namespace PlateImpact

@@ -39,7 +39,8 @@ namespace PlateImpact
   double
   CollocatedContact::stiffness(const ContactLaw &law,
                                const double,
-                               const double end) const
+                               const double end,
+                               const double) const
   {
     return law.stiffness(end);
   }
@@ -75,7 +76,8 @@ namespace PlateImpact
   double
   EnergyConservingContact::stiffness(const ContactLaw &law,
                                      const double      begin,
-                                     const double      end) const
+                                     const double      end,
+                                     const double      force) const
   {
     // The quotient is exact but cancels for close indentations; there half the
     // stiffness in the middle is its limit.
@@ -83,7 +85,8 @@ namespace PlateImpact
     if (std::abs(distance) < 1e-4 * (std::abs(begin) + std::abs(end)))
       return 0.5 * law.stiffness(0.5 * (begin + end));
     return std::max(0.,
-                    (law.force(end) - law.mean_force(begin, end)) / distance);
+                    (law.force(end) - force) * law.approach_rate(end) /
+                      (law.approach(end) - law.approach(begin)));
   }
 
 
@@ -115,18 +118,19 @@ namespace PlateImpact
       throw ComputationError("the indentation is not finite");
 
     // phi is never negative and never decreases: the root lies between these
-    double high = free;
+    double high = law.indentation_under(free);
     double phi  = integration.force(law, begin, high);
     if (phi == 0.)
       return 0.;
-    double low = free - compliance * phi;
+    double low = law.indentation_under(free - compliance * phi);
 
     const double epsilon = std::numeric_limits<double>::epsilon();
     double       alpha   = std::clamp(begin, low, high);
     for (unsigned int iteration = 0; iteration < 2000; ++iteration)
       {
         phi                   = integration.force(law, begin, alpha);
-        const double residual = alpha + compliance * phi - free;
+        const double approach = law.approach(alpha);
+        const double residual = approach + compliance * phi - free;
         // what round-off leaves of the residual, or nothing left to bisect
         if (std::abs(residual) <= 2. * epsilon *
                 (std::abs(alpha) + compliance * phi + std::abs(free)) ||
@@ -136,7 +140,8 @@ namespace PlateImpact
         (residual > 0. ? high : low) = alpha;
         const double newton          = alpha -
           residual /
-            (1. + compliance * integration.stiffness(law, begin, alpha));
+            (law.approach_rate(alpha) +
+             compliance * integration.stiffness(law, begin, alpha, phi));
         // strictly within the bracket, or else its middle; a NaN bisects
         alpha =
           newton > low && newton < high ? newton : low + 0.5 * (high - low);

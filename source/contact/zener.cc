@@ -80,7 +80,7 @@ namespace PlateImpact
             (law.potential(middle) > impactor.kinetic_energy() ? high : low) =
               middle;
           }
-      return high / v0 / 500.;
+      return high / v0 / 150.;
     }
   } // namespace
 
@@ -106,13 +106,21 @@ namespace PlateImpact
              const double        dt)
   {
     ZenerSteps steps(law, impactor, section);
-    double     alpha = 0.;
+    double     before = 0., alpha = 0.;
     for (unsigned int n = 1; n < 100000000; ++n)
       {
         const double next = steps.advance(dt);
         if (next <= alpha)
-          return {law.force(alpha), alpha, (n - 1) * dt};
-        alpha = next;
+          {
+            // the vertex of the parabola through the last three
+            const double slope     = 0.5 * (next - before),
+                         curve     = next - 2. * alpha + before;
+            const double to_vertex = curve < 0. ? -slope / curve : 0.;
+            const double at_peak   = alpha + 0.5 * slope * to_vertex;
+            return {law.force(at_peak), at_peak, (n - 1 + to_vertex) * dt};
+          }
+        before = alpha;
+        alpha  = next;
       }
     throw ComputationError("Zener's equation has no peak of the contact force");
   }

@@ -25,8 +25,8 @@ namespace PlateImpact
     local_response = scene.parameters.has_impactor() ?
       local_response_in_words(scene.parameters) :
       "";
-    target    = scene.parameters.adaptivity.target_error;
-    time_unit = PrefixedUnit("s", scene.parameters.time.end_time);
+    target         = scene.parameters.adaptivity.target_error;
+    time_unit      = PrefixedUnit("s", scene.parameters.time.end_time);
     if (quiet)
       return;
 #ifdef DEBUG

@@ -78,7 +78,8 @@ namespace PlateImpact
     if (contact.law == ForceLaw::Sun)
       text += "; the law Sun has no other";
     else if (!contact.has_patch())
-      text += "; a " + word_for(contact.load_distribution) + " load has no other";
+      text +=
+        "; a " + word_for(contact.load_distribution) + " load has no other";
     return text;
   }
 
@@ -179,9 +180,8 @@ namespace PlateImpact
     table.rows.push_back(
       {"Local response under the contact",
        local_response_in_words(parameters) + "; contact radius " +
-         number(last["contact_radius_over_thickness"]) +
-         " of the thickness"});
-    std::string              load_text = word_for(contact.load_distribution);
+         number(last["contact_radius_over_thickness"]) + " of the thickness"});
+    std::string load_text = word_for(contact.load_distribution);
     if (contact.load_is_singular())
       load_text += ": the peak force has no limit under refinement";
     else if (contact.has_patch())

@@ -13,10 +13,12 @@
 
 namespace PlateImpact
 {
-  SceneChecker::SceneChecker(SceneSchema                 &schema,
-                             const Parameters            &parameters,
-                             const std::set<std::string> &swept)
-    : schema(schema)
+  SceneChecker::SceneChecker(SceneSchema                       &schema,
+                             const Parameters                  &parameters,
+                             const std::set<std::string>       &swept,
+                             const std::optional<ExpectedPeak> &expected_peak)
+    : expected_peak(expected_peak)
+    , schema(schema)
     , scene(parameters)
     , swept(swept)
   {}
@@ -268,6 +270,8 @@ namespace PlateImpact
                       " J, which is beyond what can be computed with");
     if (scene.impactor.mass == 0.)
       choose("Impactor", "Mass", scene.impactor.mass, impactor.mass);
+    if (expected_peak)
+      return;
     try
       {
         expected_peak = zener_peak(*make_half_space_law(scene),

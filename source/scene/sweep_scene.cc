@@ -97,7 +97,13 @@ namespace PlateImpact
       }
 
     std::vector<std::string> mistakes = reader.schema.set(assignments);
-    SceneChecker             checker(reader.schema, reader.parameters());
+    const auto               known    = expected_peaks.find(index);
+    SceneChecker             checker(reader.schema,
+                         reader.parameters(),
+                         /*swept=*/{},
+                         known == expected_peaks.end() ?
+                                       std::nullopt :
+                                       std::optional(known->second));
     if (mistakes.empty())
       {
         checker.check_together();
@@ -110,6 +116,7 @@ namespace PlateImpact
                   ": there is no impactor"};
     if (!mistakes.empty())
       throw InputError(mistakes);
+    expected_peaks.try_emplace(index, *checker.expected_peak);
     return {checker.parameters(), *checker.expected_peak};
   }
 } // namespace PlateImpact

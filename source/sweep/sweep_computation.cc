@@ -120,7 +120,8 @@ namespace PlateImpact
         mesh_warnings.clear();
         current_group = group;
         failure       = failure_of([&] {
-          auto mesh = make_mesh(group, point);
+          auto mesh     = make_mesh(group, point);
+          min_cell_size = smallest_cell_size(*mesh);
           struck_plate =
             std::make_unique<StruckPlate>(parameters.plate,
                                           parameters.discretization,
@@ -159,7 +160,7 @@ namespace PlateImpact
     CycleResult             result;
     result.history     = computed.impact.history;
     result.sensitivity = struck_plate->sensitivity(parameters, *result.history);
-    result.min_cell_size = smallest_cell_size(mesh);
+    result.min_cell_size = min_cell_size;
     // an adapted mesh was judged with the worst point
     computed.warnings = parameters.adaptivity.is_adaptive() ?
       impact_warnings(parameters, 2. * point.expected.time, result) :

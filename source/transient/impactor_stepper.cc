@@ -48,8 +48,7 @@ namespace PlateImpact
       {
         return solve_contact(integration,
                              law,
-                             current.impactor_displacement -
-                               current.plate_displacement,
+                             current.indentation,
                              impactor_free - plate_free,
                              compliance);
       }
@@ -81,12 +80,12 @@ namespace PlateImpact
     current.plate_displacement    = plate_displacement;
     current.impactor_displacement = impactor.displacement;
     current.impactor_velocity     = impactor.velocity;
-    const double approach         = impactor.displacement - plate_displacement;
-    current.indentation           = law.local_indentation(approach);
-    current.force                 = law.force(approach);
-    current.plate_energy          = plate_energy;
-    current.contact_energy        = law.potential(approach);
-    current.impactor_energy       = impactor.kinetic_energy();
+    current.indentation =
+      law.indentation_under(impactor.displacement - plate_displacement);
+    current.force           = law.force(current.indentation);
+    current.plate_energy    = plate_energy;
+    current.contact_energy  = law.potential(current.indentation);
+    current.impactor_energy = impactor.kinetic_energy();
     require_finite(current.plate_displacement, "plate displacement");
     require_finite(current.total_energy(), "total energy");
     if (current.force > law.largest_force())

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <limits>
 #include <vector>
 
 namespace PlateImpact
@@ -25,28 +26,29 @@ namespace PlateImpact
 
 
 
-    /// Mean square over the contact of the difference of two histories, in
-    /// units of the square of the peak of the second.
+    /// Mean square of the difference of two histories over the steps in which
+    /// they are not zero; none where one has no value.
     double
     squared_difference(const std::vector<double> &a,
                        const std::vector<double> &b)
     {
-      double       sum = 0., peak = 0.;
-      unsigned int n_contact = 0;
+      double       sum      = 0.;
+      unsigned int n_counts = 0;
       for (std::size_t n = 0; n < b.size(); ++n)
         if (a[n] != 0. || b[n] != 0.)
           {
-            sum += (a[n] - b[n]) * (a[n] - b[n]);
-            peak = std::max(peak, b[n]);
-            ++n_contact;
+            const double difference = a[n] - b[n];
+            if (std::isfinite(difference))
+              sum += difference * difference;
+            ++n_counts;
           }
-      return n_contact > 0 ? sum / (n_contact * peak * peak) : 0.;
+      return n_counts > 0 ? sum / n_counts : 0.;
     }
 
 
 
-    /// Estimated error of the last force history of three, the root of its mean
-    /// square over the contact relative to the peak. Once waves no longer come
+    /// Estimated error of the last history of three, the root of its mean
+    /// square. Once waves no longer come
     /// back from the end of the chain of vectors, the errors of different
     /// bases are uncorrelated ringing: differences are |a - b|^2 = e_a^2 +
     /// e_b^2, and three of them tell the error of each. An estimate below what
@@ -73,28 +75,34 @@ namespace PlateImpact
 
 
 
-    /// The nearest of two numbers an octave, less than a fifth away.
+    /// The power of two above or below.
     double
-    round_number(const double value, const double unit)
+    round_up(const double value, const double unit)
     {
-      return unit * std::exp2(0.5 * std::lround(2. * std::log2(value / unit)));
+      return unit * std::exp2(std::ceil(std::log2(value / unit)));
+    }
+
+    double
+    round_down(const double value, const double unit)
+    {
+      return unit * std::exp2(std::floor(std::log2(value / unit)));
     }
 
 
 
-    /// An impactor whose numbers are round in units of the plate.
+    /// An impactor whose numbers are round in units of the plate, lighter,
+    /// stiffer and faster: its contact is shorter, which takes more vectors.
     ImpactorParameters
     nearby(ImpactorParameters impactor, const PlateParameters &plate)
     {
       const double h = plate.thickness, E = plate.youngs_modulus,
                    density = plate.density;
       impactor.mass =
-        round_number(make_impactor(impactor).mass, density * h * h * h);
+        round_down(make_impactor(impactor).mass, density * h * h * h);
       impactor.density        = 0.; // what counts is the mass
-      impactor.radius         = round_number(impactor.radius, h);
-      impactor.youngs_modulus = round_number(impactor.youngs_modulus, E);
-      impactor.velocity =
-        round_number(impactor.velocity, std::sqrt(E / density));
+      impactor.radius         = round_up(impactor.radius, h);
+      impactor.youngs_modulus = round_up(impactor.youngs_modulus, E);
+      impactor.velocity = round_up(impactor.velocity, std::sqrt(E / density));
       return impactor;
     }
   } // namespace
@@ -115,25 +123,34 @@ namespace PlateImpact
 
 
 
-  std::vector<double>
-  RitzReduction::forces(ReducedSystem    &reduced,
-                        const ContactLaw &law,
-                        const Impactor   &impactor)
+  RitzReduction::Histories
+  RitzReduction::histories(ReducedSystem    &reduced,
+                           const ContactLaw &law,
+                           const Impactor   &impactor)
   {
     const NewmarkScheme scheme(time);
-    const auto          of_all_steps = [&](const ContactHistory &history) {
-      std::vector<double> result;
-      result.reserve(scheme.n_steps);
-      for (std::size_t step = 1; step < history.states().size(); ++step)
-        result.push_back(history.states()[step].force);
-      return result;
+    const auto          impact = [&] {
+      if (scheme.conserves_energy())
+        return response(reduced).impact(law, impactor);
+      TimeStepper stepper(time, reduced, law, integration, impactor);
+      return step_to_end(stepper);
     };
-    if (!scheme.conserves_energy())
+    const ContactHistory history = impact().history;
+    const ContactState  &peak    = history.peak();
+    Histories            result;
+    if (peak.force <= 0.)
+      return result;
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    const double per_displacement =
+      law.stiffness(peak.indentation) / peak.force;
+    for (const ContactState &state : history.states())
       {
-        TimeStepper stepper(time, reduced, law, integration, impactor);
-        return of_all_steps(step_to_end(stepper).history);
+        const bool touches = state.force > 0.;
+        result.force.push_back(state.force / peak.force);
+        result.displacement.push_back(
+          touches ? none : per_displacement * state.plate_displacement);
       }
-    return of_all_steps(response(reduced).impact(law, impactor).history);
+    return result;
   }
 
 
@@ -240,8 +257,8 @@ namespace PlateImpact
     const double n_unknowns = full.load().size();
     if (n_most < std::min(n_first * growth * growth, n_unknowns))
       return nullptr;
-    std::deque<std::vector<double>> histories; // the last three
-    unsigned int                    n_before = 0;
+    std::deque<Histories> last_three;
+    unsigned int          n_before = 0;
     for (double n = n_first; n <= n_most; n *= growth)
       {
         const unsigned int n_wanted = static_cast<unsigned int>(n);
@@ -250,12 +267,18 @@ namespace PlateImpact
           return &reduced; // there are no more
         try
           {
-            histories.push_back(forces(reduced, law, impactor));
+            last_three.push_back(histories(reduced, law, impactor));
+            const auto is_settled =
+              [&](const std::vector<double> Histories::*of) {
+                return estimated_error(last_three[0].*of,
+                                       last_three[1].*of,
+                                       last_three[2].*of) <=
+                  time.ritz_tolerance;
+              };
             // The force is a scalar product of displacements with the load,
             // and settles before they do.
-            if (histories.size() == 3 &&
-                estimated_error(histories[0], histories[1], histories[2]) <=
-                  time.ritz_tolerance &&
+            if (last_three.size() == 3 && is_settled(&Histories::force) &&
+                is_settled(&Histories::displacement) &&
                 (!needs_fields ||
                  share_beyond(n_before, reduced, law, impactor) <=
                    field_tolerance))
@@ -266,8 +289,8 @@ namespace PlateImpact
             // if it is not the reduction that fails, the mesh will tell
             return nullptr;
           }
-        if (histories.size() == 3)
-          histories.pop_front();
+        if (last_three.size() == 3)
+          last_three.pop_front();
         n_before = n_wanted;
       }
     return nullptr;

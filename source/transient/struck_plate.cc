@@ -54,12 +54,13 @@ namespace PlateImpact
   Impact
   StruckPlate::strike(const Parameters &parameters)
   {
-    Load        &load   = prepare(parameters);
-    const Impact result = strike_system(load,
-                                        load.integrator->system_for(parameters),
-                                        parameters.time,
-                                        *make_contact_law(parameters),
-                                        make_impactor(parameters.impactor));
+    Load        &load = prepare(parameters);
+    const Impact result =
+      strike_system(load,
+                    load.integrator->system_for(parameters),
+                    parameters.time,
+                    *make_contact_law(parameters, load.layer_constant),
+                    make_impactor(parameters.impactor));
     require_energy(parameters, result.history);
     return result;
   }
@@ -71,7 +72,7 @@ namespace PlateImpact
   {
     Load               &load   = prepare(parameters);
     SemidiscreteSystem &system = load.integrator->system_for(parameters);
-    const auto          law    = make_contact_law(parameters);
+    const auto          law = make_contact_law(parameters, load.layer_constant);
     TimeStepper         stepper(parameters.time,
                         system,
                         *law,
@@ -110,7 +111,8 @@ namespace PlateImpact
     return estimated_time_error(history,
                                 parameters.time,
                                 load.integrator->system_for(parameters),
-                                *make_contact_law(parameters),
+                                *make_contact_law(parameters,
+                                                  load.layer_constant),
                                 *load.integration,
                                 make_impactor(parameters.impactor));
   }
@@ -125,7 +127,7 @@ namespace PlateImpact
       return {};
     Load               &load   = prepare(parameters);
     SemidiscreteSystem &system = load.integrator->system_for(parameters);
-    const auto          law    = make_contact_law(parameters);
+    const auto          law = make_contact_law(parameters, load.layer_constant);
     return sensitivity_to_velocity(
       history,
       make_impactor(parameters.impactor),
@@ -179,6 +181,8 @@ namespace PlateImpact
                                                    parameters.impactor.length),
                             load_rotation_factor(parameters.plate,
                                                  parameters.contact));
+        load.layer_constant =
+          PlateImpact::layer_constant(parameters.plate, parameters.contact);
         load.integration =
           make_contact_integration(parameters.contact.integration);
         load.integrator =

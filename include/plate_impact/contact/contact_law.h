@@ -7,14 +7,17 @@
 
 namespace PlateImpact
 {
+  struct ContactParameters;
   struct Parameters;
+  struct PlateParameters;
 
-  /// Force between impactor and plate as a function of the indentation, the
-  /// approach of the impactor's centre to the plate's midsurface beyond first
-  /// touch. The force is zero for negative indentation and never decreases.
+  /// Force between impactor and plate as a function of the indentation of the
+  /// bodies at the contact, zero for negative ones, never decreasing.
   ///
-  /// A law in series with a compliance has two parts of that approach, and
-  /// local_indentation() is that of the bodies at the contact.
+  /// The approach of the impactor's centre to the plate's midsurface beyond
+  /// first touch is the indentation, but for laws in series with a compliance,
+  /// whose approach has another part. It grows with the indentation. Energies
+  /// are those of the approach.
   class ContactLaw
   {
   public:
@@ -28,14 +31,15 @@ namespace PlateImpact
     virtual double
     stiffness(double indentation) const = 0;
 
-    /// Work stored by the contact: integral of the force from 0. [J]
+    /// Work stored by the contact: integral of the force over the approach. [J]
     virtual double
     potential(double indentation) const = 0;
 
-    /// Mean of the force over the interval between two indentations,
-    /// (U(b) - U(a)) / (b - a) with U the potential: the discrete gradient of
-    /// Gonzalez (1996), doi:10.1007/BF02440162, in one dimension. Does not
-    /// cancel when a is close to b. [N]
+    /// Mean of the force over the approach between two indentations, (U(b) -
+    /// U(a)) / (delta(b) - delta(a)) with U the potential and delta the
+    /// approach: the discrete gradient of Gonzalez (1996),
+    /// doi:10.1007/BF02440162, in one dimension. Does not cancel when a is
+    /// close to b. [N]
     virtual double
     mean_force(double a, double b) const;
 
@@ -43,10 +47,23 @@ namespace PlateImpact
     virtual double
     indentation(double force) const = 0;
 
-    /// Indentation of the bodies at the contact under an approach; the approach
-    /// itself but for laws in series. [m]
+    /// Approach at an indentation. [m]
     virtual double
-    local_indentation(const double approach) const
+    approach(const double indentation) const
+    {
+      return indentation;
+    }
+
+    /// Derivative of the approach with respect to the indentation, above 0. [-]
+    virtual double
+    approach_rate(double /*indentation*/) const
+    {
+      return 1.;
+    }
+
+    /// Indentation under an approach. [m]
+    virtual double
+    indentation_under(const double approach) const
     {
       return approach;
     }
@@ -98,8 +115,8 @@ namespace PlateImpact
   /// Hertz's law in series with a compliance C: the approach is alpha + C F,
   /// F = k alpha^{3/2}. C is negative where the plate under the contact is
   /// stiffer than plate theory and half-space together (LayerResponse). The
-  /// approach then has a largest value, near C F' = -1; from C F' = -0.9 on,
-  /// where the contact is about as wide as the plate is thick, the law is
+  /// approach then has a largest value, where C F' = -1; from C F' = -0.9 on,
+  /// where the contact is about as wide as the plate is thick, the force is
   /// continued by its tangent.
   class SeriesLaw : public ContactLaw
   {
@@ -109,27 +126,29 @@ namespace PlateImpact
     SeriesLaw(double coefficient, double compliance);
 
     double
-    force(double approach) const override;
+    force(double indentation) const override;
     double
-    stiffness(double approach) const override;
+    stiffness(double indentation) const override;
     double
-    potential(double approach) const override;
+    potential(double indentation) const override;
     double
     mean_force(double a, double b) const override;
     double
     indentation(double force) const override;
     double
-    local_indentation(double approach) const override;
+    approach(double indentation) const override;
+    double
+    approach_rate(double indentation) const override;
+    double
+    indentation_under(double approach) const override;
     double
     largest_force() const override;
 
   private:
     const HertzLaw hertz;
     const double   compliance;
-    /// alpha where the tangent begins. [m]
+    /// Where the tangent begins. [m]
     double largest_indentation = std::numeric_limits<double>::infinity();
-    /// The approach there. [m]
-    double largest_approach = std::numeric_limits<double>::infinity();
   };
 
   /// A cylinder of radius r that touches a half-space along the length 2l (eq.
@@ -221,6 +240,17 @@ namespace PlateImpact
   /// local response of the layer that the plate is where the scene says so.
   std::unique_ptr<const ContactLaw>
   make_contact_law(const Parameters &parameters);
+
+  /// The same where what it takes from the layer is known.
+  /// @param layer_constant  that of the function below
+  std::unique_ptr<const ContactLaw>
+  make_contact_law(const Parameters &parameters, double layer_constant);
+
+  /// Lambda of the layer under a sphere or a line contact, which no impactor
+  /// changes; 0 for a half-space.
+  double
+  layer_constant(const PlateParameters   &plate,
+                 const ContactParameters &contact);
 
   /// The law without the layer, for Zener's equation: the point load on a thin
   /// plate, which has no thickness, needs none.

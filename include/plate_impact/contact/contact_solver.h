@@ -31,8 +31,12 @@ namespace PlateImpact
     force(const ContactLaw &law, double begin, double end) const = 0;
 
     /// Its derivative with respect to the indentation at the end. [N/m]
+    /// @param force  for these indentations [N]
     virtual double
-    stiffness(const ContactLaw &law, double begin, double end) const = 0;
+    stiffness(const ContactLaw &law,
+              double            begin,
+              double            end,
+              double            force) const = 0;
   };
 
   /// The force of the law at the end of the step, as in eqs. 28-31 of the
@@ -47,7 +51,10 @@ namespace PlateImpact
     double
     force(const ContactLaw &law, double begin, double end) const override;
     double
-    stiffness(const ContactLaw &law, double begin, double end) const override;
+    stiffness(const ContactLaw &law,
+              double            begin,
+              double            end,
+              double            force) const override;
   };
 
   /// The mean force of the law over the indentations of the step, constant over
@@ -64,7 +71,10 @@ namespace PlateImpact
     double
     force(const ContactLaw &law, double begin, double end) const override;
     double
-    stiffness(const ContactLaw &law, double begin, double end) const override;
+    stiffness(const ContactLaw &law,
+              double            begin,
+              double            end,
+              double            force) const override;
   };
 
   /// The integration that the scene names: `collocation` or `energy
@@ -73,15 +83,16 @@ namespace PlateImpact
   make_contact_integration(ForceIntegration integration);
 
 
-  /// Solves the scalar contact equation of a step, alpha + C phi(alpha) =
-  /// alpha_free, for the indentation alpha at its end, and returns the force
-  /// phi. phi never decreases with alpha, so that the left side increases
-  /// strictly: Newton's method within a bracket always finds the one root.
-  /// Solving for the indentation and not, as eq. 31 of the paper, for the force
-  /// never raises a negative number to the power 3/2.
+  /// Solves the scalar contact equation of a step, delta(alpha) + C phi(alpha)
+  /// = delta_free, for the indentation alpha at its end, and returns the force
+  /// phi. delta is the approach that belongs to alpha. phi never decreases with
+  /// alpha, so that the left side increases strictly: Newton's method within a
+  /// bracket always finds the one root. Solving for the indentation and not, as
+  /// eq. 31 of the paper, for the force never raises a negative number to the
+  /// power 3/2.
   ///
   /// @param begin       indentation at the beginning of the step [m]
-  /// @param free        indentation at its end without the force phi [m]
+  /// @param free        approach at its end without the force phi [m]
   /// @param compliance  C, approach lost per unit of phi [m/N], not negative
   /// @return phi [N], exactly 0 where there is no contact within the step
   /// @throws ComputationError when an argument is not finite

@@ -20,9 +20,11 @@ namespace PlateImpact
     /// @param schema  must outlive the checker
     /// @param swept   entries that have no value yet: what involves them is not
     ///                judged
-    SceneChecker(SceneSchema                 &schema,
-                 const Parameters            &parameters,
-                 const std::set<std::string> &swept = {});
+    /// @param expected_peak  where it is known already
+    SceneChecker(SceneSchema                       &schema,
+                 const Parameters                  &parameters,
+                 const std::set<std::string>       &swept         = {},
+                 const std::optional<ExpectedPeak> &expected_peak = {});
 
     /// Entries against each other, with words in place of those not given that
     /// follow from others.

@@ -6,6 +6,7 @@
 #include "plate_impact/scene/sweep_plan.h"
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -58,6 +59,8 @@ namespace PlateImpact
     const SweepPlan           sweep_plan;
     std::string               base_text;
     std::optional<Parameters> base;
+    /// of the points that were valid
+    std::map<std::size_t, ExpectedPeak> expected_peaks;
   };
 } // namespace PlateImpact
 

@@ -76,9 +76,10 @@ namespace PlateImpact
     SweepWork          done;
 
     std::optional<std::size_t>   current_group;
-    std::unique_ptr<StruckPlate> struck_plate;  ///< of the current group
-    std::string                  failure;       ///< why there is none
-    std::vector<std::string>     mesh_warnings; ///< of its mesh
+    double                       min_cell_size = 0.; ///< of its mesh [m]
+    std::unique_ptr<StruckPlate> struck_plate;       ///< of the current group
+    std::string                  failure;            ///< why there is none
+    std::vector<std::string>     mesh_warnings;      ///< of its mesh
   };
 } // namespace PlateImpact
 

@@ -17,12 +17,13 @@
 namespace PlateImpact
 {
   /// Reduces the plate of a mesh for one impactor after another. An impactor
-  /// gets the first basis of a growing sequence with which the error of its
-  /// force history, as the last three bases tell it, is below
-  /// `time.ritz_tolerance` of the peak, as a root mean square over the contact,
-  /// and, where fields are asked for, displacements hardly use what lies beyond
-  /// the basis before. The number is found with an impactor of round numbers
-  /// nearby, so that similar impactors share it and what one gets depends on
+  /// gets the first basis of a growing sequence with which the errors of its
+  /// force and of the displacement under the load, as the last three bases tell
+  /// them, are below `time.ritz_tolerance` of the peak, as a root mean square
+  /// over the contact and over all steps, and, where fields are asked for,
+  /// displacements hardly use what lies beyond the basis before. The number is
+  /// found with an impactor of round numbers nearby, whose contact is shorter,
+  /// so that similar impactors share it and what one gets depends on
   /// nothing but plate, load, time and itself; vectors that another one has
   /// asked for before are not computed again.
   class RitzReduction : public Integrator
@@ -56,11 +57,20 @@ namespace PlateImpact
     /// Twice the logarithm to base 2 of the root of the shift [1/s].
     int
     half_octave(const ContactLaw &law, const Impactor &impactor) const;
-    /// After every step.
-    std::vector<double>
-    forces(ReducedSystem    &reduced,
-           const ContactLaw &law,
-           const Impactor   &impactor);
+    /// What a number of vectors is judged by, relative to the peak force: the
+    /// force, and without contact the displacement under the load times the
+    /// stiffness of the contact at the peak, which is the error that it would
+    /// bring into a force, for another impactor may be in contact when this one
+    /// is not. NaN with contact.
+    struct Histories
+    {
+      std::vector<double> force, displacement;
+    };
+
+    Histories
+    histories(ReducedSystem    &reduced,
+              const ContactLaw &law,
+              const Impactor   &impactor);
     /// Norm over all times of what coordinates from the first on hold of the
     /// displacements, relative to that of all.
     double

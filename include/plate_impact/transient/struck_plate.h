@@ -111,6 +111,7 @@ namespace PlateImpact
     struct Load
     {
       Eigen::VectorXd                           u;
+      double                                    layer_constant = 0.;
       std::unique_ptr<const ContactIntegration> integration;
       std::unique_ptr<Integrator>               integrator;
     };
