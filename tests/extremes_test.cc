@@ -119,8 +119,7 @@ namespace PlateImpact
         EXPECT_EQ(run(scene, more), 0) << err;
         return last_cycle()["peak_force"].get<double>();
       };
-      const double newton =
-        peak(main_scene, "--set 'Contact/Patch radius=0.0005'");
+      const double newton = peak(main_scene, "");
       EXPECT_NEAR(peak(path_of("millimetres"), "") / newton, 1e3, 1e-6);
       EXPECT_NEAR(peak(path_of("kilometres"), "") / newton, 1e-3, 1e-12);
     }

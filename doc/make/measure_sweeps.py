@@ -14,7 +14,6 @@ import runs
 SCENE = "prm/sphere-on-steel-plate.prm"
 VELOCITIES = (0.5, 5, 100)  # first, last, number
 RADII = (0.005, 0.02, 100)
-PATCH_RADIUS = 0.0005
 
 
 def least_seconds(command, folder, repetitions=2):
@@ -41,29 +40,29 @@ def as_range(values):
 
 
 def measure(program):
-    """Seconds of a run, of sweeps with one load for all impactors, and of sweeps with the
-    contact radius of each; the run is that of the point which the mesh is adapted for."""
+    """Seconds of a run, of sweeps with one load for all impactors, that of the layer, and of
+    sweeps with the contact radius of each on a half-space; the run is that of the point which the mesh is adapted for."""
     def command(verb, *changes):
         words = [program.program, verb, runs.root / SCENE]
         for change in changes:
             words += ["--set", change]
         return words
 
-    one_patch = f"Contact/Patch radius={PATCH_RADIUS:g}"
     swept = ("Sweep/Entry 1=Impactor/Velocity", f"Sweep/Values 1={as_range(VELOCITIES)}",
              "Sweep/Entry 2=Impactor/Radius", f"Sweep/Values 2={as_range(RADII)}")
     with tempfile.TemporaryDirectory() as directory:
         folder = pathlib.Path(directory)
         cpu, elapsed, _ = least_seconds(
             command("run", f"Impactor/Velocity={max(VELOCITIES[:2]):g}",
-                    f"Impactor/Radius={min(RADII[:2]):g}", one_patch), folder)
+                    f"Impactor/Radius={min(RADII[:2]):g}"), folder)
         last = json.loads((folder / "output/summary.json").read_text())["cycles"][-1]
         measurement = {
             "scene": SCENE, "velocities": VELOCITIES, "radii": RADII,
-            "points": VELOCITIES[2] * RADII[2], "patch_radius": PATCH_RADIUS,
+            "points": VELOCITIES[2] * RADII[2],
             "cells": last["cells"], "steps": last["steps"],
             "run": {"cpu": cpu, "elapsed": elapsed}}
-        for name, changes in (("one_load", (one_patch,)), ("many_loads", ())):
+        for name, changes in (("one_load", ()),
+                              ("many_loads", ("Contact/Local response=half-space",))):
             words = command("sweep", *swept, *changes)
             cpu, elapsed, text = least_seconds(words, folder)
             _, of_two, _ = least_seconds(["mpirun", "-n", "2", *words], folder)
