@@ -106,7 +106,18 @@ namespace PlateImpact
     StageClock clock;
     result.sensitivity = current->plate.sensitivity(on_mesh, impact.history);
     result.time_error  = current->plate.time_error(on_mesh, impact.history);
-    result.impulse     = impact.impulse;
+    clock.charge(result.seconds.stepping);
+    if (parameters.needs_estimator() && !parameters.contact.load_is_singular())
+      if (const auto problem =
+            current->plate.peak_force_problem(on_mesh, impact.history))
+        result.peak_force_error =
+          estimated_peak_force_error(current->discretization(),
+                                     current->recovery(),
+                                     *problem->system,
+                                     problem->motions,
+                                     impact.history.peak().force);
+    clock.charge(result.seconds.estimation);
+    result.impulse            = impact.impulse;
     result.separation_time    = impact.separation_time;
     result.work.contact_steps = impact.n_contact_steps;
     result.history            = std::move(impact.history);

@@ -103,6 +103,12 @@ namespace PlateImpact
           cycle["time_of_peak_force"]   = peak.time;
           if (result.time_error)
             cycle["time_error"] = *result.time_error;
+          if (result.peak_force_error)
+            {
+              cycle["peak_force_error_sum"] = result.peak_force_error->sum();
+              cycle["peak_force_error_space"] =
+                result.peak_force_error->sum_of_absolutes();
+            }
           if (result.sensitivity)
             cycle["sensitivity"] = result.sensitivity->factor;
           if (const auto end = history.first_contact_end())

@@ -377,6 +377,14 @@ namespace PlateImpact
 
 
 
+  double
+  PlateDiscretization::n_parts() const
+  {
+    return multiplicity;
+  }
+
+
+
   bool
   PlateDiscretization::is_free() const
   {

@@ -36,6 +36,14 @@ namespace PlateImpact
 
 
 
+  double
+  PlateResponse::displacement(const unsigned int j) const
+  {
+    return reversed[scheme.n_steps - 1 - j];
+  }
+
+
+
   Impact
   PlateResponse::impact(const ContactLaw &law, const Impactor &impactor) const
   {

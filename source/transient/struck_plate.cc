@@ -139,6 +139,38 @@ namespace PlateImpact
 
 
 
+  std::optional<StruckPlate::PeakForceProblem>
+  StruckPlate::peak_force_problem(const Parameters     &parameters,
+                                  const ContactHistory &history)
+  {
+    const NewmarkScheme scheme(parameters.time);
+    if (!scheme.conserves_energy() || history.peak().force <= 0.)
+      return {};
+    Load                &load     = prepare(parameters);
+    SemidiscreteSystem  &system   = load.integrator->system_for(parameters);
+    const PlateResponse &response = load.integrator->response(system);
+    const auto  law         = make_contact_law(parameters, load.layer_constant);
+    const auto &integration = *load.integration;
+    // a motion takes half of what is looked at together
+    const unsigned int most_times =
+      std::max(32u, system.n_states_at_once() / 2);
+    return PeakForceProblem{
+      dual_motions(forces_to_peak(history, *law, integration),
+                   peak_force_weights(history,
+                                      scheme,
+                                      *law,
+                                      integration,
+                                      make_impactor(parameters.impactor),
+                                      response),
+                   scheme,
+                   integration,
+                   system,
+                   most_times),
+      &system};
+  }
+
+
+
   std::vector<double>
   StruckPlate::natural_frequencies(const unsigned int n)
   {

@@ -4,6 +4,7 @@
 #include "plate_impact/contact/contact_history.h"
 #include "plate_impact/estimator/error_estimator.h"
 #include "plate_impact/estimator/error_over_limit.h"
+#include "plate_impact/estimator/peak_force_error.h"
 #include "plate_impact/plate/snapshot.h"
 #include "plate_impact/transient/sensitivity.h"
 
@@ -58,8 +59,9 @@ namespace PlateImpact
 
     std::optional<ContactHistory> history;
     unsigned int                  steps   = 0;
-    double                        impulse = 0.;    ///< [N s]
-    std::optional<double>         separation_time; ///< no contact since [s]
+    double                        impulse = 0.;     ///< [N s]
+    std::optional<double>         separation_time;  ///< no contact since [s]
+    std::optional<PeakForceError> peak_force_error; ///< by the mesh
     std::optional<double> time_error; ///< of the peak force, relative to it
     std::optional<Sensitivity> sensitivity; ///< of several contacts
     std::vector<Snapshot>      snapshots;

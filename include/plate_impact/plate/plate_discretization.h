@@ -88,6 +88,10 @@ namespace PlateImpact
     const dealii::Triangulation<2> &
     mesh() const;
 
+    /// Parts like the one that is meshed in the plate.
+    double
+    n_parts() const;
+
     /// Whether no support holds the deflection, so that the plate can move as
     /// a rigid body.
     bool

@@ -32,6 +32,10 @@ namespace PlateImpact
                   SemidiscreteSystem       &plate,
                   const ContactIntegration &integration);
 
+    /// R_j. [m/N]
+    double
+    displacement(unsigned int j) const;
+
     /// @throws ComputationError naming step and quantity
     Impact
     impact(const ContactLaw &law, const Impactor &impactor) const;

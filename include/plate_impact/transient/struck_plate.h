@@ -12,6 +12,7 @@
 #include "plate_impact/transient/full_system.h"
 #include "plate_impact/transient/impact.h"
 #include "plate_impact/transient/integrator.h"
+#include "plate_impact/transient/peak_force_dual.h"
 #include "plate_impact/transient/sensitivity.h"
 #include "plate_impact/transient/time_stepper.h"
 
@@ -74,6 +75,21 @@ namespace PlateImpact
     /// @param history  of the impact
     std::optional<Sensitivity>
     sensitivity(const Parameters &parameters, const ContactHistory &history);
+
+    /// What the estimate of the error of the peak force needs: the motions, and
+    /// the system whose states they are, which lives until the plate is struck
+    /// again.
+    struct PeakForceProblem
+    {
+      DualMotions               motions;
+      const SemidiscreteSystem *system;
+    };
+
+    /// Empty for schemes that do not conserve energy, and without a force.
+    /// @param history  of the impact
+    std::optional<PeakForceProblem>
+    peak_force_problem(const Parameters     &parameters,
+                       const ContactHistory &history);
 
     /// As the function of that name. [Hz]
     std::vector<double>

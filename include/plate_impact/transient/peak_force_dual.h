@@ -1,0 +1,64 @@
+#ifndef plate_impact_transient_peak_force_dual_h
+#define plate_impact_transient_peak_force_dual_h
+
+#include "plate_impact/contact/contact_history.h"
+#include "plate_impact/contact/contact_law.h"
+#include "plate_impact/contact/contact_solver.h"
+#include "plate_impact/contact/impactor.h"
+#include "plate_impact/transient/newmark_scheme.h"
+#include "plate_impact/transient/plate_response.h"
+#include "plate_impact/transient/semidiscrete_system.h"
+
+#include <Eigen/Core>
+
+namespace PlateImpact
+{
+  /// phi_k of the steps up to the peak force of an impact. [N]
+  Eigen::VectorXd
+  forces_to_peak(const ContactHistory     &history,
+                 const ContactLaw         &law,
+                 const ContactIntegration &integration);
+
+  /// What a displacement of the plate adds to the peak force: where those after
+  /// the steps 1 ... p, p that of the peak, were larger by dw_n while the plate
+  /// answers forces as before, the peak would be smaller by sum mu_n dw_n, to
+  /// first order. The linearized discrete Volterra equation of the contact,
+  ///   d delta_n = -dw_n - sum_{k <= n} (R + R_m)_{n-k} d phi_k,
+  ///   d phi_k   = a_k d delta_{k-1} + b_k d delta_k,
+  /// with the impactor's own response R_m, transposed and solved backwards. A
+  /// shift of the peak in time is of second order.
+  /// @param response  of the plate, by a scheme that conserves energy
+  /// @return mu_1 ... mu_p [N/m]
+  Eigen::VectorXd
+  peak_force_weights(const ContactHistory     &history,
+                     const NewmarkScheme      &scheme,
+                     const ContactLaw         &law,
+                     const ContactIntegration &integration,
+                     const Impactor           &impactor,
+                     const PlateResponse      &response);
+
+  /// The motion of a plate up to the peak force and the dual one, that under
+  /// the weights above in reversed order, at times that belong together: with
+  /// displacements read and forces entered by the same load, an error e of the
+  /// plate's response to both is worth
+  ///   sum mu_n dw_n = sum_c weight K(e_motion,c, e_dual,c)
+  /// in the peak force, up to terms of higher order in the cell size, by
+  /// Galerkin orthogonality (Verdugo, Pares & Diez 2014,
+  /// doi:10.1007/s00466-014-0988-2).
+  struct DualMotions
+  {
+    Eigen::MatrixXd motion, dual; ///< states of the system, a column per time
+    double          weight;       ///< of a time
+  };
+
+  /// @param most_times  columns at most
+  DualMotions
+  dual_motions(const Eigen::VectorXd    &forces,
+               const Eigen::VectorXd    &weights,
+               const NewmarkScheme      &scheme,
+               const ContactIntegration &integration,
+               SemidiscreteSystem       &plate,
+               unsigned int              most_times);
+} // namespace PlateImpact
+
+#endif

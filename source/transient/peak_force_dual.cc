@@ -1,0 +1,167 @@
+#include "plate_impact/transient/peak_force_dual.h"
+
+#include "plate_impact/transient/plate_stepper.h"
+
+#include <algorithm>
+
+namespace PlateImpact
+{
+  namespace
+  {
+    /// Steps up to the peak.
+    Eigen::Index
+    step_of_peak(const ContactHistory &history)
+    {
+      return &history.peak() - history.states().data();
+    }
+
+
+
+    /// Displacement of an impactor j steps after a step with the contact force
+    /// 1, away from the plate. [m/N]
+    double
+    impactor_response(const unsigned int        j,
+                      const NewmarkScheme      &scheme,
+                      const ContactIntegration &integration,
+                      const Impactor           &impactor)
+    {
+      const double in_steps =
+        integration.acts_at_begin() ? j + 0.5 : std::max(scheme.beta, 1. * j);
+      return scheme.dt * scheme.dt / impactor.mass * in_steps;
+    }
+
+
+
+    /// Shows the states of a plate, from rest, after steps under forces.
+    template <typename Function>
+    void
+    states_under(const Eigen::VectorXd    &forces,
+                 const NewmarkScheme      &scheme,
+                 const ContactIntegration &integration,
+                 SemidiscreteSystem       &plate,
+                 const Function           &show)
+    {
+      PlateStepper stepper(scheme, plate);
+      const double at_begin = integration.acts_at_begin() ? 1. : 0.;
+      for (Eigen::Index k = 0; k < forces.size(); ++k)
+        {
+          stepper.begin_step(
+            k == 0 ? 0. : integration.known_begin_force(forces[k - 1]));
+          stepper.end_step(at_begin * forces[k], forces[k]);
+          show(k + 1, stepper.unknowns());
+        }
+    }
+  } // namespace
+
+
+
+  Eigen::VectorXd
+  forces_to_peak(const ContactHistory     &history,
+                 const ContactLaw         &law,
+                 const ContactIntegration &integration)
+  {
+    const std::vector<ContactState> &states = history.states();
+    Eigen::VectorXd                  forces(step_of_peak(history));
+    for (Eigen::Index k = 1; k <= forces.size(); ++k)
+      forces[k - 1] = integration.force(law,
+                                        states[k - 1].indentation,
+                                        states[k].indentation);
+    return forces;
+  }
+
+
+
+  Eigen::VectorXd
+  peak_force_weights(const ContactHistory     &history,
+                     const NewmarkScheme      &scheme,
+                     const ContactLaw         &law,
+                     const ContactIntegration &integration,
+                     const Impactor           &impactor,
+                     const PlateResponse      &response)
+  {
+    const std::vector<ContactState> &states = history.states();
+    const Eigen::VectorXd forces = forces_to_peak(history, law, integration);
+    const Eigen::Index    p      = forces.size();
+    Eigen::VectorXd       compliance(p);
+    for (Eigen::Index j = 0; j < p; ++j)
+      compliance[j] = response.displacement(j) +
+        impactor_response(j, scheme, integration, impactor);
+
+    // d phi_k by the approaches at the begin (a) and at the end (b) of a step
+    Eigen::VectorXd a = Eigen::VectorXd::Zero(p), b = a;
+    for (Eigen::Index k = 0; k < p; ++k)
+      {
+        const double begin = states[k].indentation,
+                     end   = states[k + 1].indentation;
+        if (forces[k] == 0.)
+          continue;
+        b[k] = integration.stiffness(law, begin, end, forces[k]) /
+          law.approach_rate(end);
+        // a mean force takes both ends alike
+        if (integration.acts_at_begin())
+          a[k] = integration.stiffness(law, end, begin, forces[k]) /
+            law.approach_rate(begin);
+      }
+
+    Eigen::VectorXd mu(p);
+    double          y_after = 0.; // y = (R + R_m)^T mu of the step after
+    for (Eigen::Index n = p - 1; n >= 0; --n)
+      {
+        const Eigen::Index n_after = p - 1 - n;
+        const double       known =
+          compliance.segment(1, n_after).dot(mu.tail(n_after));
+        const double peak            = states[p].indentation;
+        double       right_hand_side = n == p - 1 ?
+                law.stiffness(peak) / law.approach_rate(peak) :
+                -a[n + 1] * y_after;
+        right_hand_side -= b[n] * known;
+        mu[n]   = right_hand_side / (1. + b[n] * compliance[0]);
+        y_after = known + compliance[0] * mu[n];
+      }
+    return mu;
+  }
+
+
+
+  DualMotions
+  dual_motions(const Eigen::VectorXd    &forces,
+               const Eigen::VectorXd    &weights,
+               const NewmarkScheme      &scheme,
+               const ContactIntegration &integration,
+               SemidiscreteSystem       &plate,
+               const unsigned int        most_times)
+  {
+    // Forces act in the middle of their steps and displacements are read at the
+    // end: motion and dual motion belong together at times whose sum is half a
+    // step more than that of the peak.
+    const Eigen::Index p = forces.size(), stride = 1 + (p - 1) / most_times;
+    const Eigen::Index first = p % stride, n_times = p / stride + 1;
+    DualMotions        result;
+    result.weight = stride;
+    result.motion.setZero(plate.load().size(), n_times);
+    result.dual = result.motion;
+
+    states_under(forces,
+                 scheme,
+                 integration,
+                 plate,
+                 [&](const Eigen::Index step, const Eigen::VectorXd &state) {
+                   if (step % stride == first)
+                     result.motion.col(step / stride) = state;
+                 });
+    states_under(weights.reverse(),
+                 scheme,
+                 integration,
+                 plate,
+                 [&](const Eigen::Index step, const Eigen::VectorXd &state) {
+                   const auto column = [&](const Eigen::Index beside) {
+                     return result.dual.col(n_times - 1 - beside / stride);
+                   };
+                   if (step % stride == 0 && step < p)
+                     column(step) += 0.5 * state;
+                   if ((step - 1) % stride == 0)
+                     column(step - 1) += 0.5 * state;
+                 });
+    return result;
+  }
+} // namespace PlateImpact

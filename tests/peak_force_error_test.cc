@@ -1,0 +1,167 @@
+// The error of the peak force: what displacements weigh in it, and the estimate
+// of the mesh's against finer meshes.
+#include "plate_impact/transient/peak_force_dual.h"
+#include "program_fixture.h"
+#include "test_plate.h"
+
+#include <cmath>
+
+namespace PlateImpact
+{
+  namespace
+  {
+    TimeParameters
+    twenty_seconds()
+    {
+      TimeParameters time = {};
+      time.end_time       = 20.;
+      time.time_step      = 0.02;
+      time.newmark_beta   = 0.25;
+      time.newmark_gamma  = 0.5;
+      return time;
+    }
+
+
+
+    PlateParameters
+    plate_of_modulus(const double factor)
+    {
+      PlateParameters plate = unit_plate(EdgeSupport::clamped, 0.1);
+      plate.youngs_modulus *= factor;
+      return plate;
+    }
+
+
+
+    /// A unit plate, its system and its response.
+    struct Responding
+    {
+      Responding(const double modulus, const ContactIntegration &integration)
+        : mesh(unit_square(4))
+        , element(ElementType::MITC9)
+        , model(*mesh, element, plate_of_modulus(modulus), 1.)
+        , system(assembled(model),
+                 model.load({{dealii::Point<2>(0.5, 0.5), 1.}}),
+                 make_linear_solver(SolverType::CHOLMOD))
+        , response(NewmarkScheme(twenty_seconds()), system, integration)
+      {}
+
+      static PlateDiscretization &
+      assembled(PlateDiscretization &model)
+      {
+        model.assemble();
+        return model;
+      }
+
+      const std::unique_ptr<dealii::Triangulation<2>> mesh;
+      const PlateElement                              element;
+      PlateDiscretization                             model;
+      FullSystem                                      system;
+      const PlateResponse                             response;
+    };
+
+
+
+    TEST(PeakForceDual, WeightsPredictTheChangeOfThePeak)
+    {
+      const NewmarkScheme scheme(twenty_seconds());
+      const SeriesLaw     series(10., -0.01);
+      const HertzLaw      hertz(10.), soft(0.1);
+      for (const auto choice :
+           {ForceIntegration::energy_conserving, ForceIntegration::collocation})
+        for (const ContactLaw *law :
+             std::initializer_list<const ContactLaw *>{&hertz, &soft, &series})
+          for (const double mass : {0.01, 1., 100.})
+            {
+              const auto       integration = make_contact_integration(choice);
+              const Responding plate(1., *integration),
+                stiffer(1. + 1e-6, *integration);
+              const Impactor impactor{mass, 0., 0.5};
+              const ContactHistory
+                before = plate.response.impact(*law, impactor).history,
+                after  = stiffer.response.impact(*law, impactor).history;
+              const Eigen::VectorXd phi =
+                forces_to_peak(before, *law, *integration);
+              const Eigen::VectorXd mu        = peak_force_weights(before,
+                                                            scheme,
+                                                            *law,
+                                                            *integration,
+                                                            impactor,
+                                                            plate.response);
+              double                predicted = 0.;
+              for (Eigen::Index n = 0; n < phi.size(); ++n)
+                for (Eigen::Index k = 0; k <= n; ++k)
+                  predicted -= mu[n] * phi[k] *
+                    (stiffer.response.displacement(n - k) -
+                     plate.response.displacement(n - k));
+              // at the same step, where the peak has not moved yet
+              const double change = after.states()[phi.size()].force -
+                before.states()[phi.size()].force;
+              EXPECT_GT(std::abs(change), 1e-9 * before.peak().force);
+              EXPECT_NEAR(predicted / change, 1., 3e-3)
+                << mass << ' ' << before.n_contacts();
+            }
+    }
+
+
+
+    TEST(PeakForceDual, MotionsBelongTogether)
+    {
+      // M = 0 would make the sum of products with K that of the response; with
+      // inertia it is the work of both: sum_n mu_n w_n by one motion alone
+      const auto integration =
+        make_contact_integration(ForceIntegration::energy_conserving);
+      Responding          plate(1., *integration);
+      const NewmarkScheme scheme(twenty_seconds());
+      Eigen::VectorXd     phi(61), mu(61);
+      for (Eigen::Index n = 0; n < phi.size(); ++n)
+        {
+          phi[n] = std::pow(std::sin(0.05 * n), 2);
+          mu[n]  = 0.02 * n;
+        }
+      const DualMotions all =
+        dual_motions(phi, mu, scheme, *integration, plate.system, 1000);
+      const DualMotions some =
+        dual_motions(phi, mu, scheme, *integration, plate.system, 20);
+      EXPECT_EQ(all.weight, 1.);
+      EXPECT_EQ(some.weight, 4.);
+      const auto products = [&](const DualMotions &motions) {
+        double sum = 0.;
+        for (Eigen::Index c = 0; c < motions.motion.cols(); ++c)
+          sum += motions.motion.col(c).dot(
+            multiply(plate.model.stiffness(), motions.dual.col(c)));
+        return motions.weight * sum;
+      };
+      EXPECT_NEAR(products(some) / products(all), 1., 0.02);
+    }
+
+
+
+    class PeakForceEstimate : public Program
+    {};
+
+    TEST_F(PeakForceEstimate, IsTheErrorOfTheMesh)
+    {
+      const std::string steps =
+        "--set 'Adaptivity/Strategy=fixed fraction' --set "
+        "'Adaptivity/Maximum cycles=";
+      ASSERT_EQ(run(main_scene,
+                    steps + "9' --set 'Adaptivity/Target error=1e-3'"),
+                0)
+        << err;
+      const auto   cycles = summary()["cycles"];
+      const double exact  = cycles.back()["peak_force"];
+      ASSERT_LT(cycles.back()["peak_force_error_space"], 1e-4);
+      for (unsigned int c = 0; c < 4; ++c)
+        {
+          const double error =
+            cycles[c]["peak_force"].get<double>() / exact - 1.;
+          EXPECT_GT(error, 1e-4);
+          const double ratio =
+            cycles[c]["peak_force_error_sum"].get<double>() / error;
+          EXPECT_GT(ratio, 0.8) << c;
+          EXPECT_LT(ratio, 2.2) << c;
+        }
+    }
+  } // namespace
+} // namespace PlateImpact
