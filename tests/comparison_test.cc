@@ -206,6 +206,10 @@ namespace PlateImpact
     {
       EXPECT_EQ(compare(main_scene, "--set Impactor/Shape=none"), 1);
       EXPECT_NE(err.find("has no force to compare"), std::string::npos) << err;
+      EXPECT_EQ(compare(main_scene, "--set 'Adaptivity/Goal=peak force'"), 1);
+      EXPECT_NE(err.find("Goal = peak force is not compared"),
+                std::string::npos)
+        << err;
       EXPECT_EQ(compare(main_scene, "--set Comparison/Strategies=none"), 1);
       EXPECT_NE(err.find("fixed fraction"), std::string::npos) << err;
       EXPECT_EQ(compare(main_scene, "--set 'Comparison/Elements=MITC9, MITC9'"),

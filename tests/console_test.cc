@@ -1,6 +1,7 @@
 // What the program prints on terminals, in pipes and in files.
 #include "program_fixture.h"
 
+#include <iomanip>
 #include <algorithm>
 #include <map>
 
@@ -134,8 +135,11 @@ namespace PlateImpact
       while (std::getline(lines, line) && !line.empty())
         EXPECT_LE(line.size(), 80u) << line;
       std::ostringstream peak;
-      peak << last_cycle()["peak_force"].get<double>() << " N at "
-           << 1e6 * last_cycle()["time_of_peak_force"].get<double>() << " us";
+      peak << last_cycle()["peak_force"].get<double>() << " N +- "
+           << std::setprecision(3)
+           << last_cycle()["peak_force"].get<double>() *
+          last_cycle()["peak_force_error_bar"].get<double>()
+           << " N at " << 1e6 * last_cycle()["time_of_peak_force"].get<double>() << " us";
       EXPECT_NE(out.find("Peak force  " + peak.str()), std::string::npos)
         << out;
     }

@@ -207,6 +207,61 @@ namespace PlateImpact
 
 
 
+    TEST_F(Layer, PatchesThatItDoesNotFitAreTold)
+    {
+      const std::string on_one_mesh = "--set Adaptivity/Strategy=none ";
+      ASSERT_EQ(run(main_scene,
+                    on_one_mesh + "--set 'Contact/Patch radius=0.016'"),
+                0)
+        << err;
+      EXPECT_NE(err.find("Contact/Patch radius = 0.016 m is 2 thicknesses"),
+                std::string::npos)
+        << err;
+      // plate theory gives way under it without limit
+      EXPECT_EQ(run(main_scene, "--set 'Contact/Patch radius=8e-6'"), 2);
+      EXPECT_NE(err.find("choose Contact/Patch radius = 0"), std::string::npos)
+        << err;
+    }
+
+
+
+    TEST_F(Layer, RunSaysWhichLocalResponseItHas)
+    {
+      const std::string on_one_mesh = "--set Adaptivity/Strategy=none ";
+      ASSERT_EQ(run(main_scene, on_one_mesh), 0) << err;
+      EXPECT_NE(out.find("Contact     local response of a layer"),
+                std::string::npos)
+        << out;
+      const auto last = last_cycle();
+      // Hertz: p = 3 F / (2 pi a^2)
+      const double radius =
+        0.008 * last["contact_radius_over_thickness"].get<double>();
+      expect_near(last["contact_pressure"],
+                  1.5 * last["peak_force"].get<double>() /
+                    (std::acos(-1.) * radius * radius),
+                  1e-9);
+      const std::string report = text(results() / "report.html");
+      for (const std::string part :
+           {"Local response under the contact",
+            "of plate theory under the spread load; not that of the contact"})
+        EXPECT_NE(report.find(part), std::string::npos) << part;
+
+      ASSERT_EQ(run(main_scene, on_one_mesh + "--set Contact/Law=Sun"), 0);
+      EXPECT_NE(out.find("local response of a half-space"), std::string::npos);
+      EXPECT_NE(out.find("the law Sun has no other"), std::string::npos) << out;
+      ASSERT_EQ(run(main_scene,
+                    on_one_mesh + "--set 'Contact/Load distribution=point'"),
+                0);
+      EXPECT_NE(out.find("a point load has no other"), std::string::npos)
+        << out;
+      ASSERT_EQ(run(main_scene,
+                    on_one_mesh + "--set 'Contact/Local response=half-space'"),
+                0);
+      EXPECT_EQ(out.find("no other"), std::string::npos) << out;
+    }
+
+
+
     TEST_F(Layer, LineContactOnALayer)
     {
       ASSERT_EQ(run(SCENES "/paper-cylinder.prm",

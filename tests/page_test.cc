@@ -156,7 +156,7 @@ namespace PlateImpact
       const double       peak = last_cycle()["peak_force"];
       std::ostringstream digits;
       digits << peak;
-      EXPECT_NE(page.find(">" + digits.str() + " N<"), std::string::npos);
+      EXPECT_NE(page.find(">" + digits.str() + " N ± "), std::string::npos);
       const nlohmann::json &force  = data["plots"][0];
       const nlohmann::json  cycles = summary()["cycles"];
       ASSERT_EQ(force["series"].size(), cycles.size());

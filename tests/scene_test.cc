@@ -359,6 +359,20 @@ namespace PlateImpact
           "scene:6: Contact/Load distribution = point does not fit a "
           "cylinder; expected line or strip"},
         Mistake{
+          in_section("Adaptivity", "set Goal = peak force") +
+            in_section("Contact", "set Load distribution = point") +
+            in_section("Time", "set Newmark beta = 0.3"),
+          "scene:2: Adaptivity/Goal = peak force has no meaning under a point "
+          "load, whose peak force has no limit under refinement; expected "
+          "Load distribution = Hertz disc or uniform disc, or Goal = energy "
+          "norm\n"
+          "scene:2: Adaptivity/Goal = peak force needs Newmark beta = 0.25 and "
+          "Newmark gamma = 0.5; with others there is no error bar, set Goal = "
+          "energy norm\n"
+          "scene:8: Contact/Integration = energy conserving needs Newmark beta "
+          "= 0.25 and Newmark gamma = 0.5, which alone conserve energy; with "
+          "others set Integration = collocation"},
+        Mistake{
           in_section("Sweep", "set Values 1 = 1, 2"),
           "scene:2: Sweep/Values 1 = 1, 2 has no Sweep/Entry 1 to go with"},
         Mistake{

@@ -232,8 +232,11 @@ namespace PlateImpact
           EXPECT_TRUE(cycles[0].contains(reported)) << thickness;
           for (const auto &[key, value] : cycles[0].items())
             EXPECT_TRUE(cycles[1].contains(key)) << key;
+          // but for the error bar, which takes more transients on the mesh
           for (const auto &[key, value] : cycles[1].items())
-            EXPECT_TRUE(cycles[0].contains(key)) << key;
+            EXPECT_TRUE(cycles[0].contains(key) ||
+                        key.rfind("peak_force_error", 0) == 0)
+              << key;
           expect_near(cycles[0][reported], cycles[1][reported], 1e-2);
         }
     }

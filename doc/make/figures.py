@@ -147,6 +147,27 @@ def histories_of_sweeps(*studies):
     return svg(figure)
 
 
+def local_responses(runs, by_target, elasticity):
+    """Force histories by local response, with peak and end of the contact that three-
+    dimensional elasticity has; peak forces on meshes of several targets."""
+    figure, (left, right) = new_figure(2)
+    for label, run in runs.items():
+        history = run.histories[-1]
+        left.plot(1e6 * history["time"], history["force"], label=label)
+    left.plot(1e6 * elasticity["time_of_peak"], elasticity["peak_force"], "k*",
+              label="3D: peak")
+    left.plot(1e6 * elasticity["contact_end"], 0, "kx", label="3D: end of the contact")
+    left.set(xlabel="time [us]", ylabel="force [N]", ylim=(None, 1.5 * elasticity["peak_force"]))
+    left.legend(fontsize="small", ncols=2, loc="upper center")
+    for (label, runs_of_targets), marker in zip(by_target.items(), ("s-", "o-")):
+        right.semilogx([run.last["cells"] for run in runs_of_targets],
+                       [run.last["peak_force"] for run in runs_of_targets], marker, label=label)
+    right.axhline(elasticity["peak_force"], color="k", linestyle="--", linewidth=1, label="3D")
+    right.set(xlabel="cells", ylabel="peak force [N]")
+    right.legend(loc="center right")
+    return svg(figure)
+
+
 def changes_of_the_force(changes):
     """Relative changes of the peak force, largest first, as they are given by name."""
     figure, axes = plt.subplots(figsize=(6, 3.2))

@@ -63,7 +63,8 @@ def equal_cells(program):
 def targets(program):
     """The main scene with a disc whose peak force is known, by target error."""
     return [{"target": target,
-             **process(program, "Contact/Patch radius=0.0005", f"Adaptivity/Target error={target}")}
+             **process(program, "Contact/Law=Sun", "Contact/Local response=half-space",
+                       "Contact/Patch radius=0.0005", f"Adaptivity/Target error={target}")}
             for target in (0.1, 0.05, 0.03, 0.02, 0.01)]
 
 

@@ -139,6 +139,14 @@ class Run(Command):
         history = self.histories[cycle]
         return float(np.interp(time, history["time"], history["force"]))
 
+    def approach_at(self, force):
+        """Displacement of the impactor less that of the plate when the force of the last
+        cycle first reaches a value, between two steps linear. [m]"""
+        history = self.histories[-1]
+        n = int(np.argmax(history["force"] >= force))
+        approach = history["impactor_displacement"] - history["plate_displacement"]
+        return float(np.interp(force, history["force"][n - 1:n + 1], approach[n - 1:n + 1]))
+
     @functools.cached_property
     def contacts(self):
         """Begin and end of the contacts of the last cycle, where the indentation passes
@@ -208,6 +216,20 @@ class Comparison(Command):
         with open(self.results / "comparison.csv") as file:
             self.rows = [dict(zip(row, map(Sweep.number, row.values())))
                          for row in csv.DictReader(file)]
+
+
+def layer_case(case):
+    """What makes the main scene a case of tests/reference/layer3d_cases.json, past its
+    peak, on a plate so large that no wave is back by then."""
+    changes = {"Plate/Thickness": case["plate"]["thickness"], "Plate/Side lengths": "0.6, 0.6",
+               "Impactor/Radius": case["impactor"]["radius"],
+               "Impactor/Velocity": case["velocity"],
+               "Time/End time": 0.6 * case["end_time"], "Time/Time step": 0,
+               "Discretization/Initial cells": "6, 6", "Adaptivity/Maximum cycles": 4}
+    for body in ("Plate", "Impactor"):
+        for entry, key in (("Young's modulus", "E"), ("Poisson's ratio", "nu"), ("Density", "rho")):
+            changes[f"{body}/{entry}"] = case[body.lower()][key]
+    return tuple(f"{path}={value}" for path, value in changes.items())
 
 
 def scenes(folder):

@@ -56,4 +56,22 @@ namespace PlateImpact
         }
     return false;
   }
+
+
+
+  void
+  refine_towards_load(Triangulation<2> &mesh, const Parameters &parameters)
+  {
+    AdaptivityParameters grading = parameters.adaptivity;
+    // cells that may be halved are larger than the patch
+    grading.minimum_cell_size = 0.5 *
+      (parameters.contact.has_patch() ? parameters.contact.patch_radius :
+                                        parameters.plate.thickness);
+    const GradedRefinement refinement(grading,
+                                      parameters.impactor.is_cylinder() ?
+                                        0.5 * parameters.impactor.length :
+                                        0.);
+    while (refinement.refine(mesh, 1.))
+      ;
+  }
 } // namespace PlateImpact

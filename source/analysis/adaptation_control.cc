@@ -4,7 +4,7 @@ namespace PlateImpact
 {
   AdaptationControl::AdaptationControl(const AdaptivityParameters &adaptivity)
     : adaptivity(adaptivity)
-    , target(adaptivity.target_error)
+    , target(adaptivity.target())
   {}
 
 
@@ -14,12 +14,23 @@ namespace PlateImpact
   {
     if (!adaptivity.is_adaptive() || !result.over_limit)
       return Outcome::single_mesh;
-    if (result.over_limit->overall <= 1. &&
-        result.cells_above_limit == result.cells_at_minimum_size)
+    if (is_met(result))
       return Outcome::target_reached;
     if (result.cycle == adaptivity.maximum_cycles)
       return Outcome::maximum_cycles;
     return {};
+  }
+
+
+
+  bool
+  AdaptationControl::is_met(const CycleResult &result) const
+  {
+    if (adaptivity.goal == AdaptationGoal::peak_force)
+      return result.peak_force_bar &&
+        result.peak_force_bar->total() <= adaptivity.target_peak_force_error;
+    return result.over_limit->overall <= 1. &&
+      result.cells_above_limit == result.cells_at_minimum_size;
   }
 
 

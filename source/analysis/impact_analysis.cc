@@ -1,11 +1,14 @@
 #include "plate_impact/analysis/impact_analysis.h"
 
+#include "plate_impact/adaptation/graded_refinement.h"
 #include "plate_impact/adaptation/make_mesh_adaptation.h"
 #include "plate_impact/analysis/reliability.h"
 #include "plate_impact/analysis/transient_record.h"
+#include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/stage_clock.h"
 #include "plate_impact/plate/plate_mesh.h"
 
+#include <string>
 #include <utility>
 
 namespace PlateImpact
@@ -35,8 +38,13 @@ namespace PlateImpact
   {
     StageClock clock;
     if (mesh == nullptr)
-      mesh = make_plate_quadrant(parameters.plate,
-                                 parameters.discretization.initial_cells);
+      {
+        mesh = make_plate_quadrant(parameters.plate,
+                                   parameters.discretization.initial_cells);
+        if (parameters.adaptivity.is_adaptive() &&
+            parameters.adaptivity.goal == AdaptationGoal::peak_force)
+          refine_towards_load(*mesh, parameters);
+      }
     clock.charge(seconds_for_mesh);
   }
 
@@ -116,6 +124,13 @@ namespace PlateImpact
                                      *problem->system,
                                      problem->motions,
                                      impact.history.peak().force);
+    if (parameters.adaptivity.is_adaptive() && !result.peak_force_error &&
+        parameters.adaptivity.goal == AdaptationGoal::peak_force)
+      throw ComputationError("cycle " + std::to_string(result.cycle) +
+                             ": the error of the peak force cannot be "
+                             "estimated, with no force or more than 20000 "
+                             "steps to its peak; choose a larger Time/Time "
+                             "step, or Adaptivity/Goal = energy norm");
     clock.charge(result.seconds.estimation);
     result.impulse            = impact.impulse;
     result.separation_time    = impact.separation_time;
@@ -165,7 +180,41 @@ namespace PlateImpact
           if (is_smallest(cell, parameters.adaptivity))
             ++result.cells_at_minimum_size;
         }
+    if (result.peak_force_error)
+      bound(*result.peak_force_error);
     clock.charge(result.seconds.estimation);
+  }
+
+
+
+  void
+  ImpactAnalysis::bound(const PeakForceError &estimate)
+  {
+    CycleResult                &result = current->result;
+    const double                peak   = result.history->peak().force;
+    const std::optional<double> space =
+      peak_force_error_by_mesh(estimate, peak, peak_before);
+    peak_before = PeakOnMesh{peak, space};
+    if (space && result.time_error)
+      result.peak_force_bar = {*space,
+                               *result.time_error,
+                               result.work.ritz_vectors > 0 ?
+                                 parameters.time.ritz_tolerance :
+                                 0.};
+  }
+
+
+
+  ErrorOverLimit
+  ImpactAnalysis::over_limit(const double target) const
+  {
+    const CycleResult &result = current->result;
+    if (parameters.adaptivity.goal == AdaptationGoal::energy_norm)
+      return error_over_limit(*result.error, target);
+    // what the time step leaves to the mesh
+    const double of_time = result.time_error.value_or(0.);
+    return error_over_limit(*result.peak_force_error,
+                            std::max(0.5 * target, target - of_time));
   }
 
 
@@ -175,17 +224,16 @@ namespace PlateImpact
   {
     const unsigned int most_cells = parameters.adaptivity.maximum_cells;
     StageClock         clock;
-    ErrorOverLimit     over_limit;
+    ErrorOverLimit     error;
     do
       {
         // whoever keeps the last cycle needs its mesh: adapt a copy
         auto adapted = copy_of(current->mesh());
-        over_limit =
-          error_over_limit(*current->result.error, control.target_error());
+        error        = over_limit(control.target_error());
         // before there is a mesh that does not fit into the memory
-        if (adaptation->n_wanted_cells(*adapted, over_limit) > most_cells)
+        if (adaptation->n_wanted_cells(*adapted, error) > most_cells)
           return Outcome::maximum_cells;
-        if (adaptation->adapt(*adapted, over_limit, adaptation_warnings))
+        if (adaptation->adapt(*adapted, error, adaptation_warnings))
           {
             if (adapted->n_active_cells() > most_cells)
               return Outcome::maximum_cells;
@@ -195,8 +243,8 @@ namespace PlateImpact
             return {};
           }
     } while (control.tighten());
-    return over_limit.overall <= 1. ? Outcome::target_reached :
-                                      Outcome::mesh_unchanged;
+    return error.overall <= 1. ? Outcome::target_reached :
+                                 Outcome::mesh_unchanged;
   }
 
 

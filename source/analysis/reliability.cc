@@ -157,8 +157,11 @@ namespace PlateImpact
       const double size =
         largest_cell_within(mesh, wave.group_speed * parameters.time.end_time);
       const AdaptivityParameters &adaptivity = parameters.adaptivity;
-      const bool                  meets_target =
-        result.error && result.error->eta <= adaptivity.target_error;
+      const bool for_peak     = adaptivity.goal == AdaptationGoal::peak_force;
+      const bool meets_target = for_peak ?
+        result.peak_force_bar &&
+          result.peak_force_bar->total() <= adaptivity.target() :
+        result.error && result.error->eta <= adaptivity.target();
       if (size > 0.5 * length && !meets_target)
         warnings.push_back(
           fmt::format("cells of {} do not resolve the bending waves of {} "
@@ -166,7 +169,17 @@ namespace PlateImpact
                       "half of it",
                       about(size, "m"),
                       about(length, "m")));
-      if (result.error && !meets_target && !adaptivity.is_adaptive())
+      if (for_peak && !meets_target)
+        warnings.push_back(fmt::format(
+          "the error bar of the peak force is {}: Adaptivity/Target "
+          "peak force error, {}, is not met; choose more Maximum "
+          "cycles, a smaller Time step or Minimum cell size, or a "
+          "larger target",
+          result.peak_force_bar ?
+            about_percentage(result.peak_force_bar->total()) :
+            "not known",
+          about_percentage(adaptivity.target())));
+      else if (result.error && !meets_target && !adaptivity.is_adaptive())
         warnings.push_back(
           fmt::format("eta is {} on this mesh, more than Adaptivity/Target "
                       "error, {}; choose Adaptivity/Strategy = hanging "

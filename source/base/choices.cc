@@ -141,6 +141,18 @@ namespace PlateImpact
 
 
   template <>
+  const Words<AdaptationGoal> &
+  choices()
+  {
+    static const Words<AdaptationGoal> words = {
+      {AdaptationGoal::energy_norm, "energy norm"},
+      {AdaptationGoal::peak_force, "peak force"}};
+    return words;
+  }
+
+
+
+  template <>
   const Words<ErrorIndicator> &
   choices()
   {

@@ -209,6 +209,11 @@ namespace PlateImpact
     if (!scene.parameters.has_impactor())
       throw InputError(
         {scene.name + ": Impactor/Shape = none has no force to compare"});
+    if (scene.parameters.adaptivity.goal == AdaptationGoal::peak_force)
+      throw InputError({scene.name +
+                        ": Adaptivity/Goal = peak force is not compared; "
+                        "expected energy norm, whose curves show the error of "
+                        "the peak force"});
     ComparisonConsole console(quiet);
     Output            output(scene);
     compare(scene, output, console);

@@ -25,7 +25,7 @@ namespace PlateImpact
     local_response = scene.parameters.has_impactor() ?
       local_response_in_words(scene.parameters) :
       "";
-    target         = scene.parameters.adaptivity.target_error;
+    adaptivity     = scene.parameters.adaptivity;
     time_unit      = PrefixedUnit("s", scene.parameters.time.end_time);
     if (quiet)
       return;
@@ -34,9 +34,9 @@ namespace PlateImpact
                  "CMAKE_BUILD_TYPE=Release for results\n";
 #endif
     std::cout << out.emphasized(scene.name, Emphasis::bold) << "\n"
-              << "cycle   cells unknowns   eta % max xi' peak force N"
-              << right(9, "at " + in_ascii(time_unit.name()))
-              << right(9, "end " + in_ascii(time_unit.name())) << "  seconds"
+              << "cycle  cells unknowns   eta % max xi' peak force N  +- %"
+              << right(8, "at " + in_ascii(time_unit.name()))
+              << right(9, "end " + in_ascii(time_unit.name())) << " seconds"
               << std::endl;
   }
 
@@ -48,7 +48,7 @@ namespace PlateImpact
     if (quiet)
       return;
     progress.clear();
-    std::optional<double> eta, xi, peak, peak_time, contact_end;
+    std::optional<double> eta, xi, peak, bar, peak_time, contact_end;
     if (result.error)
       {
         eta = 100. * result.error->eta;
@@ -56,18 +56,21 @@ namespace PlateImpact
       }
     if (result.history)
       {
-        peak      = result.history->peak().force;
+        peak = result.history->peak().force;
+        if (result.peak_force_bar)
+          bar = 100. * result.peak_force_bar->total();
         peak_time = time_unit(result.history->peak().time);
         if (const auto end = result.history->first_contact_end())
           contact_end = time_unit(*end);
       }
     std::cout << column(5, "{:.0f}", result.cycle)
-              << column(8, "{:.0f}", result.cells)
+              << column(7, "{:.0f}", result.cells)
               << column(9, "{:.0f}", result.degrees_of_freedom)
               << column(8, "{:.2f}", eta) << column(8, "{:.2f}", xi)
-              << column(13, "{:.6g}", peak) << column(9, "{:.4g}", peak_time)
+              << column(13, "{:.6g}", peak) << column(6, "{:.2g}", bar)
+              << column(8, "{:.4g}", peak_time)
               << column(9, "{:.5g}", contact_end)
-              << column(9, "{:.2f}", result.seconds.total()) << std::endl;
+              << column(8, "{:.2f}", result.seconds.total()) << std::endl;
   }
 
 
@@ -84,21 +87,32 @@ namespace PlateImpact
                   << out.emphasized(word_for(outcome),
                                     is_success(outcome) ? Emphasis::good :
                                                           Emphasis::warning);
-        if (last.error)
+        const bool for_peak = adaptivity.goal == AdaptationGoal::peak_force;
+        if (for_peak && last.peak_force_bar)
+          std::cout << ", peak force to "
+                    << about_percentage(last.peak_force_bar->total())
+                    << " (target " << percentage(adaptivity.target()) << ')';
+        else if (last.error)
           std::cout << ", eta " << percentage(last.error->eta) << " (target "
-                    << percentage(target) << ')';
-        if (last.error && last.error->eta <= target &&
+                    << percentage(adaptivity.target_error) << ')';
+        if (!for_peak && last.error &&
+            last.error->eta <= adaptivity.target_error &&
             outcome != Outcome::target_reached &&
             last.over_limit->max_element() >= 1.)
           std::cout << ", largest xi' " << about(last.over_limit->max_element())
                     << " (limit 1)";
-        if (last.cells_at_minimum_size > 0)
+        if (!for_peak && last.cells_at_minimum_size > 0)
           std::cout << " (cells at the minimum size that keep xi' >= 1: "
                     << last.cells_at_minimum_size << ")";
         if (last.history)
           std::cout << "\nPeak force  "
                     << out.emphasized(number(last.history->peak().force) + " N",
                                       Emphasis::bold)
+                    << (last.peak_force_bar ? " +- " +
+                            about(last.peak_force_bar->total() *
+                                  last.history->peak().force) +
+                            " N" :
+                                              "")
                     << " at "
                     << in_ascii(time_unit.text(last.history->peak().time));
         if (!local_response.empty())

@@ -26,6 +26,7 @@ namespace PlateImpact
       {"largest ξ′", "max_element_error", ""},
       {"Cells with ξ′ ≥ 1", "cells_above_limit", ""},
       {"Peak force", "peak_force", "N"},
+      {"Error bar of the peak force", "peak_force_error_bar", "%"},
       {"at", "time_of_peak_force", "s"},
       {"First contact ends", "first_contact_end", "s"},
       {"Contacts", "number_of_contacts", ""},

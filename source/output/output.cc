@@ -104,10 +104,12 @@ namespace PlateImpact
           if (result.time_error)
             cycle["time_error"] = *result.time_error;
           if (result.peak_force_error)
+            cycle["peak_force_error_estimate"] = result.peak_force_error->sum();
+          if (const auto &bar = result.peak_force_bar)
             {
-              cycle["peak_force_error_sum"] = result.peak_force_error->sum();
-              cycle["peak_force_error_space"] =
-                result.peak_force_error->sum_of_absolutes();
+              cycle["peak_force_error_space"] = bar->space;
+              cycle["peak_force_error_time"]  = bar->time;
+              cycle["peak_force_error_bar"]   = bar->total();
             }
           if (result.sensitivity)
             cycle["sensitivity"] = result.sensitivity->factor;

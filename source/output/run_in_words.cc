@@ -95,9 +95,15 @@ namespace PlateImpact
     };
     if (last.contains("peak_force"))
       {
-        facts.push_back({"Peak force",
-                         number(value("peak_force")) + " N",
-                         "at " + number(value("time_of_peak_force"), "s")});
+        const double bar = last.value("peak_force_error_bar", 0.);
+        facts.push_back(
+          {"Peak force",
+           number(value("peak_force")) + " N" +
+             (bar > 0. ? " ± " + about(bar * value("peak_force")) + " N" : ""),
+           "at " + number(value("time_of_peak_force"), "s") +
+             (bar > 0. ? "; by mesh and time step, not by what "
+                         "the model leaves out" :
+                         "")});
         facts.push_back(zener_fact(parameters, value("peak_force")));
         if (last.contains("first_contact_end"))
           facts.push_back({"First contact ends",
@@ -154,6 +160,16 @@ namespace PlateImpact
             percentage(last["discretization_error_of_all_cells"]) + ".";
         table.rows.push_back({"Mesh: estimated error", text});
       }
+    if (last.contains("peak_force_error_bar"))
+      table.rows.push_back({"Mesh: error of the peak force",
+                            "at most " +
+                              about_percentage(last["peak_force_error_space"]) +
+                              ", by the dual problem"});
+    else if (last.contains("peak_force_error_estimate"))
+      table.rows.push_back(
+        {"Mesh: error of the peak force",
+         "not known: the mesh is too coarse to tell it, or the time step to "
+         "tell its own"});
     if (cycles.size() > 1)
       {
         const double before = cycles[cycles.size() - 2]["peak_force"];

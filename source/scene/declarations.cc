@@ -224,6 +224,14 @@ namespace PlateImpact
                      "or of the cells. uniform: all cells are. graded: sizes "
                      "proportional to the distance from the contact, whatever "
                      "the error.");
+      schema.declare("Goal",
+                     "energy norm",
+                     Allowed::word_for<AdaptationGoal>(),
+                     adaptivity.goal,
+                     "What the mesh is made for: the error in the energy norm "
+                     "eta, the paper's, up to Target error, or that of the "
+                     "peak force, up to Target peak force error. The first "
+                     "mesh is then fine at the load.");
       schema.declare("Indicator",
                      "SPR",
                      Allowed::word_for<ErrorIndicator>(),
@@ -237,6 +245,12 @@ namespace PlateImpact
                      Allowed::number_between(0, 1),
                      adaptivity.target_error,
                      "Relative error in the energy norm eta, a fraction. [-]");
+      schema.declare("Target peak force error",
+                     "1e-3",
+                     Allowed::number_between(0, 1),
+                     adaptivity.target_peak_force_error,
+                     "Of the error bar of the peak force, relative to it, for "
+                     "the goal peak force. [-]");
       schema.declare("Maximum cycles",
                      "6",
                      Allowed::whole_number(1, 1000),

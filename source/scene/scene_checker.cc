@@ -210,6 +210,8 @@ namespace PlateImpact
       refuse({"Adaptivity/Maximum cell size", "Adaptivity/Minimum cell size"},
              "m is below Minimum cell size, " +
                number(adaptivity.minimum_cell_size) + " m");
+    if (adaptivity.goal == AdaptationGoal::peak_force)
+      check_goal();
     if (adaptivity.refined_share_of_error +
           adaptivity.coarsened_share_of_error >
         1.)
@@ -222,6 +224,22 @@ namespace PlateImpact
       refuse({"Adaptivity/Refined share of cells",
               "Adaptivity/Coarsened share of cells"},
              "and Coarsened share of cells are together more than 1");
+  }
+
+
+
+  void
+  SceneChecker::check_goal()
+  {
+    if (scene.contact.load_is_singular())
+      refuse({"Adaptivity/Goal", "Contact/Load distribution"},
+             "has no meaning under a point load, whose peak force has no limit "
+             "under refinement; expected Load distribution = Hertz disc or "
+             "uniform disc, or Goal = energy norm");
+    if (scene.time.newmark_beta != 0.25 || scene.time.newmark_gamma != 0.5)
+      refuse({"Adaptivity/Goal", "Time/Newmark beta", "Time/Newmark gamma"},
+             "needs Newmark beta = 0.25 and Newmark gamma = 0.5; with others "
+             "there is no error bar, set Goal = energy norm");
   }
 
 

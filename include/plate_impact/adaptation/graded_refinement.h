@@ -21,15 +21,22 @@ namespace PlateImpact
           const ErrorOverLimit     &error,
           std::vector<std::string> &warnings) const override;
 
-  private:
     /// Refines cells larger than theta r once.
     /// @return whether there are any
     bool
     refine(dealii::Triangulation<2> &mesh, double theta) const;
 
+  private:
     const AdaptivityParameters adaptivity;
     const double               contact_half_length;
   };
+
+
+  /// Halves cells until those at the load are no larger than its patch, or the
+  /// thickness, and others no larger than their distance from it.
+  void
+  refine_towards_load(dealii::Triangulation<2> &mesh,
+                      const Parameters         &parameters);
 } // namespace PlateImpact
 
 #endif

@@ -32,6 +32,10 @@ namespace PlateImpact
     double
     target_error() const;
 
+  private:
+    bool
+    is_met(const CycleResult &result) const;
+
   protected:
     const AdaptivityParameters adaptivity;
     double                     target;

@@ -1,6 +1,7 @@
 #ifndef plate_impact_analysis_cycle_result_h
 #define plate_impact_analysis_cycle_result_h
 
+#include "plate_impact/analysis/peak_force_bar.h"
 #include "plate_impact/contact/contact_history.h"
 #include "plate_impact/estimator/error_estimator.h"
 #include "plate_impact/estimator/error_over_limit.h"
@@ -62,6 +63,7 @@ namespace PlateImpact
     double                        impulse = 0.;     ///< [N s]
     std::optional<double>         separation_time;  ///< no contact since [s]
     std::optional<PeakForceError> peak_force_error; ///< by the mesh
+    std::optional<PeakForceBar>   peak_force_bar;   ///< none on blind meshes
     std::optional<double> time_error; ///< of the peak force, relative to it
     std::optional<Sensitivity> sensitivity; ///< of several contacts
     std::vector<Snapshot>      snapshots;

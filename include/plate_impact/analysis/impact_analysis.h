@@ -81,6 +81,12 @@ namespace PlateImpact
     strike(AnalysisListener &listener);
     void
     estimate();
+    /// The error bar of the peak force.
+    void
+    bound(const PeakForceError &estimate);
+    /// By the goal of the scene.
+    ErrorOverLimit
+    over_limit(double target) const;
     std::optional<Outcome>
     adapt(AdaptationControl &control);
     void
@@ -90,10 +96,11 @@ namespace PlateImpact
     const std::unique_ptr<const MeshAdaptation> adaptation;
 
     std::unique_ptr<dealii::Triangulation<2>> mesh; ///< the next one
-    std::unique_ptr<Cycle>   current;               ///< null before the first
-    unsigned int             n_cycles         = 0;
-    double                   seconds_for_mesh = 0.;
-    std::vector<std::string> adaptation_warnings;
+    std::unique_ptr<Cycle>    current;              ///< null before the first
+    unsigned int              n_cycles         = 0;
+    double                    seconds_for_mesh = 0.;
+    std::vector<std::string>  adaptation_warnings;
+    std::optional<PeakOnMesh> peak_before; ///< on the mesh before
     /// Unknowns from which vectors were more than steps, or nearly so.
     unsigned int too_many_for_vectors =
       std::numeric_limits<unsigned int>::max();

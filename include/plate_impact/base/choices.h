@@ -84,6 +84,12 @@ namespace PlateImpact
     graded
   };
 
+  enum class AdaptationGoal
+  {
+    energy_norm,
+    peak_force
+  };
+
   enum class ErrorIndicator
   {
     SPR,
@@ -138,6 +144,9 @@ namespace PlateImpact
   choices();
   template <>
   const std::vector<std::pair<AdaptationStrategy, std::string>> &
+  choices();
+  template <>
+  const std::vector<std::pair<AdaptationGoal, std::string>> &
   choices();
   template <>
   const std::vector<std::pair<ErrorIndicator, std::string>> &

@@ -135,8 +135,10 @@ namespace PlateImpact
   struct AdaptivityParameters
   {
     AdaptationStrategy strategy;
+    AdaptationGoal     goal;
     ErrorIndicator     indicator;
     double             target_error;
+    double             target_peak_force_error;
     unsigned int       maximum_cycles;
     unsigned int       maximum_cells;
     double             size_exponent;
@@ -147,6 +149,14 @@ namespace PlateImpact
     double             refined_share_of_cells;
     double             coarsened_share_of_cells;
     unsigned int       sampling_interval;
+
+    /// What the goal asks for, a fraction.
+    double
+    target() const
+    {
+      return goal == AdaptationGoal::peak_force ? target_peak_force_error :
+                                                  target_error;
+    }
 
     /// Whether the mesh follows its error.
     bool

@@ -38,11 +38,11 @@ namespace PlateImpact
     ProgressLine progress;
 
   private:
-    const bool     quiet;
-    const Terminal out;
-    double         target    = 0.;        ///< eta that is asked for
-    PrefixedUnit   time_unit = {"s", 0.}; ///< for the end time
-    std::string    local_response;        ///< in words
+    const bool           quiet;
+    const Terminal       out;
+    AdaptivityParameters adaptivity = {};
+    PrefixedUnit         time_unit  = {"s", 0.}; ///< for the end time
+    std::string          local_response;         ///< in words
   };
 } // namespace PlateImpact
 

@@ -81,6 +81,8 @@ namespace PlateImpact
     void
     check_mesh();
     void
+    check_goal();
+    void
     check_comparison();
 
     void

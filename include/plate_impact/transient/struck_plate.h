@@ -85,7 +85,9 @@ namespace PlateImpact
       const SemidiscreteSystem *system;
     };
 
-    /// Empty for schemes that do not conserve energy, and without a force.
+    /// Empty for schemes that do not conserve energy, without a force, with
+    /// more than 20000 steps to the peak, and on the mesh unless it is the
+    /// goal.
     /// @param history  of the impact
     std::optional<PeakForceProblem>
     peak_force_problem(const Parameters     &parameters,
