@@ -34,7 +34,7 @@ namespace PlateImpact
                  "CMAKE_BUILD_TYPE=Release for results\n";
 #endif
     std::cout << out.emphasized(scene.name, Emphasis::bold) << "\n"
-              << "cycle  cells unknowns   eta % max xi' peak force N  +- %"
+              << "cycle  cells unknowns  eta % max xi' peak force N  +- %"
               << right(8, "at " + in_ascii(time_unit.name()))
               << right(9, "end " + in_ascii(time_unit.name())) << " seconds"
               << std::endl;
@@ -66,7 +66,7 @@ namespace PlateImpact
     std::cout << column(5, "{:.0f}", result.cycle)
               << column(7, "{:.0f}", result.cells)
               << column(9, "{:.0f}", result.degrees_of_freedom)
-              << column(8, "{:.2f}", eta) << column(8, "{:.2f}", xi)
+              << column(7, "{:.2f}", eta) << column(8, "{:.2f}", xi)
               << column(13, "{:.6g}", peak) << column(6, "{:.2g}", bar)
               << column(8, "{:.4g}", peak_time)
               << column(9, "{:.5g}", contact_end)
