@@ -161,7 +161,13 @@ namespace PlateImpact
             cycles[c]["peak_force_error_estimate"].get<double>() / error;
           EXPECT_GT(ratio, 0.8) << c;
           EXPECT_LT(ratio, 2.2) << c;
-          EXPECT_LT(std::abs(error), cycles[c]["peak_force_error_bar"]) << c;
+          // cells of six times the patch do not see the load
+          EXPECT_EQ(cycles[c].contains("peak_force_error_bar"), c > 0);
+          if (c > 0)
+            {
+              EXPECT_LT(std::abs(error), cycles[c]["peak_force_error_bar"])
+                << c;
+            }
         }
     }
 

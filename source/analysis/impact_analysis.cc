@@ -190,10 +190,16 @@ namespace PlateImpact
   void
   ImpactAnalysis::bound(const PeakForceError &estimate)
   {
-    CycleResult                &result = current->result;
-    const double                peak   = result.history->peak().force;
+    CycleResult             &result  = current->result;
+    const double             peak    = result.history->peak().force;
+    const ContactParameters &contact = parameters.contact;
+    const double load = contact.has_patch() ? 2. * contact.patch_radius :
+                                              parameters.plate.thickness;
     const std::optional<double> space =
-      peak_force_error_by_mesh(estimate, peak, peak_before);
+      peak_force_error_by_mesh(estimate,
+                               peak,
+                               peak_before,
+                               result.min_cell_size <= load);
     peak_before = PeakOnMesh{peak, space};
     if (space && result.time_error)
       result.peak_force_bar = {*space,

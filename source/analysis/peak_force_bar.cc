@@ -29,11 +29,12 @@ namespace PlateImpact
   std::optional<double>
   peak_force_error_by_mesh(const PeakForceError            &estimate,
                            const double                     peak,
-                           const std::optional<PeakOnMesh> &before)
+                           const std::optional<PeakOnMesh> &before,
+                           const bool                       resolves_load)
   {
     const double absolutes = estimate.sum_of_absolutes();
     if (!before)
-      return absolutes > largest_on_first_mesh ?
+      return !resolves_load || absolutes > largest_on_first_mesh ?
         std::nullopt :
         std::optional(safety * absolutes);
     const double change    = std::abs(peak - before->force) / peak;

@@ -161,10 +161,10 @@ namespace PlateImpact
         table.rows.push_back({"Mesh: estimated error", text});
       }
     if (last.contains("peak_force_error_bar"))
-      table.rows.push_back({"Mesh: error of the peak force",
-                            "at most " +
-                              about_percentage(last["peak_force_error_space"]) +
-                              ", by the dual problem"});
+      table.rows.push_back(
+        {"Mesh: error of the peak force",
+         about_percentage(last["peak_force_error_space"]) +
+           " by the dual problem, with a factor of safety of 2"});
     else if (last.contains("peak_force_error_estimate"))
       table.rows.push_back(
         {"Mesh: error of the peak force",

@@ -31,11 +31,14 @@ namespace PlateImpact
   /// (doc/theory.md), and no less than the change of the force from
   /// the mesh before where that was more than the bar there. Empty where the
   /// mesh is blind: on a first mesh an estimate above a twentieth of the force
-  /// is none.
+  /// is none, nor is any where the load is not resolved.
+  /// @param resolves_load  whether the smallest cells are no larger than the
+  /// load
   std::optional<double>
   peak_force_error_by_mesh(const PeakForceError            &estimate,
                            double                           peak,
-                           const std::optional<PeakOnMesh> &before);
+                           const std::optional<PeakOnMesh> &before,
+                           bool                             resolves_load);
 
   /// What every cell may have of a target: the same share. The ratio is that of
   /// the roots, which fall with the cell size as errors in the energy norm do.
