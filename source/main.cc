@@ -29,7 +29,8 @@ namespace
   {
     success          = 0,
     wrong_input      = 1,
-    failed_computing = 2
+    failed_computing = 2,
+    interrupted      = 130
   };
 
 
@@ -66,9 +67,11 @@ namespace
     command.add_option("-o,--output",
                        arguments.output,
                        "Directory of the results, in place of the scene's");
-    command.add_flag("-q,--quiet",
-                     arguments.sweep.quiet,
-                     "Print warnings and errors only");
+    command.add_flag(
+      "-q,--quiet",
+      arguments.sweep.quiet,
+      "Print warnings and errors only, and of a run one line "
+      "for scripts: peak_force=... bar=... outcome=... trust=...");
   }
 
 
@@ -215,7 +218,8 @@ namespace
       "  plate-impact check my.prm\n"
       "  plate-impact defaults > my.prm\n\n"
       "`plate-impact COMMAND --help` lists the options of a command.\n"
-      "Exit status: 0 done, 1 the input is wrong, 2 the computation failed.\n"
+      "Exit status: 0 done, 1 the input is wrong, 2 the computation failed, "
+      "130 Ctrl-C.\n"
       "Colours are left out in pipes and where NO_COLOR is set.");
     Arguments arguments;
     add_run(app, arguments);
@@ -285,6 +289,11 @@ main(const int argc, const char *const *argv)
   catch (const ComputationError &error)
     {
       print_error(error.what());
+    }
+  catch (const Interruption &interruption)
+    {
+      print_error(interruption.what());
+      return interrupted;
     }
   catch (const std::bad_alloc &)
     {

@@ -5,9 +5,10 @@
 
 Reports, a sweep over three entries and a comparison, as wide as a screen, a tablet
 and a telephone: no error on the console, every plot and map drawn, the slider moves
-the film, keys read values, colours of meshes change, nothing wider than the window,
-no colour of the light page left in the dark. Exit status 77, "skipped", where there
-is no Chromium.
+the film and its peak is one of its frames, keys read values, colours and size of
+meshes and film change, legends hide and tables sort, nothing wider than the window, no
+colour of the light page left in the dark. Exit status 77, "skipped", where there is no
+Chromium.
 """
 
 import json
@@ -59,6 +60,46 @@ for (const holder of plotHolders) {
   canvas.dispatchEvent(new Event('blur'));
 }
 
+for (const holder of plotHolders) {
+  const plot = data.plots[holder.dataset.plot], chart = Chart.getChart(holder.querySelector('canvas'));
+  const buttons = [...holder.nextElementSibling.querySelectorAll('button')].map((button) => button.textContent);
+  expect(buttons.join() === 'SVG,PNG,CSV', plot.title + ': cannot be saved');
+  const rows = csvOf(chart, plot).trim().split('\\n').length - 1;
+  const shown = chart.data.datasets.reduce((n, d, i) => n + (chart.isDatasetVisible(i) ? d.data.length : 0), 0);
+  expect(rows === shown, plot.title + ': ' + rows + ' rows of ' + shown);
+  const svg = new DOMParser().parseFromString(svgOf(chart, plot), 'image/svg+xml');
+  expect(svg.querySelector('parsererror') === null && svg.querySelectorAll('polyline, circle, rect').length > 1 &&
+    !svgOf(chart, plot).includes('NaN'), plot.title + ': no SVG');
+}
+
+const legend = document.querySelector('.legend');
+if (legend) {
+  const charts = [...legend.nextElementSibling.querySelectorAll('canvas')].map((canvas) => () => Chart.getChart(canvas));
+  const select = legend.querySelector('select'), titles = new Set();
+  for (const option of select.options) {
+    select.value = option.value;
+    select.dispatchEvent(new Event('change'));
+    titles.add(charts.map((chart) => chart().options.scales.x.title.text).join());
+  }
+  expect(titles.size === select.options.length && titles.size > 1, 'legend: the abscissa does not change');
+  for (const button of legend.querySelectorAll('button')) {
+    const visible = () => charts.map((chart) => chart().getVisibleDatasetCount()).join();
+    const before = visible();
+    button.click();
+    expect(visible() !== before && button.getAttribute('aria-pressed') === 'false', button.textContent + ': not hidden');
+    button.click();
+    expect(visible() === before, button.textContent + ': not shown again');
+  }
+}
+for (const table of document.querySelectorAll('table.sortable')) {
+  const column = () => [...table.tBodies[0].rows].map((row) => Number(row.cells[2].textContent));
+  const button = table.tHead.rows[0].cells[2].querySelector('button');
+  button.click();
+  expect(column().every((value, i, all) => i === 0 || all[i - 1] <= value), 'table: not sorted');
+  button.click();
+  expect(column().every((value, i, all) => i === 0 || all[i - 1] >= value), 'table: not sorted downwards');
+}
+
 const player = document.querySelector('.player');
 if (player) {
   const canvas = player.querySelector('canvas'), slider = player.querySelector('input');
@@ -78,12 +119,42 @@ if (player) {
   const turned = canvas.toDataURL();
   key(canvas, 'ArrowLeft');
   expect(canvas.toDataURL() !== turned, 'film: keys do not turn the plate');
+  const zoomed = canvas.toDataURL();
+  player.querySelectorAll('button.zoom')[2].click();
+  expect(canvas.toDataURL() !== zoomed && isDrawn(canvas), 'film: the contact is not shown');
+  player.querySelectorAll('button.zoom')[3].click();
+  expect(canvas.toDataURL() === zoomed, 'film: the whole plate is not shown again');
+  key(canvas, '+');
+  expect(canvas.toDataURL() !== zoomed, 'film: keys do not change its size');
+  key(canvas, '0');
+  const largest = Math.max(...data.film.forces);
+  expect(Math.abs(largest / data.summary.cycles.at(-1).peak_force - 1) < 2e-3, 'film: the peak is no frame');
   player.querySelector('button').click();
   expect(slider.value === '0', 'film: does not play from the beginning');
   player.querySelector('button').click();
 }
 
 for (const group of document.querySelectorAll('.mesh-group')) {
+  const pictures = [...group.querySelectorAll('svg')], buttons = group.querySelectorAll('button.zoom');
+  const view = () => pictures.map((picture) => picture.getAttribute('viewBox'));
+  const whole = view();
+  buttons[2].click();
+  expect(view().every((box, i) => box !== whole[i] && !box.includes('NaN')), 'meshes: the contact is not shown');
+  const { x, y, width, height } = pictures[0].viewBox.baseVal, at = pictures[0].dataset;
+  expect(x <= at.x && at.x <= x + width && y <= at.y && at.y <= y + height, 'meshes: the contact is elsewhere');
+  // some of the smallest cells are at the patch; places have two decimals
+  const cells = [...pictures.at(-1).querySelectorAll('polygon')].map((cell) => cell.getBBox());
+  const least = Math.min(...cells.map((cell) => cell.width));
+  if (pictures.at(-1).querySelector('circle.patch') && cells.length > 100)
+    expect(cells.some((cell) => cell.width < least + 0.02 && x <= cell.x + 1 && cell.x <= x + width &&
+      y <= cell.y + 1 && cell.y <= y + height), 'meshes: no small cell at the contact');
+  buttons[3].click();
+  expect(view().join() === whole.join(), 'meshes: not whole again');
+  key(pictures[0], '+');
+  expect(view().join() !== whole.join(), 'meshes: keys do not change their size');
+  key(pictures[0], '0');
+  expect(pictures.every((picture) => /^[1-9]+0* .?m$/.test(picture.querySelector('.scalebar text').textContent)),
+    'meshes: no scale bar');
   const select = group.querySelector('select');
   if (!select) continue;
   const fills = () => [...group.querySelectorAll('polygon')].map((cell) => cell.getAttribute('fill')).join();
@@ -165,6 +236,7 @@ def main():
         ("run", "sphere-on-steel-plate.prm", coarse + ["Impactor/Shape=none"], (1, 0, 1), False),
         ("run", "sphere-on-steel-plate.prm", coarse + ["Adaptivity/Strategy=none"], (5, 0, 1), True),
         ("run", "paper-cylinder.prm", ["Adaptivity/Maximum cycles=2"], (8, 0, 2), True),
+        ("run", "off-centre.prm", [], (8, 0, 2), True),
         ("run", "extremes/long-plate.prm", ["Adaptivity/Maximum cycles=2"], (8, 0, 2), True),
         ("sweep", "sphere-on-steel-plate.prm", coarse + one_mesh + three_entries, (0, 8, 0), False),
         ("compare", "sphere-on-steel-plate.prm", coarse + small_comparison, (2, 0, 2), False),

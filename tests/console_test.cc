@@ -1,7 +1,7 @@
 // What the program prints on terminals, in pipes and in files.
+#include "plate_impact/base/text.h"
 #include "program_fixture.h"
 
-#include <iomanip>
 #include <algorithm>
 #include <map>
 
@@ -111,6 +111,43 @@ namespace PlateImpact
 
 
 
+    TEST_F(ConsoleOutput, InterruptedSaysWhatIsKeptAndHowToGoOn)
+    {
+      // once: a second signal ends the program at once
+      const std::string for_a_while =
+        "timeout --foreground -s INT --preserve-status 3 ";
+      EXPECT_EQ(shell(for_a_while +
+                      "\"$PROGRAM\" run \"$SCENE\" --output results --set "
+                      "'Time/Time step=1e-9' --set 'Time/Integrator=Newmark'"),
+                130);
+      EXPECT_EQ(err.find("plate-impact: stopping"), 0u) << err;
+      EXPECT_NE(err.find("\nplate-impact: interrupted: results/ has "),
+                std::string::npos)
+        << err;
+      EXPECT_NE(err.find("Target error"), std::string::npos) << err;
+      EXPECT_EQ(summary()["outcome"], "failed: interrupted");
+      EXPECT_EQ(summary()["verdict"]["trust"], "none");
+
+      const std::string sweep =
+        "\"$PROGRAM\" sweep \"$SCENE\" --output results --set Adaptivity/"
+        "Strategy=none --set 'Sweep/Entry 1=Impactor/Velocity' --set "
+        "'Sweep/Values 1=1:2:100000' --set 'Time/Integrator=Newmark' ";
+      EXPECT_EQ(shell(for_a_while + sweep), 130);
+      EXPECT_NE(err.find(
+                  " of 100000 points are in results/sweep.csv; --resume "),
+                std::string::npos)
+        << err;
+      const auto n_rows = [&] {
+        const std::string table = text(results() / "sweep.csv");
+        return std::count(table.begin(), table.end(), '\n');
+      };
+      const auto before = n_rows();
+      EXPECT_EQ(shell(for_a_while + sweep + "--resume"), 130);
+      EXPECT_GT(n_rows(), before);
+    }
+
+
+
     TEST_F(ConsoleOutput, LargeSweepTellsTheTimeThatIsLeft)
     {
       if (!has_terminal())
@@ -134,12 +171,13 @@ namespace PlateImpact
       std::getline(lines, line); // the name of the scene
       while (std::getline(lines, line) && !line.empty())
         EXPECT_LE(line.size(), 80u) << line;
+      const double force = last_cycle()["peak_force"],
+                   error =
+                     force * last_cycle()["peak_force_error_bar"].get<double>();
+      // to the digits that the error leaves
       std::ostringstream peak;
-      peak << last_cycle()["peak_force"].get<double>() << " N +- "
-           << std::setprecision(3)
-           << last_cycle()["peak_force"].get<double>() *
-          last_cycle()["peak_force_error_bar"].get<double>()
-           << " N at " << 1e6 * last_cycle()["time_of_peak_force"].get<double>() << " us";
+      peak << in_ascii(with_error(force, error, "N")) << " at "
+           << 1e6 * last_cycle()["time_of_peak_force"].get<double>() << " us";
       EXPECT_NE(out.find("Peak force  " + peak.str()), std::string::npos)
         << out;
     }

@@ -69,7 +69,7 @@ namespace PlateImpact
             << entry.path();
           ++n_scenes;
         }
-      EXPECT_EQ(n_scenes, 9);
+      EXPECT_EQ(n_scenes, 11);
     }
 
 

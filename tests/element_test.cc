@@ -160,7 +160,7 @@ namespace PlateImpact
           const Eigen::Vector3d k     = strains.head<3>();
           const double          exact = area *
             (k.dot(section.bending_stiffness * k) +
-             section.shear_stiffness * strains.tail<2>().squaredNorm());
+             section.mean_shear_stiffness() * strains.tail<2>().squaredNorm());
           EXPECT_NEAR(z.dot(multiply(model.stiffness(), z)) / exact, 1., 1e-12);
         }
     }

@@ -56,8 +56,8 @@ namespace PlateImpact
           const auto       load = make_load_distribution(parameters.contact,
                                                    parameters.impactor.length);
           const auto       quadrant =
-            make_plate_quadrant(parameters.plate,
-                                parameters.discretization.initial_cells);
+            make_plate_mesh(parameters.plate,
+                            parameters.discretization.initial_cells);
 
           // the whole plate, without planes of symmetry
           const auto      &cells = parameters.discretization.initial_cells;
@@ -98,8 +98,7 @@ namespace PlateImpact
       const Parameters klu  = parameters_with(overrides);
       const auto       load = make_load_distribution(cholmod.contact, 0.);
       const auto       mesh =
-        make_plate_quadrant(cholmod.plate,
-                            cholmod.discretization.initial_cells);
+        make_plate_mesh(cholmod.plate, cholmod.discretization.initial_cells);
       EXPECT_LT(largest_difference(impact(cholmod, *mesh, load, 4.),
                                    impact(klu, *mesh, load, 4.)),
                 1e-9);
@@ -115,8 +114,8 @@ namespace PlateImpact
           overrides[0]                       = "Time/Time step=" + step;
           const Parameters parameters        = parameters_with(overrides);
           const auto       mesh =
-            make_plate_quadrant(parameters.plate,
-                                parameters.discretization.initial_cells);
+            make_plate_mesh(parameters.plate,
+                            parameters.discretization.initial_cells);
           EXPECT_LT(impact(parameters,
                            *mesh,
                            make_load_distribution(parameters.contact,
@@ -140,8 +139,8 @@ namespace PlateImpact
           overrides[2]                = "Discretization/Initial cells=16,16";
           const Parameters parameters = parameters_with(overrides);
           const auto       mesh =
-            make_plate_quadrant(parameters.plate,
-                                parameters.discretization.initial_cells);
+            make_plate_mesh(parameters.plate,
+                            parameters.discretization.initial_cells);
           peaks.push_back(
             impact(parameters,
                    *mesh,

@@ -118,13 +118,32 @@ namespace PlateImpact
         return PrefixedUnit(unit, value).text(value);
       };
       EXPECT_EQ(text(3.43e-5, "s"), "34.3 µs");
-      EXPECT_EQ(text(1301.14, "N"), "1301.14 N");
+      EXPECT_EQ(text(1301.14, "N"), "1301 N");
+      EXPECT_EQ(text(23456.7, "N"), "23460 N");
+      EXPECT_EQ(text(234567., "N"), "234.6 kN");
       EXPECT_EQ(text(2.1e11, "Pa"), "210 GPa");
       EXPECT_EQ(text(1e-3, "m"), "1 mm");
       EXPECT_EQ(text(-0.25, "m"), "-250 mm");
       EXPECT_EQ(text(0., "m"), "0 m");
       EXPECT_EQ(text(1e-30, "s"), "1e-18 ps");
       EXPECT_EQ(PrefixedUnit("m", std::nan("")).name(), "m");
+      EXPECT_EQ(percentage(0.0246771), "2.468 %");
+    }
+
+
+
+    TEST(Page, ResultsHaveTheDigitsThatTheirErrorLeaves)
+    {
+      EXPECT_EQ(with_error(1390.104, 0.0967, "N"), "1390.10 N ± 0.10 N");
+      EXPECT_EQ(with_error(1395.31, 6.39, "N"), "1395 N ± 7 N");
+      EXPECT_EQ(with_error(1404.85, 745., "N"), "1405 N ± 745 N");
+      EXPECT_EQ(with_error(2.5e5, 1e3, "N"), "250.0 kN ± 1.0 kN");
+      EXPECT_EQ(with_error(0.0123, 1e-5, "N"), "12.300 mN ± 0.010 mN");
+      EXPECT_EQ(with_error(1390.104, 0., "N"), "1390 N");
+      EXPECT_EQ(deviation(1.0056, 1.), "+0.56 %");
+      EXPECT_EQ(deviation(0.9, 1.), "-10 %");
+      EXPECT_EQ(deviation(1265.19, 1.), "1270 times");
+      EXPECT_EQ(deviation(0.25, 1.), "0.25 times");
     }
 
 
@@ -153,13 +172,20 @@ namespace PlateImpact
       const nlohmann::json data = data_of(page);
       EXPECT_EQ(data["summary"], summary());
       // the force as the page tells it and as it plots it
-      const double       peak = last_cycle()["peak_force"];
-      std::ostringstream digits;
-      digits << peak;
-      EXPECT_NE(page.find(">" + digits.str() + " N ± "), std::string::npos);
+      const double peak = last_cycle()["peak_force"];
+      const double error =
+        peak * last_cycle()["peak_force_error_bar"].get<double>();
+      EXPECT_NE(page.find(">" + with_error(peak, error, "N") + "<"),
+                std::string::npos);
       const nlohmann::json &force  = data["plots"][0];
       const nlohmann::json  cycles = summary()["cycles"];
-      ASSERT_EQ(force["series"].size(), cycles.size());
+      EXPECT_NE(page.find("class=\"verdict good\""), std::string::npos);
+      // and its mark at the peak of the last
+      ASSERT_EQ(force["series"].size(), cycles.size() + 1);
+      const std::vector<double> mark =
+        data["arrays"][force["series"].back()["y"].get<int>()];
+      ASSERT_EQ(mark.size(), 1u);
+      EXPECT_NEAR(mark[0] / peak, 1., 1e-5);
       for (unsigned int i = 0; i < cycles.size(); ++i)
         {
           const std::vector<double> values =

@@ -59,7 +59,8 @@ namespace PlateImpact
             const Impactor impactor{mass, 0., 0.5};
             TimeStepper    stepper(time, plate, law, *integration, impactor);
             const ContactHistory expected = step_to_end(stepper).history;
-            const Impact         impact   = response.impact(law, impactor);
+            const Impact         impact =
+              response.impact(law, impactor, NewmarkScheme(time).n_steps);
             for (const auto quantity : {&ContactState::time,
                                         &ContactState::force,
                                         &ContactState::plate_displacement,

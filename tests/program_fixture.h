@@ -7,10 +7,12 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <string>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <vector>
 
 namespace PlateImpact
 {
@@ -63,6 +65,52 @@ namespace PlateImpact
     {
       return execute("run '" + scene + "' --output '" + results().string() +
                      "' " + more);
+    }
+
+    using Row = std::map<std::string, std::string>;
+
+    int
+    sweep(const std::string &scene,
+          const std::string &more   = "",
+          const std::string &prefix = "")
+    {
+      return execute("sweep '" + scene + "' --output '" + results().string() +
+                       "' " + more,
+                     prefix);
+    }
+
+    std::string
+    sweep_table() const
+    {
+      return text(results() / "sweep.csv");
+    }
+
+    /// Rows of sweep.csv by the names of its columns; of values with commas
+    /// only the status is expected.
+    std::vector<Row>
+    rows() const
+    {
+      const auto split = [](const std::string &line) {
+        std::vector<std::string> fields;
+        std::istringstream       in(line);
+        for (std::string field; std::getline(in, field, ',');)
+          fields.push_back(field);
+        return fields;
+      };
+      std::istringstream in(sweep_table());
+      std::string        line;
+      std::getline(in, line);
+      const std::vector<std::string> names = split(line);
+      std::vector<Row>               rows;
+      while (std::getline(in, line))
+        {
+          Row                            row;
+          const std::vector<std::string> fields = split(line);
+          for (std::size_t i = 0; i < names.size() && i < fields.size(); ++i)
+            row[names[i]] = fields[i];
+          rows.push_back(row);
+        }
+      return rows;
     }
 
     fs::path

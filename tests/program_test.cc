@@ -2,6 +2,8 @@
 #include "program_fixture.h"
 #include "test_plate.h"
 
+#include <set>
+
 namespace PlateImpact
 {
   namespace
@@ -58,7 +60,12 @@ namespace PlateImpact
     TEST_F(Program, ResultsOfAnEarlierRunDoNotStay)
     {
       ASSERT_EQ(run(main_scene, "--quiet --set 'Time/Time step=1e-6'"), 0);
-      EXPECT_EQ(out, "");
+      // one line for scripts
+      EXPECT_EQ(out,
+                "peak_force=" + last_cycle()["peak_force"].dump() +
+                  " bar=" + last_cycle()["peak_force_error_bar"].dump() +
+                  " outcome=\"target reached\" trust=good\n");
+      EXPECT_EQ(summary()["verdict"]["trust"], "good");
       ASSERT_EQ(run(main_scene,
                     "--set Adaptivity/Strategy=none --set 'Output/Write "
                     "report=false' --set 'Time/Time step=1e-6'"),
@@ -66,6 +73,84 @@ namespace PlateImpact
       EXPECT_FALSE(fs::exists(results() / "contact_history_cycle_1.csv"));
       EXPECT_FALSE(fs::exists(results() / "element_errors_cycle_1.csv"));
       EXPECT_FALSE(fs::exists(results() / "report.html"));
+    }
+
+
+
+    /// Keys of an object and of all within, but those of inputs.
+    void
+    add_keys(const nlohmann::json &value, std::set<std::string> &keys)
+    {
+      if (!value.is_structured())
+        return;
+      for (const auto &[key, within] : value.items())
+        {
+          if (value.is_object())
+            keys.insert(key);
+          if (key != "inputs")
+            add_keys(within, keys);
+        }
+    }
+
+
+
+    TEST_F(Program, EveryResultIsDocumented)
+    {
+      const std::string     page = text(TEST_DATA "/../doc/results.md");
+      std::set<std::string> names;
+      for (const std::string sets :
+           {"'" SCENES
+            "/laminate-sun-chen.prm' --set Contact/Unloading=Yang-Sun "
+            "--set Adaptivity/Verify=true --set 'Output/Natural frequencies=1'",
+            "'" SCENES "/paper-sphere.prm'",
+            "'" SCENES "/sphere-on-steel-plate.prm'"})
+        {
+          ASSERT_EQ(execute("run " + sets + " --output '" + results().string() +
+                            "'"),
+                    0)
+            << err;
+          add_keys(summary(), names);
+          for (const std::string table :
+               {"contact_history.csv", "element_errors_cycle_1.csv"})
+            {
+              std::istringstream rows(text(results() / table));
+              std::string        header, name;
+              std::getline(rows, header);
+              std::istringstream columns(header);
+              while (std::getline(columns, name, ','))
+                names.insert(name);
+            }
+        }
+      EXPECT_GT(names.size(), 70u);
+      for (const std::string &name : names)
+        EXPECT_NE(page.find('`' + name + '`'), std::string::npos) << name;
+      EXPECT_EQ(summary()["inputs"]["Plate/Thickness"], "0.008");
+    }
+
+
+
+    TEST_F(Program, WrongNumbersAreNotTakenForRightOnes)
+    {
+      // a force twelve times too large on cells that see no wave
+      ASSERT_EQ(run(SCENES "/extremes/foil.prm"), 0);
+      EXPECT_EQ(summary()["verdict"]["trust"], "none");
+      EXPECT_FALSE(last_cycle().contains("peak_force_error_bar"));
+      EXPECT_NE(out.find("error not known"), std::string::npos) << out;
+      EXPECT_NE(text(results() / "report.html").find("class=\"verdict none\""),
+                std::string::npos);
+      // missed targets and single meshes are no success
+      ASSERT_EQ(run(main_scene, "--set 'Adaptivity/Maximum cycles=1'"), 0);
+      EXPECT_EQ(summary()["verdict"]["trust"], "none");
+      ASSERT_EQ(run(main_scene, "--set 'Adaptivity/Maximum cycles=2'"), 0);
+      EXPECT_EQ(summary()["verdict"]["trust"], "doubtful");
+      EXPECT_NE(summary()["verdict"]["text"].get<std::string>().find(
+                  "target missed (maximum cycles)"),
+                std::string::npos);
+      ASSERT_EQ(run(main_scene, "--set Adaptivity/Strategy=none"), 0);
+      EXPECT_NE(summary()["verdict"]["trust"], "good");
+      // no limit
+      ASSERT_EQ(run(SCENES "/paper-sphere.prm"), 0);
+      EXPECT_EQ(summary()["verdict"]["trust"], "doubtful");
     }
 
 
@@ -213,7 +298,9 @@ namespace PlateImpact
       ASSERT_EQ(run(SCENES "/course/05-locking.prm", slow), 0) << err;
       EXPECT_NE(out.find("    at s    end s"), std::string::npos) << out;
       EXPECT_NE(out.find(" 1.73   3.8022 "), std::string::npos) << out;
-      EXPECT_NE(out.find(" N at 1.73 s\n"), std::string::npos) << out;
+      EXPECT_NE(out.find("515.7 nN at 1.73 s (error not known)\n"),
+                std::string::npos)
+        << out;
     }
 
 
@@ -455,6 +542,16 @@ namespace PlateImpact
                 "Time; did you mean 'End time'?\n");
       EXPECT_EQ(execute("--help"), 0);
       EXPECT_EQ(execute("--version"), 0);
+      const std::string version = out.substr(out.find_last_of(' ') + 1);
+      EXPECT_NE(
+        text(TEST_DATA "/../CITATION.cff").find("\nversion: " + version),
+        std::string::npos)
+        << version;
+      EXPECT_NE(text(TEST_DATA "/../CHANGELOG.md")
+                  .find("\n## " + version.substr(0, version.find('\n')) +
+                        ", 20"),
+                std::string::npos)
+        << version;
       EXPECT_EQ(out.substr(0, 13), "plate-impact ");
     }
 

@@ -164,7 +164,7 @@ namespace PlateImpact
     {
       PlateParameters plate = unit_plate(EdgeSupport::clamped, 0.01);
       plate.side_lengths    = {{2. * half_side, 0.12}};
-      return make_plate_quadrant(plate, {{5, 3}});
+      return make_plate_mesh(plate, {{5, 3}});
     }
 
 
@@ -293,7 +293,7 @@ namespace PlateImpact
     {
       // what the tests of elements and recovery on such meshes rely on
       const auto mesh =
-        make_plate_quadrant(unit_plate(EdgeSupport::clamped, 0.1), {{6, 6}});
+        make_plate_mesh(unit_plate(EdgeSupport::clamped, 0.1), {{6, 6}});
       remesh(*mesh, 0.05, 0.3);
       std::map<unsigned int, unsigned int> n_vertices;
       for (const auto &cells : GridTools::vertex_to_cell_map(*mesh))

@@ -37,6 +37,7 @@ namespace PlateImpact
                                           "point",
                                           "Newmark",
                                           "collocation",
+                                          "Yang-Sun",
                                           "3",
                                           "true"})
             if (!is_changed && reader.schema.value(path) != other)
@@ -304,7 +305,8 @@ namespace PlateImpact
           in_section("Plate", "set Support = glued"),
           "scene:2: Plate/Support = glued is not allowed; expected 1 to 2 "
           "values separated by commas, each: clamped | simply supported | "
-          "soft simply supported | free"},
+          "soft simply supported | free; or, for an outline from a file, "
+          "pairs edge: word"},
         Mistake{
           in_section("Discretization", "set Initial cells = 3, 2.5"),
           "scene:2: Discretization/Initial cells = 3, 2.5 is not allowed; "
@@ -337,7 +339,7 @@ namespace PlateImpact
         Mistake{
           in_section("Contact", "set Patch radius = 0.11"),
           "scene:2: Contact/Patch radius = 0.11 m reaches beyond the plate; "
-          "expected at most half the shorter side, 0.1 m"},
+          "expected at most the distance to the nearest edge, 0.1 m"},
         Mistake{
           in_section("Time", "set Time step = 1e-4"),
           "scene:2: Time/Time step = 1e-4 s is longer than End time, 8e-05 "
@@ -383,7 +385,7 @@ namespace PlateImpact
           "scene:3: Plate/Density = 0 is not allowed; expected a number "
           "above 0\n"
           "scene:6: Time/End time = soon is not allowed; expected a number "
-          "above 0"}));
+          "not below 0"}));
 
 
 

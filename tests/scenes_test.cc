@@ -131,10 +131,16 @@ namespace PlateImpact
       ASSERT_EQ(run(paper_scene), 0) << err;
       const auto cycles = summary()["cycles"];
       EXPECT_EQ(cycles[0]["cells"], 9);
-      expect_near(cycles[0]["peak_force"], 1337.7, 3e-3);
+      // 1401 N and 40.9 % computed apart from the program, 40.77 % the paper's
+      expect_near(cycles[0]["peak_force"], 1401.4, 1e-3);
+      EXPECT_NEAR(cycles[0]["discretization_error"].get<double>(), 0.409, 1e-3);
       EXPECT_LE(cycles.back()["discretization_error"], 0.0544);
+      EXPECT_NEAR(
+        cycles.back()["discretization_error_of_all_cells"].get<double>(),
+        0.0544,
+        0.01);
       EXPECT_LT(cycles.back()["cells"], 569);
-      expect_near(cycles.back()["peak_force"], 1291., 0.015);
+      expect_near(cycles.back()["peak_force"], 1291., 0.005);
       EXPECT_NEAR(cycles.back()["time_of_peak_force"].get<double>(),
                   34e-6,
                   1e-6);
@@ -303,11 +309,13 @@ namespace PlateImpact
                 0)
         << err;
       EXPECT_GT(last_cycle()["work"]["ritz_vectors"], 16);
-      EXPECT_LE(last_cycle()["work"]["ritz_vectors"], 40);
-      // 40 steps, and 10 of the double length up to the peak
+      EXPECT_LE(last_cycle()["work"]["ritz_vectors"], 45);
+      // 40 steps, 10 of the double length up to the peak, and three times the
+      // 16 to the peak for the estimate of its error
       EXPECT_EQ(last_cycle()["work"]["linear_solves"].get<int>(),
-                40 + 10 + last_cycle()["work"]["ritz_vectors"].get<int>());
-      EXPECT_EQ(last_cycle()["work"]["factorizations"].get<int>(), 3);
+                40 + 10 + 3 * 16 +
+                  last_cycle()["work"]["ritz_vectors"].get<int>());
+      EXPECT_EQ(last_cycle()["work"]["factorizations"].get<int>(), 5);
       EXPECT_LT(last_cycle()["time_error"].get<double>(), 2e-3);
       expect_near(last_cycle()["peak_force"], elastic_peak, 2e-3);
     }
@@ -410,7 +418,8 @@ namespace PlateImpact
                     "--set Plate/Thickness=2e-4 --set Impactor/Radius=0.002 "
                     "--set 'Time/End time=300e-6' --set 'Time/Time "
                     "step=0.4e-6' --set 'Discretization/Initial cells=24,24' "
-                    "--set Adaptivity/Strategy=none"),
+                    "--set Adaptivity/Strategy=none --set 'Output/Write "
+                    "report=false'"),
                 0)
         << err;
       EXPECT_EQ(last_cycle()["work"]["ritz_vectors"], 0);
@@ -428,10 +437,10 @@ namespace PlateImpact
       for (const auto &cycle : cycles)
         {
           const auto &work = cycle["work"];
-          // one attempt may be lost
+          // one attempt may be lost; those of the estimate are few
           if (were_too_many)
             {
-              EXPECT_EQ(work["ritz_vectors"], 0);
+              EXPECT_LT(work["ritz_vectors"], 40);
             }
           were_too_many = were_too_many ||
             work["linear_solves"].get<int>() > work["ritz_vectors"].get<int>();

@@ -9,6 +9,7 @@
 #include "plate_impact/adaptation/make_mesh_adaptation.h"
 #include "plate_impact/adaptation/mesh_adaptation.h"
 #include "plate_impact/contact/impactor.h"
+#include "plate_impact/contact/make_contact_law.h"
 #include "plate_impact/transient/linear_solver.h"
 
 #include <Epetra_Vector.h>
@@ -33,7 +34,7 @@ namespace PlateImpact
     plate.poissons_ratio          = 0.3;
     plate.density                 = 1.;
     plate.shear_correction_factor = 5. / 6.;
-    plate.support                 = {support};
+    plate.supports                = {{"", support}};
     return plate;
   }
 

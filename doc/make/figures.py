@@ -168,6 +168,50 @@ def local_responses(runs, by_target, elasticity):
     return svg(figure)
 
 
+def errors_and_work(runs, force):
+    """eta, error bar and true error of the peak force against unknowns times solves of the
+    cycles so far."""
+    figure, (left, right) = new_figure(2)
+    for (label, run), marker in zip(runs.items(), ("o-", "s-")):
+        work = np.cumsum([cycle["degrees_of_freedom"] * cycle["work"]["linear_solves"]
+                          for cycle in run.cycles])
+        left.loglog(work, 100 * run.column("discretization_error"), marker, label=label)
+        bars = [cycle.get("peak_force_error_bar", np.nan) for cycle in run.cycles]
+        right.loglog(work, 100 * np.array(bars), marker, label=f"{label}: bar")
+        right.loglog(work, 100 * np.abs(run.column("peak_force") / force - 1), marker[0],
+                     color=right.lines[-1].get_color(), fillstyle="none",
+                     label=f"{label}: error")
+    left.set(xlabel="unknowns x solves", ylabel="eta [%]")
+    left.legend(title="made for")
+    right.set(xlabel="unknowns x solves", ylabel="peak force [%]")
+    right.legend(title="made for", fontsize="small")
+    return svg(figure)
+
+
+def zeners_curve(sweep):
+    """Restitution against Zener's loss factor, his and that of a sweep."""
+    figure, axes = new_figure()
+    factor = [point["zener_loss_factor"] for point in sweep.points]
+    ours = np.array([point["coefficient_of_restitution"] for point in sweep.points])
+    axes.plot(factor, ours / [point["restitution_over_zener"] for point in sweep.points],
+              "-", label="Zener")
+    axes.plot(factor, ours, "o", fillstyle="none", label="plate-impact")
+    axes.set(xlabel="loss factor", ylabel="restitution", ylim=(0, 1))
+    axes.legend()
+    return svg(figure)
+
+
+def contacts_by_mass(sweep, plate):
+    """Number of contacts and restitution against the mass over that of the plate [kg]."""
+    figure, (left, right) = new_figure(2)
+    ratio = [point["Impactor/Mass"] / plate for point in sweep.points]
+    left.semilogx(ratio, [point["number_of_contacts"] for point in sweep.points], "o")
+    left.set(xlabel="mass over that of the plate", ylabel="contacts", yticks=(0, 1, 2, 3))
+    right.semilogx(ratio, [point["coefficient_of_restitution"] for point in sweep.points], "o-")
+    right.set(xlabel="mass over that of the plate", ylabel="restitution", ylim=(0, 1.05))
+    return svg(figure)
+
+
 def changes_of_the_force(changes):
     """Relative changes of the peak force, largest first, as they are given by name."""
     figure, axes = plt.subplots(figsize=(6, 3.2))
@@ -178,15 +222,19 @@ def changes_of_the_force(changes):
     return svg(figure)
 
 
-def stress_contours(run, side=50):
+def stress_contours(run, side=50, decades=None):
     """The von Mises stress at the faces around the impact, so many mm along both axes, at
-    the end of a run with `Output/Field samples=1`."""
+    the end of a run with `Output/Field samples=1`; by decades from one number of MPa to another."""
     x, y, triangles, stress = run.field("von_mises_stress")
     stress = 1e-6 * stress
     figure, axes = plt.subplots(figsize=(5, 4.2))
-    levels = MaxNLocator(10).tick_values(0, np.quantile(stress, 0.995))
-    bands = axes.tricontourf(1e3 * x, 1e3 * y, triangles, stress, levels, extend="max",
-                             cmap="viridis")
+    if decades:
+        levels = np.geomspace(*decades, 1 + 3 * round(np.log10(decades[1] / decades[0])))
+        scale = {"norm": matplotlib.colors.LogNorm(*decades), "extend": "both"}
+    else:
+        levels = MaxNLocator(10).tick_values(0, np.quantile(stress, 0.995))
+        scale = {"extend": "max"}
+    bands = axes.tricontourf(1e3 * x, 1e3 * y, triangles, stress, levels, cmap="viridis", **scale)
     figure.colorbar(bands, label="von Mises stress at the faces [MPa]")
     axes.set(xlabel="x [mm]", ylabel="y [mm]", aspect="equal", xlim=(0, side), ylim=(0, side))
     return svg(figure)

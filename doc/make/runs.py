@@ -139,6 +139,11 @@ class Run(Command):
         history = self.histories[cycle]
         return float(np.interp(time, history["time"], history["force"]))
 
+    def displacement_at(self, time, cycle=-1):
+        """The plate's displacement under the load at a time, between two steps linear. [m]"""
+        history = self.histories[cycle]
+        return float(np.interp(time, history["time"], history["plate_displacement"]))
+
     def approach_at(self, force):
         """Displacement of the impactor less that of the plate when the force of the last
         cycle first reaches a value, between two steps linear. [m]"""

@@ -24,7 +24,10 @@ namespace PlateImpact
     for (const auto &cell : mesh.active_cell_iterators())
       {
         const Point<2> centre = cell->center();
-        const Point<2> nearest(std::min(centre[0], contact_half_length), 0.);
+        const Point<2> nearest(std::clamp(centre[0],
+                                          -contact_half_length,
+                                          contact_half_length),
+                               0.);
         if (cell_size(cell) > theta * centre.distance(nearest) &&
             !is_smallest(cell, adaptivity))
           {

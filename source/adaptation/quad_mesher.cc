@@ -1,6 +1,7 @@
 #include "plate_impact/adaptation/quad_mesher.h"
 
 #include "plate_impact/base/exceptions.h"
+#include "plate_impact/plate/gmsh_session.h"
 
 #include <gmsh.h>
 
@@ -13,29 +14,6 @@ namespace PlateImpact
 {
   namespace
   {
-    /// Gmsh is one for the whole program: started here and ended here.
-    class GmshSession
-    {
-    public:
-      GmshSession()
-      {
-        gmsh::initialize(0, nullptr, /*readConfigFiles=*/false);
-        gmsh::option::setNumber("General.Terminal", 0);
-        gmsh::option::setNumber("General.NumThreads", 1);
-      }
-
-      ~GmshSession()
-      {
-        gmsh::finalize();
-      }
-
-      GmshSession(const GmshSession &) = delete;
-      GmshSession &
-      operator=(const GmshSession &) = delete;
-    };
-
-
-
     /// Gmsh compares lengths with absolute tolerances: domains are scaled to a
     /// longest side of one.
     double
@@ -53,7 +31,9 @@ namespace PlateImpact
 
     /// @return the tags of the sides, each from a corner to the next
     std::vector<int>
-    add_domain(const std::vector<PlanePoint> &corners, const double scale)
+    add_domain(const std::vector<PlanePoint> &corners,
+               const std::vector<PlanePoint> &inside,
+               const double                   scale)
     {
       std::vector<int> points, sides;
       for (const PlanePoint &corner : corners)
@@ -63,9 +43,15 @@ namespace PlateImpact
         sides.push_back(
           gmsh::model::geo::addLine(points[i],
                                     points[(i + 1) % points.size()]));
-      gmsh::model::geo::addPlaneSurface(
+      const int surface = gmsh::model::geo::addPlaneSurface(
         {gmsh::model::geo::addCurveLoop(sides)});
+      std::vector<int> embedded;
+      for (const PlanePoint &point : inside)
+        embedded.push_back(
+          gmsh::model::geo::addPoint(point[0] / scale, point[1] / scale, 0.));
       gmsh::model::geo::synchronize();
+      if (!embedded.empty())
+        gmsh::model::mesh::embed(0, embedded, 2, surface);
       return sides;
     }
 
@@ -199,13 +185,14 @@ namespace PlateImpact
     /// @throws std::string, as Gmsh does, saying why there is no mesh
     QuadMesh
     attempt(const std::vector<PlanePoint> &corners,
+            const std::vector<PlanePoint> &inside,
             const SizeField               &sizes,
             const MesherSettings          &settings)
     {
       const GmshSession session;
       const double      scale = longest_extent(corners);
       set_options(settings);
-      const std::vector<int> sides = add_domain(corners, scale);
+      const std::vector<int> sides = add_domain(corners, inside, scale);
       set_sizes(sizes, scale, settings.size_factor);
       gmsh::model::mesh::generate(2);
       if (const unsigned int n = n_triangles())
@@ -265,7 +252,8 @@ namespace PlateImpact
   QuadMesh
   QuadMesher::mesh(const std::vector<PlanePoint> &corners,
                    const SizeField               &sizes,
-                   std::vector<std::string>      &warnings) const
+                   std::vector<std::string>      &warnings,
+                   const std::vector<PlanePoint> &inside) const
   {
     std::string failures;
     for (const MesherSettings &settings : attempts)
@@ -273,7 +261,7 @@ namespace PlateImpact
         std::string failure;
         try
           {
-            const QuadMesh mesh = attempt(corners, sizes, settings);
+            const QuadMesh mesh = attempt(corners, inside, sizes, settings);
             if (!failures.empty())
               warnings.push_back("Gmsh made no mesh at first (" + failures +
                                  "); the mesh is one of " + settings.name);

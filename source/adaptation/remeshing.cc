@@ -2,6 +2,7 @@
 
 #include <deal.II/grid/grid_tools.h>
 
+#include "plate_impact/base/exceptions.h"
 #include "plate_impact/plate/plate_mesh.h"
 
 #include <algorithm>
@@ -101,21 +102,37 @@ namespace PlateImpact
 
 
 
-    /// The side of the quadrant that a face of the boundary lies on.
+    /// Corners of a rectangle.
+    struct Rectangle
+    {
+      Point<2> begin, end;
+    };
+
+    Rectangle
+    rectangle_around(const Triangulation<2> &mesh)
+    {
+      const auto box = GridTools::compute_bounding_box(mesh);
+      return {box.get_boundary_points().first,
+              box.get_boundary_points().second};
+    }
+
+
+
+    /// The side of the mesh that a face of the boundary lies on. Planes of
+    /// symmetry go through the impact, edges of the plate do not.
     PlateBoundary
-    side_of(const Triangulation<2>::face_iterator &face,
-            const PlanePoint                      &far_corner)
+    side_of(const Triangulation<2>::face_iterator &face, const Rectangle &sides)
     {
       const auto lies_on = [&face](const unsigned int d, const double value) {
         return face->vertex(0)[d] == value && face->vertex(1)[d] == value;
       };
-      if (lies_on(0, 0.))
-        return symmetry_x;
-      if (lies_on(1, 0.))
-        return symmetry_y;
-      if (lies_on(0, far_corner[0]))
+      if (lies_on(0, sides.begin[0]))
+        return sides.begin[0] == 0. ? symmetry_x : edge_x;
+      if (lies_on(1, sides.begin[1]))
+        return sides.begin[1] == 0. ? symmetry_y : edge_y;
+      if (lies_on(0, sides.end[0]))
         return edge_x;
-      AssertThrow(lies_on(1, far_corner[1]),
+      AssertThrow(lies_on(1, sides.end[1]),
                   ExcMessage("a face of the boundary lies on no side"));
       return edge_y;
     }
@@ -125,7 +142,7 @@ namespace PlateImpact
     void
     rebuild(Triangulation<2> &mesh,
             const QuadMesh   &quads,
-            const PlanePoint &far_corner)
+            const Rectangle  &sides)
     {
       std::vector<Point<2>> vertices;
       for (const PlanePoint &vertex : quads.vertices)
@@ -143,7 +160,7 @@ namespace PlateImpact
       mesh.create_triangulation(vertices, cells, faces);
       for (const auto &face : mesh.active_face_iterators())
         if (face->at_boundary())
-          face->set_boundary_id(side_of(face, far_corner));
+          face->set_boundary_id(side_of(face, sides));
     }
   } // namespace
 
@@ -196,19 +213,29 @@ namespace PlateImpact
 
 
 
-  std::vector<PlanePoint>
-  Remeshing::corners(const Triangulation<2> &mesh) const
+  Remeshing::Outline
+  Remeshing::outline(const Triangulation<2> &mesh) const
   {
-    PlanePoint far_corner = {{0., 0.}};
-    for (const Point<2> &vertex : mesh.get_vertices())
-      for (const unsigned int d : {0, 1})
-        far_corner[d] = std::max(far_corner[d], vertex[d]);
-    std::vector<PlanePoint> result = {{{0., 0.}}};
-    if (contact_half_length > 0. && contact_half_length < far_corner[0])
-      result.push_back({{contact_half_length, 0.}});
-    result.push_back({{far_corner[0], 0.}});
-    result.push_back(far_corner);
-    result.push_back({{0., far_corner[1]}});
+    const auto [begin, end] = rectangle_around(mesh);
+    // the impact and the ends of a line contact
+    std::vector<PlanePoint> on_axis = {{{0., 0.}}};
+    for (const double x : {-contact_half_length, contact_half_length})
+      if (contact_half_length > 0. && x > begin[0] && x < end[0])
+        on_axis.push_back({{x, 0.}});
+    std::sort(on_axis.begin(), on_axis.end());
+
+    Outline result;
+    result.corners = {{{begin[0], begin[1]}},
+                      {{end[0], begin[1]}},
+                      {{end[0], end[1]}},
+                      {{begin[0], end[1]}}};
+    for (const PlanePoint &point : on_axis)
+      if (begin[1] < 0. && begin[0] < point[0])
+        result.inside.push_back(point);
+      else if (begin[1] < 0.) // on the plane x = 0
+        result.corners.push_back(point);
+      else if (begin[0] < point[0]) // on the plane y = 0
+        result.corners.insert(result.corners.end() - 3, point);
     return result;
   }
 
@@ -219,13 +246,19 @@ namespace PlateImpact
                    const ErrorOverLimit     &error,
                    std::vector<std::string> &warnings) const
   {
+    for (const types::boundary_id id : mesh.get_boundary_ids())
+      if (id >= edge_round)
+        throw ComputationError("remeshing makes meshes of rectangles only");
     const std::vector<double> sizes = wanted_sizes(mesh, error);
     if (!is_worth_it(mesh, error, sizes))
       return false;
-    const std::vector<PlanePoint> domain = corners(mesh);
+    const Outline domain = outline(mesh);
     rebuild(mesh,
-            mesher.mesh(domain, size_field(mesh, sizes), warnings),
-            domain[domain.size() - 2]);
+            mesher.mesh(domain.corners,
+                        size_field(mesh, sizes),
+                        warnings,
+                        domain.inside),
+            rectangle_around(mesh));
     return true;
   }
 

@@ -6,8 +6,12 @@
 #include "plate_impact/analysis/transient_record.h"
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/stage_clock.h"
+#include "plate_impact/contact/zener.h"
 #include "plate_impact/plate/plate_mesh.h"
+#include "plate_impact/transient/newmark_scheme.h"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -15,8 +19,22 @@ namespace PlateImpact
 {
   using namespace dealii;
 
+  namespace
+  {
+    /// Times the target of the peak force.
+    constexpr double near_target = 3.;
+  } // namespace
+
+
+
   void
   AnalysisListener::step(unsigned int, unsigned int, unsigned int)
+  {}
+
+
+
+  void
+  AnalysisListener::stage(const unsigned int, const std::string &)
   {}
 
 
@@ -35,16 +53,20 @@ namespace PlateImpact
                                         0.5 * parameters.impactor.length :
                                         0.))
     , mesh(std::move(first_mesh))
+    , time_control(parameters)
+    , last_struck(parameters)
   {
     StageClock clock;
     if (mesh == nullptr)
       {
-        mesh = make_plate_quadrant(parameters.plate,
-                                   parameters.discretization.initial_cells);
+        mesh = make_plate_mesh(parameters.plate,
+                               parameters.discretization.initial_cells);
         if (parameters.adaptivity.is_adaptive() &&
             parameters.adaptivity.goal == AdaptationGoal::peak_force)
           refine_towards_load(*mesh, parameters);
       }
+    if (parameters.has_impactor())
+      contact_wave_length = contact_wave(parameters).length;
     clock.charge(seconds_for_mesh);
   }
 
@@ -55,13 +77,16 @@ namespace PlateImpact
   {
     while (true)
       {
-        build();                  // unknowns on a mesh
-        strike(listener);         // K, M, the history
-        estimate();               // eta and xi'
+        build(listener);                               // unknowns on a mesh
+        strike(listener);                              // K, M, the history
+        estimate(listener);                            // eta and xi'
+        auto outcome = control.check(current->result); // decide
+        if (!outcome)
+          outcome = adapt(control, listener); // the next mesh
+        if (outcome)
+          watch_to_the_end(listener);
         listener.cycle(*current); // tell
-        if (const auto outcome = control.check(current->result)) // decide
-          return *outcome;
-        if (const auto outcome = adapt(control)) // the next mesh
+        if (outcome)
           return *outcome;
       }
   }
@@ -79,14 +104,29 @@ namespace PlateImpact
 
 
   void
-  ImpactAnalysis::build()
+  ImpactAnalysis::watch_to_the_end(AnalysisListener &listener)
   {
+    if (!time_control.watch_to_the_end())
+      return;
+    strike(listener);
+    estimate(listener);
+  }
+
+
+
+  void
+  ImpactAnalysis::build(AnalysisListener &listener)
+  {
+    listener.stage(n_cycles + 1, "matrices");
     StageClock clock;
     if (mesh == nullptr) // the present one again
       mesh = copy_of(current->mesh());
+    const double seconds_before =
+      current != nullptr ? current->result.cumulative_seconds() : 0.;
     current.reset();
     current = std::make_unique<Cycle>(++n_cycles, parameters, std::move(mesh));
-    current->result.seconds.mesh = seconds_for_mesh;
+    current->result.seconds.mesh   = seconds_for_mesh;
+    current->result.seconds_before = seconds_before;
     clock.charge(current->result.seconds.assembly);
   }
 
@@ -98,32 +138,73 @@ namespace PlateImpact
     // a plate at rest stays at rest
     if (!parameters.has_impactor())
       return;
-    CycleResult &result  = current->result;
-    Parameters   on_mesh = parameters;
-    // a finer mesh needs more vectors, and one of about this size as many
-    if (result.degrees_of_freedom >= too_many_for_vectors)
-      on_mesh.time.integrator = IntegratorType::Newmark;
-    TransientRecord record(parameters,
+    CycleResult &result = current->result;
+    do
+      {
+        StageClock clock;
+        last_struck = time_control.next(current->plate);
+        if (vectors_are_too_many(last_struck))
+          last_struck.time.integrator = IntegratorType::Newmark;
+        clock.charge(result.seconds.stepping);
+        strike(last_struck, listener);
+    } while (time_control.goes_on(
+      *result.history,
+      result.time_error,
+      result.peak_force_error ? bar_of_mesh(*result.peak_force_error) : 0.,
+      meets_force_target(result, parameters.adaptivity)));
+    peak_before = peak_here;
+    note_work(current->plate.work());
+  }
+
+
+
+  void
+  ImpactAnalysis::strike(const Parameters &on_mesh, AnalysisListener &listener)
+  {
+    CycleResult            &result = current->result;
+    TransientRecord         record(parameters,
                            *current,
                            [&](const auto step, const auto n_steps) {
                              listener.step(result.cycle, step, n_steps);
                            });
-    Impact          impact = current->plate.strike(on_mesh, record);
+    const StruckPlate::Work before = current->plate.work();
+    listener.stage(result.cycle, "factors and vectors");
+    Impact impact = current->plate.strike(on_mesh, record);
     record.finish();
-
+    note_vectors(before, current->plate.work());
+    listener.stage(result.cycle, "error of the force");
+    estimate_errors(on_mesh, impact.history);
     StageClock clock;
-    result.sensitivity = current->plate.sensitivity(on_mesh, impact.history);
-    result.time_error  = current->plate.time_error(on_mesh, impact.history);
+    result.impulse            = impact.impulse;
+    result.separation_time    = impact.separation_time;
+    result.work.contact_steps = impact.n_contact_steps;
+    result.history            = std::move(impact.history);
     clock.charge(result.seconds.stepping);
+    if (result.peak_force_error)
+      bound(*result.peak_force_error);
+  }
+
+
+
+  void
+  ImpactAnalysis::estimate_errors(const Parameters     &on_mesh,
+                                  const ContactHistory &history)
+  {
+    CycleResult &result = current->result;
+    StageClock   clock;
+    result.sensitivity = current->plate.sensitivity(on_mesh, history);
+    result.time_error  = current->plate.time_error(on_mesh, history);
+    clock.charge(result.seconds.stepping);
+    result.peak_force_error.reset();
     if (parameters.needs_estimator() && !parameters.contact.load_is_singular())
       if (const auto problem =
-            current->plate.peak_force_problem(on_mesh, impact.history))
+            current->plate.peak_force_problem(on_mesh, history))
         result.peak_force_error =
           estimated_peak_force_error(current->discretization(),
                                      current->recovery(),
                                      *problem->system,
                                      problem->motions,
-                                     impact.history.peak().force);
+                                     history.peak().force);
     if (parameters.adaptivity.is_adaptive() && !result.peak_force_error &&
         parameters.adaptivity.goal == AdaptationGoal::peak_force)
       throw ComputationError("cycle " + std::to_string(result.cycle) +
@@ -132,12 +213,34 @@ namespace PlateImpact
                              "steps to its peak; choose a larger Time/Time "
                              "step, or Adaptivity/Goal = energy norm");
     clock.charge(result.seconds.estimation);
-    result.impulse            = impact.impulse;
-    result.separation_time    = impact.separation_time;
-    result.work.contact_steps = impact.n_contact_steps;
-    result.history            = std::move(impact.history);
-    clock.charge(result.seconds.stepping);
-    note_work(current->plate.work());
+  }
+
+
+
+  bool
+  ImpactAnalysis::vectors_are_too_many(const Parameters &on_mesh) const
+  {
+    // a finer mesh needs more vectors, and one of about this size as many
+    return current->result.degrees_of_freedom >= unknowns_for_steps &&
+      NewmarkScheme(on_mesh.time).n_steps <= steps_for_unknowns;
+  }
+
+
+
+  void
+  ImpactAnalysis::note_vectors(const StruckPlate::Work &before,
+                               const StruckPlate::Work &after)
+  {
+    const CycleResult &result    = current->result;
+    const unsigned int n_vectors = after.ritz_vectors - before.ritz_vectors,
+                       n_solves  = after.linear_solves - before.linear_solves;
+    const bool was_in_vain =
+      n_vectors > 0 && n_solves >= n_vectors + 0.5 * result.steps;
+    if (was_in_vain || n_vectors > 0.7 * result.steps)
+      {
+        unknowns_for_steps = result.degrees_of_freedom / 2;
+        steps_for_unknowns = result.steps;
+      }
   }
 
 
@@ -145,11 +248,7 @@ namespace PlateImpact
   void
   ImpactAnalysis::note_work(const StruckPlate::Work &work)
   {
-    CycleResult &result      = current->result;
-    const bool   was_in_vain = work.ritz_vectors > 0 &&
-      work.linear_solves >= work.ritz_vectors + 0.5 * result.steps;
-    if (was_in_vain || work.ritz_vectors > 0.7 * result.steps)
-      too_many_for_vectors = result.degrees_of_freedom / 2;
+    CycleResult &result        = current->result;
     result.work.factorizations = work.factorizations;
     result.work.linear_solves  = work.linear_solves;
     result.work.ritz_vectors   = work.ritz_vectors;
@@ -163,10 +262,11 @@ namespace PlateImpact
 
 
   void
-  ImpactAnalysis::estimate()
+  ImpactAnalysis::estimate(AnalysisListener &listener)
   {
     if (current->estimator == nullptr)
       return;
+    listener.stage(n_cycles, "error of the stresses");
     StageClock   clock;
     CycleResult &result           = current->result;
     result.error                  = current->estimator->estimate();
@@ -180,8 +280,6 @@ namespace PlateImpact
           if (is_smallest(cell, parameters.adaptivity))
             ++result.cells_at_minimum_size;
         }
-    if (result.peak_force_error)
-      bound(*result.peak_force_error);
     clock.charge(result.seconds.estimation);
   }
 
@@ -195,16 +293,21 @@ namespace PlateImpact
     const ContactParameters &contact = parameters.contact;
     const double load = contact.has_patch() ? 2. * contact.patch_radius :
                                               parameters.plate.thickness;
-    const std::optional<double> space =
+    // nor does a change of the force tell anything where no mesh sees the waves
+    // that the contact sends out
+    const double                wave = std::max(contact_wave_length, 2. * load);
+    const std::optional<double> space = result.min_cell_size > 0.5 * wave ?
+      std::nullopt :
       peak_force_error_by_mesh(estimate,
                                peak,
                                peak_before,
                                result.min_cell_size <= load);
-    peak_before = PeakOnMesh{peak, space};
+    peak_here                         = PeakOnMesh{peak, space};
+    result.peak_force_bar.reset();
     if (space && result.time_error)
       result.peak_force_bar = {*space,
                                *result.time_error,
-                               result.work.ritz_vectors > 0 ?
+                               current->plate.work().ritz_vectors > 0 ?
                                  parameters.time.ritz_tolerance :
                                  0.};
   }
@@ -217,17 +320,28 @@ namespace PlateImpact
     const CycleResult &result = current->result;
     if (parameters.adaptivity.goal == AdaptationGoal::energy_norm)
       return error_over_limit(*result.error, target);
-    // what the time step leaves to the mesh
-    const double of_time = result.time_error.value_or(0.);
-    return error_over_limit(*result.peak_force_error,
-                            std::max(0.5 * target, target - of_time));
+    // What the time step leaves to the mesh, but a tenth of what there is at
+    // most: estimates on coarse meshes do not tell more.
+    const double   of_time = result.time_error.value_or(0.);
+    ErrorOverLimit error =
+      error_over_limit(*result.peak_force_error,
+                       std::max({0.5 * target,
+                                 target - of_time,
+                                 0.1 * bar_of_mesh(*result.peak_force_error)}));
+    // Near the target no cell grows: the estimate knows nothing of the waves
+    // that a coarser mesh turns back after the window.
+    if (error.overall < near_target)
+      for (double &ratio : error.elements)
+        ratio = std::max(ratio, 1. / near_target);
+    return error;
   }
 
 
 
   std::optional<Outcome>
-  ImpactAnalysis::adapt(AdaptationControl &control)
+  ImpactAnalysis::adapt(AdaptationControl &control, AnalysisListener &listener)
   {
+    listener.stage(n_cycles, "next mesh");
     const unsigned int most_cells = parameters.adaptivity.maximum_cells;
     StageClock         clock;
     ErrorOverLimit     error;
@@ -243,6 +357,8 @@ namespace PlateImpact
           {
             if (adapted->n_active_cells() > most_cells)
               return Outcome::maximum_cells;
+            if (current->result.history)
+              time_control.begin_mesh(*current->result.history);
             mesh             = std::move(adapted);
             seconds_for_mesh = 0.;
             clock.charge(seconds_for_mesh);
@@ -263,6 +379,37 @@ namespace PlateImpact
     mesh->refine_global();
     seconds_for_mesh = 0.;
     clock.charge(seconds_for_mesh);
+  }
+
+
+
+  void
+  ImpactAnalysis::verify()
+  {
+    CycleResult &result = current->result;
+    if (!result.history)
+      return;
+    StageClock clock;
+    auto       halved = copy_of(current->mesh());
+    halved->refine_global();
+    // no longer than the peak takes, with nothing but the force
+    Parameters          to_peak = last_struck;
+    const NewmarkScheme scheme(to_peak.time);
+    to_peak.time.time_step = scheme.dt;
+    to_peak.time.horizon   = 0.;
+    to_peak.time.end_time =
+      std::min(to_peak.time.end_time,
+               scheme.dt *
+                 std::ceil(1.1 * result.history->peak().time / scheme.dt));
+    to_peak.adaptivity.strategy  = AdaptationStrategy::none;
+    to_peak.output.write_report  = false;
+    to_peak.output.field_samples = 0;
+    StruckPlate plate(to_peak.plate, to_peak.discretization, std::move(halved));
+    const Impact impact = plate.strike(to_peak);
+    result.verification =
+      Verification{plate.discretization().mesh().n_active_cells(),
+                   impact.history.peak().force};
+    clock.charge(result.seconds.estimation);
   }
 
 
@@ -295,7 +442,7 @@ namespace PlateImpact
   ImpactAnalysis::all_warnings() const
   {
     std::vector<std::string> warnings =
-      reliability_warnings(parameters, current->mesh(), current->result);
+      reliability_warnings(last_struck, current->mesh(), current->result);
     warnings.insert(warnings.end(),
                     adaptation_warnings.begin(),
                     adaptation_warnings.end());

@@ -1,25 +1,21 @@
 #include "plate_impact/analysis/impact_figures.h"
 
-#include "plate_impact/contact/contact_law.h"
 #include "plate_impact/contact/impactor.h"
+#include "plate_impact/contact/make_contact_law.h"
 #include "plate_impact/plate/plate_section.h"
 
 namespace PlateImpact
 {
-  namespace
+  std::optional<double>
+  restitution(const ContactHistory &history)
   {
-    /// Speed of the rebound over that of the impact.
-    std::optional<double>
-    restitution(const ContactHistory &history)
-    {
-      const ContactState &first = history.states().front(),
-                         &last  = history.states().back();
-      if (history.n_contacts() == 0 || last.indentation > 0. ||
-          last.impactor_velocity > 0.)
-        return {};
-      return -last.impactor_velocity / first.impactor_velocity;
-    }
-  } // namespace
+    const ContactState &first = history.states().front(),
+                       &last  = history.states().back();
+    if (history.n_contacts() == 0 || last.overlap() > 0. ||
+        last.impactor_velocity > 0.)
+      return {};
+    return -last.impactor_velocity / first.impactor_velocity;
+  }
 
 
 
@@ -45,7 +41,8 @@ namespace PlateImpact
       {"restitution_over_zener", "Restitution over Zener's", ""},
       {"discretization_error",
        "Relative error in the energy norm eta, fraction",
-       ""}};
+       ""},
+      {"peak_force_error_bar", "Error bar of the peak force, fraction", ""}};
     return figures;
   }
 
@@ -55,7 +52,8 @@ namespace PlateImpact
   values_of_figures(const Impact                &impact,
                     const Parameters            &parameters,
                     const ExpectedPeak          &expected,
-                    const std::optional<double> &discretization_error)
+                    const std::optional<double> &discretization_error,
+                    const std::optional<double> &peak_force_bar)
   {
     const ContactHistory &history = impact.history;
     const ContactState &peak = history.peak(), &last = history.states().back();
@@ -88,6 +86,7 @@ namespace PlateImpact
             loss_factor,
             peak_over_zener,
             e_over_zener,
-            discretization_error};
+            discretization_error,
+            peak_force_bar};
   }
 } // namespace PlateImpact

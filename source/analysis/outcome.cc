@@ -12,6 +12,7 @@ namespace PlateImpact
       {Outcome::maximum_cycles, "maximum cycles"},
       {Outcome::maximum_cells, "maximum cells"},
       {Outcome::mesh_unchanged, "mesh unchanged"},
+      {Outcome::time_step_too_coarse, "time step too coarse"},
       {Outcome::time_budget, "time budget"},
       {Outcome::nearly_as_fine_as_the_reference,
        "nearly as fine as the reference"}};

@@ -9,6 +9,18 @@ namespace PlateImpact
 
 
   template <>
+  const Words<PlateOutline> &
+  choices()
+  {
+    static const Words<PlateOutline> words = {{PlateOutline::rectangle,
+                                               "rectangle"},
+                                              {PlateOutline::circle, "circle"}};
+    return words;
+  }
+
+
+
+  template <>
   const Words<EdgeSupport> &
   choices()
   {
@@ -42,6 +54,18 @@ namespace PlateImpact
     static const Words<ForceLaw> words = {{ForceLaw::Sun, "Sun"},
                                           {ForceLaw::Hertz, "Hertz"},
                                           {ForceLaw::line, "line"}};
+    return words;
+  }
+
+
+
+  template <>
+  const Words<UnloadingLaw> &
+  choices()
+  {
+    static const Words<UnloadingLaw> words = {
+      {UnloadingLaw::elastic, "elastic"},
+      {UnloadingLaw::Yang_Sun, "Yang-Sun"}};
     return words;
   }
 
@@ -92,6 +116,7 @@ namespace PlateImpact
   {
     static const Words<ElementType> words = {
       {ElementType::serendipity, "serendipity"},
+      {ElementType::serendipity_full, "serendipity full"},
       {ElementType::heterosis, "heterosis"},
       {ElementType::Lagrange, "Lagrange"},
       {ElementType::MITC9, "MITC9"}};
@@ -153,12 +178,46 @@ namespace PlateImpact
 
 
   template <>
+  const Words<ComparedStrategy> &
+  choices()
+  {
+    static const Words<ComparedStrategy> words = [] {
+      Words<ComparedStrategy> all;
+      for (const auto &[strategy, word] : choices<AdaptationStrategy>())
+        if (strategy != AdaptationStrategy::none)
+          all.push_back({{strategy, AdaptationGoal::energy_norm}, word});
+      for (const AdaptationStrategy strategy :
+           {AdaptationStrategy::hanging_nodes,
+            AdaptationStrategy::remeshing,
+            AdaptationStrategy::fixed_fraction})
+        all.push_back({{strategy, AdaptationGoal::peak_force},
+                       word_for(strategy) + " by force"});
+      return all;
+    }();
+    return words;
+  }
+
+
+
+  template <>
   const Words<ErrorIndicator> &
   choices()
   {
     static const Words<ErrorIndicator> words = {{ErrorIndicator::SPR, "SPR"},
                                                 {ErrorIndicator::Kelly,
                                                  "Kelly"}};
+    return words;
+  }
+
+
+
+  template <>
+  const Words<RecoveryPatches> &
+  choices()
+  {
+    static const Words<RecoveryPatches> words = {
+      {RecoveryPatches::mirrored, "mirrored"},
+      {RecoveryPatches::interior, "interior"}};
     return words;
   }
 

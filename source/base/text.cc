@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <fmt/format.h>
 #include <string>
+#include <utility>
 
 namespace PlateImpact
 {
@@ -69,7 +70,7 @@ namespace PlateImpact
   std::string
   PrefixedUnit::text(const double value) const
   {
-    return number(factor * value) + ' ' + prefixed;
+    return rounded(factor * value, 4) + ' ' + prefixed;
   }
 
 
@@ -91,6 +92,15 @@ namespace PlateImpact
 
 
   std::string
+  rounded(const double value, const int digits)
+  {
+    return number(
+      std::strtod(fmt::format("{:.{}e}", value, digits - 1).c_str(), nullptr));
+  }
+
+
+
+  std::string
   number(const double value, const std::string &unit)
   {
     return PrefixedUnit(unit, value).text(value);
@@ -101,7 +111,41 @@ namespace PlateImpact
   std::string
   percentage(const double fraction)
   {
-    return number(100. * fraction) + " %";
+    return rounded(100. * fraction, 4) + " %";
+  }
+
+
+
+  std::string
+  with_error(const double value, const double error, const std::string &unit)
+  {
+    const PrefixedUnit prefixed(unit, value);
+    if (!(error > 0.) || !std::isfinite(error))
+      return prefixed.text(value);
+    // two digits of 1 and 2, of which one would be coarse
+    const double shown  = prefixed(error);
+    const int    power  = int(std::floor(std::log10(shown)));
+    const double lead   = shown / std::pow(10., power);
+    const int    digits = std::clamp(lead < 3. ? 1 - power : -power, 0, 9);
+    const double unit_of_last = std::pow(10., -digits);
+    return fmt::format("{:.{}f} {} ± {:.{}f} {}",
+                       prefixed(value),
+                       digits,
+                       prefixed.name(),
+                       std::ceil(shown / unit_of_last - 1e-9) * unit_of_last,
+                       digits,
+                       prefixed.name());
+  }
+
+
+
+  std::string
+  deviation(const double value, const double other)
+  {
+    const double ratio = value / other;
+    return ratio > 0.5 && ratio < 2. ?
+      fmt::format("{:+.3g} %", 100. * (ratio - 1.)) :
+      about(ratio) + " times";
   }
 
 
@@ -109,8 +153,7 @@ namespace PlateImpact
   std::string
   about(const double value)
   {
-    // rounded first, so that 1310 does not become 1.31e+03
-    return number(std::strtod(fmt::format("{:.2e}", value).c_str(), nullptr));
+    return rounded(value, 3);
   }
 
 
@@ -174,9 +217,10 @@ namespace PlateImpact
   std::string
   in_ascii(std::string text)
   {
-    const std::string micro = "µ";
-    for (std::size_t at; (at = text.find(micro)) != std::string::npos;)
-      text.replace(at, micro.size(), "u");
+    for (const auto &[letter, ascii] :
+         {std::pair<std::string, std::string>{"µ", "u"}, {"±", "+-"}})
+      for (std::size_t at; (at = text.find(letter)) != std::string::npos;)
+        text.replace(at, letter.size(), ascii);
     return text;
   }
 

@@ -3,6 +3,7 @@
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/command/expectation.h"
+#include "plate_impact/plate/plate_mesh.h"
 #include "plate_impact/plate/plate_section.h"
 #include "plate_impact/scene/scene_reader.h"
 #include "plate_impact/scene/sweep_plan.h"
@@ -108,10 +109,7 @@ namespace PlateImpact
               const Expectation &known)
     {
       const PlateParameters &plate = parameters.plate;
-      const double           nu    = plate.poissons_ratio;
-      // the fastest wave of a Reissner-Mindlin plate
-      const double speed =
-        std::sqrt(plate.youngs_modulus / (plate.density * (1. - nu * nu)));
+      const double           speed = PlateSection(plate).fastest_wave();
       text.line("first reflection",
                 format("back at {}; before, the supports do not matter",
                        about(2. * distance_to_edge(parameters) / speed, "s")));
@@ -120,10 +118,7 @@ namespace PlateImpact
         contact_wave(PlateSection(plate),
                      known.contact_end.value_or(2. * known.zener.time))
           .length;
-      const auto  &cells = parameters.discretization.initial_cells;
-      const double h     = 0.5 *
-        std::max(plate.side_lengths[0] / cells[0],
-                 plate.side_lengths[1] / cells[1]);
+      const double h = initial_cell_size(parameters);
       text.line("bending wavelength",
                 format("{}; initial cells of {}{}",
                        about(wavelength, "m"),
@@ -174,11 +169,12 @@ namespace PlateImpact
                        about(time.time_step),
                        about(rise / time.time_step)));
       text.line("Time/End time",
-                format("about {} s covers the {}; the scene's is {} s",
+                format("about {} s covers the {}; the scene's is {}",
                        about(known.contact_end ? 1.1 * *known.contact_end :
                                                  2. * rise),
                        known.contact_end ? "first contact" : "peak",
-                       about(time.end_time)));
+                       time.end_time > 0. ? about(time.end_time) + " s" :
+                                            "the end of the first contact"));
       if (parameters.contact.load_is_singular())
         text.line("Contact",
                   "under a point load the peak force has no limit under "
@@ -188,6 +184,30 @@ namespace PlateImpact
                        about(cost.cells),
                        about(cost.unknowns),
                        about(cost.seconds())));
+    }
+
+
+
+    /// What `plate-impact compare` takes: a mesh of a tenth of the target,
+    /// every cell halved, and curves that end below it. Seconds as measured on
+    /// the scenes prm/compare-*.prm, to a factor of three.
+    void
+    add_comparison(ExpectationText    &text,
+                   const Parameters   &parameters,
+                   const ExpectedCost &cost)
+    {
+      const ComparisonParameters &comparison = parameters.comparison;
+      const std::size_t           n_curves =
+        comparison.strategies.size() * comparison.elements.size();
+      const double of_reference = 4e-3 * std::min(4000., 10. * cost.cells);
+      const double of_curves =
+        n_curves * std::min(comparison.time_budget, 0.4 * of_reference);
+      const bool is_given = comparison.reference_peak_force > 0.;
+      text.line("plate-impact compare",
+                format("of the order of {} s for {}{}",
+                       about(of_curves + (is_given ? 0. : of_reference)),
+                       counted(n_curves, "curve"),
+                       is_given ? "" : " and their reference"));
     }
 
 
@@ -286,13 +306,15 @@ namespace PlateImpact
     if (parameters.has_impactor())
       {
         const Expectation  known(parameters);
-        const ExpectedCost cost(parameters, known.wave);
+        const ExpectedCost cost(parameters, known);
         text.section("Expected");
         add_impact(text, parameters, known);
         add_waves(text, parameters, known);
         add_frequencies(text, parameters);
         text.section("Advice");
         add_advice(text, parameters, known, cost);
+        if (!known.is_bound)
+          add_comparison(text, parameters, cost);
         add_sweep(text, scene.given, cost);
         for (const std::string &warning : known.warnings)
           text.warning(warning);

@@ -1,6 +1,7 @@
 #include "plate_impact/command/compare.h"
 
 #include "plate_impact/base/exceptions.h"
+#include "plate_impact/base/interrupt.h"
 #include "plate_impact/base/version.h"
 #include "plate_impact/comparison/comparison_console.h"
 #include "plate_impact/comparison/comparison_page.h"
@@ -17,9 +18,10 @@ namespace PlateImpact
     write_csv(std::ostream &out, const std::vector<ComparisonCurve> &curves)
     {
       out.precision(12);
-      out << "strategy,element,cycle,cells,degrees_of_freedom,"
-             "discretization_error,peak_force,peak_force_error,"
-             "contact_end_error,seconds,cumulative_seconds\n";
+      out
+        << "strategy,element,cycle,cells,degrees_of_freedom,"
+           "discretization_error,peak_force,peak_force_error,"
+           "peak_force_error_bar,contact_end_error,seconds,cumulative_seconds\n";
       for (const ComparisonCurve &curve : curves)
         for (const ComparedMesh &mesh : curve.meshes)
           {
@@ -27,6 +29,9 @@ namespace PlateImpact
                 << ',' << mesh.cycle << ',' << mesh.cells << ','
                 << mesh.degrees_of_freedom << ',' << mesh.eta << ','
                 << mesh.peak_force << ',' << mesh.peak_force_error << ',';
+            if (mesh.peak_force_bar)
+              out << *mesh.peak_force_bar;
+            out << ',';
             if (mesh.contact_end_error)
               out << *mesh.contact_end_error;
             out << ',' << mesh.seconds << ',' << mesh.cumulative_seconds
@@ -160,6 +165,7 @@ namespace PlateImpact
       StrategyComparison comparison(
         scene,
         [&console](const auto cycle, const auto step, const auto n_steps) {
+          throw_if_interrupted();
           console.progress.show(cycle, step, n_steps);
         });
       const auto write = [&] {
@@ -171,10 +177,11 @@ namespace PlateImpact
       write();
       console.reference(comparison.compute_reference());
       bool has_meshes = false;
-      for (const AdaptationStrategy strategy :
+      for (const ComparedStrategy &strategy :
            scene.parameters.comparison.strategies)
         for (const ElementType element : scene.parameters.comparison.elements)
           {
+            console.curve(strategy, element);
             const ComparisonCurve &curve =
               comparison.compute_curve(strategy,
                                        element,
@@ -209,13 +216,19 @@ namespace PlateImpact
     if (!scene.parameters.has_impactor())
       throw InputError(
         {scene.name + ": Impactor/Shape = none has no force to compare"});
-    if (scene.parameters.adaptivity.goal == AdaptationGoal::peak_force)
-      throw InputError({scene.name +
-                        ": Adaptivity/Goal = peak force is not compared; "
-                        "expected energy norm, whose curves show the error of "
-                        "the peak force"});
     ComparisonConsole console(quiet);
     Output            output(scene);
-    compare(scene, output, console);
+    await_interrupt();
+    try
+      {
+        compare(scene, output, console);
+      }
+    catch (const Interruption &interruption)
+      {
+        throw Interruption(std::string(interruption.what()) +
+                           ": the meshes so far are in " + output.main_files() +
+                           "; Comparison/Strategies and Elements name what is "
+                           "left");
+      }
   }
 } // namespace PlateImpact

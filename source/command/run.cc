@@ -2,9 +2,11 @@
 
 #include "plate_impact/analysis/impact_analysis.h"
 #include "plate_impact/base/exceptions.h"
+#include "plate_impact/base/interrupt.h"
 #include "plate_impact/base/stage_clock.h"
 #include "plate_impact/output/console.h"
 #include "plate_impact/output/output.h"
+#include "plate_impact/output/verdict.h"
 
 #include <new>
 #include <string>
@@ -24,10 +26,18 @@ namespace PlateImpact
       {}
 
       void
+      stage(const unsigned int cycle, const std::string &what) override
+      {
+        throw_if_interrupted();
+        console.progress.show(cycle, what);
+      }
+
+      void
       step(const unsigned int cycle,
            const unsigned int step,
            const unsigned int n_steps) override
       {
+        throw_if_interrupted();
         console.progress.show(cycle, step, n_steps);
       }
 
@@ -73,14 +83,21 @@ namespace PlateImpact
       ImpactAnalysis    analysis(scene.parameters);
       AdaptationControl control(scene.parameters.adaptivity);
       RunListener       listener(output, console);
-      const Outcome     outcome  = analysis.run(control, listener);
-      auto              warnings = analysis.all_warnings();
+      const Outcome     outcome = analysis.run(control, listener);
+      if (scene.parameters.adaptivity.verify)
+        analysis.verify();
+      auto warnings = analysis.all_warnings();
       add_frequencies(scene.parameters.output.natural_frequencies,
                       analysis.last_cycle(),
                       warnings);
-      output.finish(outcome, warnings, analysis.last_cycle());
+      const Verdict verdict = verdict_of(scene.parameters,
+                                         outcome,
+                                         analysis.last_cycle().result,
+                                         warnings);
+      output.finish(outcome, warnings, verdict, analysis.last_cycle());
       console.end(outcome,
                   analysis.last_cycle().result,
+                  verdict,
                   warnings,
                   output.main_files());
     }
@@ -93,6 +110,7 @@ namespace PlateImpact
   {
     Console console(quiet);
     Output  output(scene);
+    await_interrupt();
     try
       {
         run(scene, output, console);
@@ -101,6 +119,14 @@ namespace PlateImpact
       {
         output.write_failure(error.what());
         throw;
+      }
+    catch (const Interruption &interruption)
+      {
+        output.write_failure(interruption.what());
+        throw Interruption(std::string(interruption.what()) + ": " +
+                           output.kept() +
+                           "; a larger Target error or a shorter End time "
+                           "takes less");
       }
     catch (const std::bad_alloc &)
       {

@@ -3,6 +3,8 @@
 #include <deal.II/base/utilities.h>
 
 #include "plate_impact/base/exceptions.h"
+#include "plate_impact/base/interrupt.h"
+#include "plate_impact/base/text.h"
 #include "plate_impact/output/result_directory.h"
 #include "plate_impact/sweep/sweep_computation.h"
 #include "plate_impact/sweep/sweep_console.h"
@@ -24,6 +26,21 @@ namespace PlateImpact
 {
   using dealii::Utilities::pack;
   using dealii::Utilities::unpack;
+
+  /// A state as its numbers, where Boost finds it.
+  template <typename Archive>
+  void
+  serialize(Archive &archive, ContactState &state, const unsigned int)
+  {
+    static_assert(sizeof(ContactState) == 11 * sizeof(double));
+    archive &state.time &state.force &state.indentation;
+    archive &state.plate_displacement &state.impactor_displacement;
+    archive                           &state.impactor_velocity;
+    archive &state.plate_energy &state.contact_energy &state.impactor_energy;
+    archive &state.dissipated_energy &state.permanent_indentation;
+  }
+
+
 
   namespace
   {
@@ -105,6 +122,15 @@ namespace PlateImpact
         console.row(row);
       }
 
+      /// What Ctrl-C leaves.
+      std::string
+      kept() const
+      {
+        return std::to_string(scene.plan().n_points() - points_to_do().size()) +
+          " of " + counted(scene.plan().n_points(), "point") + " are in " +
+          (directory / "sweep.csv").string() + "; --resume goes on from there";
+      }
+
       void
       finish(const SweepWork &work)
       {
@@ -169,17 +195,7 @@ namespace PlateImpact
             figures.push_back(value.value_or(0.));
           }
         if (history)
-          for (const ContactState &s : history->states())
-            states.insert(states.end(),
-                          {s.time,
-                           s.force,
-                           s.indentation,
-                           s.plate_displacement,
-                           s.impactor_displacement,
-                           s.impactor_velocity,
-                           s.plate_energy,
-                           s.contact_energy,
-                           s.impactor_energy});
+          states = history->states();
       }
 
       explicit Message(const SweepWork &work)
@@ -203,8 +219,8 @@ namespace PlateImpact
         if (states.empty())
           return {};
         ContactHistory history;
-        for (auto s = states.begin(); s != states.end(); s += 9)
-          history.add({s[0], s[1], s[2], s[3], s[4], s[5], s[6], s[7], s[8]});
+        for (const ContactState &state : states)
+          history.add(state);
         return history;
       }
 
@@ -222,7 +238,9 @@ namespace PlateImpact
       std::string              failure;
       std::vector<std::string> warnings;
       std::vector<char>        has_figure;
-      std::vector<double>      figures, states;
+      std::vector<double>      figures;
+
+      std::vector<ContactState> states;
     };
 
 
@@ -293,6 +311,7 @@ namespace PlateImpact
                         [&](const SweepRow                      &row,
                             const std::optional<ContactHistory> &history) {
                           record.add(row, history);
+                          throw_if_interrupted();
                           receive(/*wait=*/false);
                         });
           while (!processes.all_ended())
@@ -353,6 +372,18 @@ namespace PlateImpact
     if (!record)
       return compute_for_first(tasks, computation, processes);
     record->begin(groups.groups().size());
-    record->finish(compute_and_receive(tasks, computation, processes, *record));
+    // mpirun has its own way to end processes
+    if (processes.size() == 1)
+      await_interrupt();
+    try
+      {
+        record->finish(
+          compute_and_receive(tasks, computation, processes, *record));
+      }
+    catch (const Interruption &interruption)
+      {
+        throw Interruption(std::string(interruption.what()) + ": " +
+                           record->kept());
+      }
   }
 } // namespace PlateImpact

@@ -30,6 +30,8 @@ namespace PlateImpact
   void
   ComparisonConsole::begin(const Scene &scene)
   {
+    const ComparisonParameters &comparison = scene.parameters.comparison;
+    n_curves = comparison.strategies.size() * comparison.elements.size();
     if (!quiet)
       std::cout << out.emphasized(scene.name, Emphasis::bold)
                 << "\nComputing the reference" << std::endl;
@@ -40,6 +42,7 @@ namespace PlateImpact
   void
   ComparisonConsole::reference(const Reference &reference)
   {
+    begin_of_curves = Clock::now();
     if (quiet)
       return;
     progress.clear();
@@ -52,9 +55,30 @@ namespace PlateImpact
     else
       std::cout << ", given";
     std::cout
-      << "\n\n strategy        element       cycle      cells   unknowns"
-         "     eta %  peak force N   error %   seconds    so far"
+      << "\n\ncycle  cells unknowns  eta % peak force N  error %  +- % seconds"
       << std::endl;
+  }
+
+
+
+  void
+  ComparisonConsole::curve(const ComparedStrategy &strategy,
+                           const ElementType       element)
+  {
+    if (quiet)
+      return;
+    progress.clear();
+    const std::chrono::duration<double> elapsed =
+      Clock::now() - begin_of_curves;
+    std::cout << n_curves_begun + 1 << " of " << n_curves << "  "
+              << word_for(strategy) << ", " << word_for(element);
+    if (n_curves_begun > 0)
+      std::cout << ", about "
+                << waiting_time(elapsed.count() / n_curves_begun *
+                                (n_curves - n_curves_begun))
+                << " left";
+    std::cout << std::endl;
+    ++n_curves_begun;
   }
 
 
@@ -65,19 +89,20 @@ namespace PlateImpact
     if (quiet)
       return;
     progress.clear();
-    const ComparedMesh &mesh = curve.meshes.back();
-    std::cout << ' ' << left(16, word_for(curve.strategy))
-              << left(12, word_for(curve.element))
-              << column(7, "{:.0f}", mesh.cycle)
-              << column(11, "{:.0f}", mesh.cells)
-              << column(11, "{:.0f}", mesh.degrees_of_freedom)
-              << column(10, "{:.2f}", 100. * mesh.eta)
-              << column(14, "{:.6g}", mesh.peak_force)
-              << column(10,
+    const ComparedMesh   &mesh = curve.meshes.back();
+    std::optional<double> bar;
+    if (mesh.peak_force_bar)
+      bar = 100. * *mesh.peak_force_bar;
+    std::cout << column(5, "{:.0f}", mesh.cycle)
+              << column(7, "{:.0f}", mesh.cells)
+              << column(9, "{:.0f}", mesh.degrees_of_freedom)
+              << column(7, "{:.2f}", 100. * mesh.eta)
+              << column(13, "{:.6g}", mesh.peak_force)
+              << column(9,
                         mesh.is_comparable ? "{:.4f}" : "({:.4f})",
                         100. * mesh.peak_force_error)
-              << column(10, "{:.2f}", mesh.seconds)
-              << column(10, "{:.2f}", mesh.cumulative_seconds) << std::endl;
+              << column(6, "{:.2g}", bar)
+              << column(8, "{:.2f}", mesh.cumulative_seconds) << std::endl;
   }
 
 
@@ -88,7 +113,7 @@ namespace PlateImpact
     if (quiet)
       return;
     progress.clear();
-    std::cout << " " << std::string(16, ' ') << curve.end << std::endl;
+    std::cout << "       " << curve.end << std::endl;
   }
 
 
@@ -118,16 +143,15 @@ namespace PlateImpact
                 const ComparedMesh &mesh        = *achievement.mesh;
                 const double        fastest =
                   row.achievements.front().mesh->cumulative_seconds;
-                std::cout << ' '
-                          << left(16, word_for(achievement.curve->strategy))
-                          << left(12, word_for(achievement.curve->element))
-                          << column(8, "{:.0f}", mesh.cells) << " cells"
-                          << column(10, "{:.2f}", mesh.cumulative_seconds)
-                          << " s"
-                          << column(10,
-                                    "{:.1f}",
-                                    mesh.cumulative_seconds / fastest)
-                          << " times the fastest\n";
+                std::cout
+                  << ' ' << left(24, word_for(achievement.curve->strategy))
+                  << left(12, word_for(achievement.curve->element))
+                  << column(6, "{:.0f}", mesh.cells) << " cells"
+                  << column(8, "{:.2f}", mesh.cumulative_seconds) << " s"
+                  << (i > 0 && are_tied(achievement, row.achievements[i - 1]) ?
+                        " as the one before\n" :
+                        column(7, "{:.1f}", mesh.cumulative_seconds / fastest) +
+                          " times\n");
               }
             if (row.achievements.size() > n_listed)
               std::cout << " and " << row.achievements.size() - n_listed

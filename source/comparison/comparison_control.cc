@@ -14,7 +14,7 @@ namespace PlateImpact
   HalvedTargets::check(const CycleResult &result)
   {
     n_halvings = 0;
-    while (result.error->eta <= target && tighten())
+    while (error_of_goal(result, adaptivity) <= target && tighten())
       ;
     return {};
   }
@@ -52,9 +52,9 @@ namespace PlateImpact
 
 
 
-  CurveControl::CurveControl(const Parameters                  &parameters,
-                             const std::function<bool(double)> &is_enough,
-                             const std::function<bool()>       &is_spent)
+  CurveControl::CurveControl(const Parameters            &parameters,
+                             const IsEnough              &is_enough,
+                             const std::function<bool()> &is_spent)
     : HalvedTargets(parameters.adaptivity)
     , maximum_cycles(parameters.comparison.maximum_cycles)
     , is_enough(is_enough)
@@ -68,7 +68,7 @@ namespace PlateImpact
   {
     if (is_spent())
       return Outcome::time_budget;
-    if (is_enough(result.error->eta))
+    if (is_enough(result))
       return Outcome::nearly_as_fine_as_the_reference;
     if (result.cycle == maximum_cycles)
       return Outcome::maximum_cycles;

@@ -3,6 +3,7 @@
 #include "plate_impact/base/text.h"
 #include "plate_impact/base/version.h"
 #include "plate_impact/comparison/comparison_plots.h"
+#include "plate_impact/page/mesh_picture.h"
 
 
 namespace PlateImpact
@@ -23,7 +24,7 @@ namespace PlateImpact
               row.achievements.front().mesh->cumulative_seconds;
             return wall_time(mesh.cumulative_seconds) + ", " +
               std::to_string(mesh.cells) + " cells" +
-              (achievement.mesh == row.achievements.front().mesh ?
+              (are_tied(achievement, row.achievements.front()) ?
                  ", first" :
                  ", " + about(mesh.cumulative_seconds / fastest) + " times");
           }
@@ -32,11 +33,24 @@ namespace PlateImpact
 
 
 
+    /// The curve that is first, or those that are as fast.
+    std::string
+    first_of(const ThresholdRow &row)
+    {
+      std::string names;
+      for (const Achievement &achievement : row.achievements)
+        if (are_tied(achievement, row.achievements.front()))
+          names += (names.empty() ? "" : " and ") + achievement.curve->name();
+      return names;
+    }
+
+
+
     /// The mesh from which on a strategy keeps eta at 5 % or below; null where
     /// there is none.
     const ComparedMesh *
     first_at_five_percent(const std::vector<ThresholdRow> &rows,
-                          const AdaptationStrategy         strategy,
+                          const ComparedStrategy          &strategy,
                           const ElementType                element)
     {
       for (const ThresholdRow &row : rows)
@@ -92,22 +106,23 @@ namespace PlateImpact
     page.section("Outcome");
     for (const std::string &warning : warnings)
       page.notice("Warning: " + warning);
-    const Reference  &reference = comparison.reference();
-    std::vector<Fact> facts     = {
-          {"Reference peak force",
-           PrefixedUnit("N", reference.peak_force).text(reference.peak_force),
+    const Reference   &reference = comparison.reference();
+    const PrefixedUnit unit("N", reference.peak_force);
+    std::vector<Fact>  facts = {
+       {"Reference peak force",
+        number(unit(reference.peak_force)) + ' ' + unit.name(),
        reference.history ?
-             "uncertain by " + about_percentage(reference.uncertainty) + ": " +
+          "uncertain by " + about_percentage(reference.uncertainty) + ": " +
            std::to_string(reference.cells) +
            " cells, η = " + about_percentage(*reference.eta) :
-             "given by the scene"}};
+          "given by the scene"}};
     const std::vector<ThresholdRow> rows = comparison.thresholds();
     for (const ThresholdRow &row : rows)
       if (!row.is_of_eta() && !row.achievements.empty() &&
           (row.threshold == 0.01 || row.threshold == 0.001))
         facts.push_back(
           {"First at " + about_percentage(row.threshold),
-           row.achievements.front().curve->name(),
+           first_of(row),
            wall_time(row.achievements.front().mesh->cumulative_seconds) + ", " +
              std::to_string(row.achievements.front().mesh->cells) + " cells"});
     page.facts(facts);
@@ -158,8 +173,8 @@ namespace PlateImpact
     page.section("Meshes");
     page.paragraph("The first mesh of each curve whose η is at most " +
                    about_percentage(scene.parameters.adaptivity.target_error) +
-                   ", or its last that can be drawn. A quarter of the plate; "
-                   "the impact is at the lower left corner.");
+                   ", or its last that can be drawn. " +
+                   meshed_part_in_words(scene.parameters.plate));
     page.meshes(pictures);
   }
 
@@ -187,17 +202,20 @@ namespace PlateImpact
     for (const ElementType element : scene.parameters.comparison.elements)
       {
         const ComparedMesh
-          *halved = first_at_five_percent(rows,
-                                          AdaptationStrategy::hanging_nodes,
+          *halved   = first_at_five_percent(rows,
+                                          {AdaptationStrategy::hanging_nodes,
+                                             AdaptationGoal::energy_norm},
                                           element),
-          *remeshed =
-            first_at_five_percent(rows, AdaptationStrategy::remeshing, element);
+          *remeshed = first_at_five_percent(rows,
+                                            {AdaptationStrategy::remeshing,
+                                             AdaptationGoal::energy_norm},
+                                            element);
         if (halved != nullptr && remeshed != nullptr)
           table.rows.push_back({word_for(element),
                                 std::to_string(halved->cells),
                                 std::to_string(remeshed->cells),
-                                number(100. * halved->eta),
-                                number(100. * remeshed->eta)});
+                                rounded(100. * halved->eta),
+                                rounded(100. * remeshed->eta)});
       }
     page.paragraph(
       "Hanging nodes halve sizes: a cell that needs a little less than its "
@@ -229,6 +247,7 @@ namespace PlateImpact
                      "η [%]",
                      "Peak force [N]",
                      "Error [%]",
+                     "Error bar [%]",
                      "Error of contact end [%]",
                      "Effectivity",
                      "Seconds",
@@ -236,21 +255,23 @@ namespace PlateImpact
     for (const ComparisonCurve &curve : comparison.curves())
       for (const ComparedMesh &mesh : curve.meshes)
         {
-          const std::string error = number(100. * mesh.peak_force_error);
+          const std::string error = rounded(100. * mesh.peak_force_error);
           table.rows.push_back(
             {curve.name(),
              std::to_string(mesh.cycle),
              std::to_string(mesh.cells),
              std::to_string(mesh.degrees_of_freedom),
-             number(100. * mesh.eta),
+             rounded(100. * mesh.eta),
              number(mesh.peak_force),
              mesh.is_comparable ? error : "(" + error + ")",
-             mesh.contact_end_error ? number(100. * *mesh.contact_end_error) :
+             mesh.peak_force_bar ? rounded(100. * *mesh.peak_force_bar) : "–",
+             mesh.contact_end_error ? rounded(100. * *mesh.contact_end_error) :
                                       "–",
-             mesh.effectivity ? number(*mesh.effectivity) : "–",
-             number(mesh.seconds),
-             number(mesh.cumulative_seconds)});
+             mesh.effectivity ? rounded(*mesh.effectivity) : "–",
+             rounded(mesh.seconds),
+             rounded(mesh.cumulative_seconds)});
         }
+    table.is_sortable = true;
     page.table(table);
     Table ends;
     ends.has_words = true;

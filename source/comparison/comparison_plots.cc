@@ -36,11 +36,11 @@ namespace PlateImpact
     };
 
     const std::vector<Measure> costs = {
-      {"cells", [](const ComparedMesh &mesh) { return mesh.cells; }},
+      {"seconds, cycles before included [s]",
+       [](const ComparedMesh &mesh) { return mesh.cumulative_seconds; }},
       {"unknowns",
        [](const ComparedMesh &mesh) { return mesh.degrees_of_freedom; }},
-      {"seconds, cycles before included [s]",
-       [](const ComparedMesh &mesh) { return mesh.cumulative_seconds; }}};
+      {"cells", [](const ComparedMesh &mesh) { return mesh.cells; }}};
 
     const std::vector<Measure> errors = {
       {"error of the peak force [%]",
@@ -103,21 +103,31 @@ namespace PlateImpact
     page.paragraph(
       "Every point is a mesh. Errors of the peak force below the dashed line, "
       "the uncertainty of the reference, say nothing about the mesh.");
+    std::vector<Plot> plots;
     for (const Measure &error : errors)
-      for (const Measure &cost : costs)
-        {
-          page.heading(error.title + " against " + cost.title);
-          std::vector<Plot> plots = plots_by_element(
-            {"", "", {cost.title, true}, {error.title, true}, {}, {}},
-            [&](const ComparisonCurve &curve, Series &series) {
-              series.x = column(curve, cost.value);
-              series.y = column(curve, error.value);
-            });
-          if (&error == &errors.front())
-            for (Plot &plot : plots)
-              add_uncertainty(plot);
-          page.plots(plots, /*small=*/true);
-        }
+      {
+        Plot plot{error.title,
+                  "",
+                  {costs[0].title, true},
+                  {error.title, true},
+                  {},
+                  {},
+                  {{costs[1].title, true}, {costs[2].title, true}}};
+        for (const ComparisonCurve &curve : comparison.curves())
+          {
+            plot.series.push_back(series(curve));
+            Series &line = plot.series.back();
+            line.marker  = word_for(curve.element);
+            line.x       = column(curve, costs[0].value);
+            line.y       = column(curve, error.value);
+            line.more_x  = {column(curve, costs[1].value),
+                            column(curve, costs[2].value)};
+          }
+        if (&error == &errors.front())
+          add_uncertainty(plot);
+        plots.push_back(plot);
+      }
+    page.plots(plots, PlotSize::large);
   }
 
 
@@ -126,20 +136,30 @@ namespace PlateImpact
   ComparisonPlots::add_uncertainty(Plot &plot) const
   {
     const double uncertainty = 100. * comparison.reference().uncertainty;
-    double       first = std::numeric_limits<double>::infinity(), last = 0.;
-    for (const Series &series : plot.series)
-      for (const double x : series.x)
-        {
-          first = std::min(first, x);
-          last  = std::max(last, x);
-        }
-    if (uncertainty > 0. && first < last)
-      plot.series.push_back({"uncertainty of the reference",
-                             {first, last},
-                             {uncertainty, uncertainty},
-                             static_cast<unsigned int>(
-                               scene.parameters.comparison.strategies.size()),
-                             Style::dashed});
+    // from the smallest to the largest of all series
+    const auto extent = [&plot](const auto &xs_of) {
+      double first = std::numeric_limits<double>::infinity(), last = 0.;
+      for (const Series &series : plot.series)
+        for (const double x : xs_of(series))
+          {
+            first = std::min(first, x);
+            last  = std::max(last, x);
+          }
+      return std::vector<double>{first, last};
+    };
+    const auto seconds = extent([](const Series &s) { return s.x; });
+    if (!(uncertainty > 0. && seconds[0] < seconds[1]))
+      return;
+    Series line{"uncertainty of the reference",
+                seconds,
+                {uncertainty, uncertainty},
+                static_cast<unsigned int>(
+                  scene.parameters.comparison.strategies.size()),
+                Style::dashed};
+    for (std::size_t i = 0; i < plot.more_x.size(); ++i)
+      line.more_x.push_back(
+        extent([i](const Series &s) { return s.more_x[i]; }));
+    plot.series.push_back(line);
   }
 
 
@@ -163,7 +183,7 @@ namespace PlateImpact
                 series.y.push_back(*mesh.effectivity);
               }
         }),
-      /*small=*/true);
+      PlotSize::small);
   }
 
 
@@ -208,6 +228,6 @@ namespace PlateImpact
              Style::dashed});
           fill(*comparison.reference().history, plot.series.back());
         }
-    page.plots(plots, /*small=*/true);
+    page.plots(plots, PlotSize::small);
   }
 } // namespace PlateImpact

@@ -68,6 +68,18 @@ namespace PlateImpact
 
 
 
+  bool
+  are_tied(const Achievement &a, const Achievement &b)
+  {
+    const ComparedMesh &one = *a.mesh, &other = *b.mesh;
+    const double ratio = one.cumulative_seconds / other.cumulative_seconds;
+    return (one.cycle == other.cycle && one.cells == other.cells &&
+            one.peak_force == other.peak_force) ||
+      (ratio > 0.9 && ratio < 1. / 0.9);
+  }
+
+
+
   StrategyComparison::StrategyComparison(const Scene    &scene,
                                          const Progress &progress)
     : scene(scene)
@@ -77,11 +89,13 @@ namespace PlateImpact
 
 
   Parameters
-  StrategyComparison::parameters_of(const AdaptationStrategy strategy,
-                                    const ElementType        element) const
+  StrategyComparison::parameters_of(const ComparedStrategy &strategy,
+                                    const ElementType       element) const
   {
     Parameters parameters             = scene.parameters;
-    parameters.adaptivity.strategy    = strategy;
+    parameters.adaptivity.strategy    = strategy.strategy;
+    parameters.adaptivity.goal        = strategy.goal;
+    parameters.time.step_is_chosen    = false; // all take the same
     parameters.discretization.element = element;
     parameters.output.field_samples   = n_compared_states;
     parameters.output.write_report    = false;
@@ -101,7 +115,9 @@ namespace PlateImpact
       }
     const Timer      timer;
     const Parameters parameters =
-      parameters_of(AdaptationStrategy::hanging_nodes, ElementType::MITC9);
+      parameters_of({AdaptationStrategy::hanging_nodes,
+                     AdaptationGoal::energy_norm},
+                    ElementType::MITC9);
     ImpactAnalysis   analysis(parameters);
     ReferenceControl until_fine(parameters.adaptivity);
     OneMesh          once(parameters.adaptivity);
@@ -141,7 +157,7 @@ namespace PlateImpact
 
   const ComparisonCurve &
   StrategyComparison::compute_curve(
-    const AdaptationStrategy                            strategy,
+    const ComparedStrategy                             &strategy,
     const ElementType                                   element,
     const std::function<void(const ComparisonCurve &)> &listener)
   {
@@ -182,8 +198,8 @@ namespace PlateImpact
       return !curve.meshes.empty() &&
         seconds + timer.wall_time() > parameters.comparison.time_budget;
     };
-    const auto is_enough = [&](const double eta) {
-      return is_close_to_reference(eta);
+    const auto is_enough = [&](const CycleResult &result) {
+      return is_close_to_reference(result, parameters.adaptivity);
     };
     const auto tell_step = [&](auto cycle, auto step, auto n_steps) {
       if (is_spent())
@@ -223,8 +239,8 @@ namespace PlateImpact
       curve.name() + ": " + std::to_string(result.cells) + " cells",
       result.cells,
       mesh_picture(cycle.mesh(),
-                   "Mesh of cycle " + std::to_string(result.cycle) +
-                     ", impact at the lower left corner",
+                   scene.parameters,
+                   "Mesh of cycle " + std::to_string(result.cycle),
                    result.element_errors()),
       {{"local error ratio ξ′", true, result.over_limit->elements}}};
   }
@@ -244,6 +260,9 @@ namespace PlateImpact
                           result.error->eta,
                           peak_force,
                           error,
+                         result.peak_force_bar ?
+                            std::optional(result.peak_force_bar->total()) :
+                            std::nullopt,
                           error > the_reference.uncertainty,
                           {},
                           result.seconds.total(),
@@ -252,7 +271,11 @@ namespace PlateImpact
     if (const auto end = result.history->first_contact_end();
         end && the_reference.contact_end)
       mesh.contact_end_error = std::abs(*end / *the_reference.contact_end - 1.);
-    if (the_reference.field_error && !is_close_to_reference(mesh.eta))
+    const double end      = result.history->states().back().time;
+    const bool   is_whole = the_reference.history &&
+      end == the_reference.history->states().back().time;
+    if (the_reference.field_error && is_whole &&
+        !(mesh.eta < 3. * *the_reference.eta))
       mesh.effectivity = mesh.eta /
         the_reference.field_error->of(cycle.discretization(), result.snapshots);
     return mesh;
@@ -261,9 +284,15 @@ namespace PlateImpact
 
 
   bool
-  StrategyComparison::is_close_to_reference(const double eta) const
+  StrategyComparison::is_close_to_reference(
+    const CycleResult          &result,
+    const AdaptivityParameters &adaptivity) const
   {
-    return the_reference.eta && eta < 3. * *the_reference.eta;
+    if (!the_reference.eta)
+      return false;
+    return adaptivity.goal == AdaptationGoal::peak_force ?
+      error_of_goal(result, adaptivity) < 3. * the_reference.uncertainty :
+      result.error->eta < 3. * *the_reference.eta;
   }
 
 
@@ -316,6 +345,9 @@ namespace PlateImpact
     std::vector<Achievement> result;
     for (const ComparisonCurve &curve : the_curves)
       {
+        if (error == &ComparedMesh::eta &&
+            curve.strategy.goal == AdaptationGoal::peak_force)
+          continue;
         const auto last_above =
           std::find_if(curve.meshes.rbegin(),
                        curve.meshes.rend(),

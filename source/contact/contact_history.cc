@@ -61,7 +61,7 @@ namespace PlateImpact
   ContactHistory::rise_time() const
   {
     const ContactState *touch = &peak();
-    while (touch != history.data() && touch->indentation > 0.)
+    while (touch != history.data() && touch->overlap() > 0.)
       --touch;
     return peak().time - touch->time;
   }
@@ -74,10 +74,10 @@ namespace PlateImpact
     for (std::size_t n = 1; n < history.size(); ++n)
       {
         const ContactState &before = history[n - 1], &after = history[n];
-        if (before.indentation > 0. && after.indentation <= 0.)
+        if (before.overlap() > 0. && after.overlap() <= 0.)
           return before.time +
-            (after.time - before.time) * before.indentation /
-            (before.indentation - after.indentation);
+            (after.time - before.time) * before.overlap() /
+            (before.overlap() - after.overlap());
       }
     return {};
   }
@@ -89,7 +89,7 @@ namespace PlateImpact
   {
     unsigned int n_contacts = 0;
     for (std::size_t n = 1; n < history.size(); ++n)
-      if (history[n].indentation > 0. && history[n - 1].indentation <= 0.)
+      if (history[n].overlap() > 0. && history[n - 1].overlap() <= 0.)
         ++n_contacts;
     return n_contacts;
   }
@@ -122,13 +122,20 @@ namespace PlateImpact
   void
   ContactHistory::write(std::ostream &out) const
   {
+    const bool with_memory = history.back().dissipated_energy != 0.;
     out.precision(17);
     out << "time,force,indentation,plate_displacement,impactor_displacement,"
-           "impactor_velocity,plate_energy,contact_energy,impactor_energy\n";
+           "impactor_velocity,plate_energy,contact_energy,impactor_energy"
+        << (with_memory ? ",dissipated_energy,permanent_indentation\n" : "\n");
     for (const ContactState &s : history)
-      out << s.time << ',' << s.force << ',' << s.indentation << ','
-          << s.plate_displacement << ',' << s.impactor_displacement << ','
-          << s.impactor_velocity << ',' << s.plate_energy << ','
-          << s.contact_energy << ',' << s.impactor_energy << '\n';
+      {
+        out << s.time << ',' << s.force << ',' << s.indentation << ','
+            << s.plate_displacement << ',' << s.impactor_displacement << ','
+            << s.impactor_velocity << ',' << s.plate_energy << ','
+            << s.contact_energy << ',' << s.impactor_energy;
+        if (with_memory)
+          out << ',' << s.dissipated_energy << ',' << s.permanent_indentation;
+        out << '\n';
+      }
   }
 } // namespace PlateImpact

@@ -1,7 +1,7 @@
 #include "plate_impact/contact/contact_law.h"
 
 #include "plate_impact/base/parameters.h"
-#include "plate_impact/plate/layer_response.h"
+#include "plate_impact/plate/plate_section.h"
 
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/quadrature/gauss.hpp>
@@ -342,11 +342,10 @@ namespace PlateImpact
   double
   contact_modulus(const Parameters &parameters)
   {
-    const double nu_i = parameters.impactor.poissons_ratio,
-                 nu_p = parameters.plate.poissons_ratio;
+    const double nu = parameters.impactor.poissons_ratio;
     return 1. /
-      ((1. - nu_i * nu_i) / parameters.impactor.youngs_modulus +
-       (1. - nu_p * nu_p) / parameters.plate.youngs_modulus);
+      ((1. - nu * nu) / parameters.impactor.youngs_modulus +
+       PlateSection(parameters.plate).half_space_compliance);
   }
 
 
@@ -375,106 +374,5 @@ namespace PlateImpact
     return parameters.impactor.is_cylinder() ?
       2. * force / (numbers::pi * a * parameters.impactor.length) :
       1.5 * force / (numbers::pi * a * a);
-  }
-
-
-
-  namespace
-  {
-    /// k of Hertz's law for the compliance that the scene's law has for the
-    /// plate.
-    double
-    coefficient_of(const Parameters &parameters)
-    {
-      const PlateParameters    &plate    = parameters.plate;
-      const ImpactorParameters &impactor = parameters.impactor;
-      const double              of_half_space =
-        (1. - plate.poissons_ratio * plate.poissons_ratio) /
-        plate.youngs_modulus;
-      return hertz_coefficient(
-        impactor.radius,
-        (1. - impactor.poissons_ratio * impactor.poissons_ratio) /
-          impactor.youngs_modulus,
-        parameters.contact.law == ForceLaw::Sun ? 1. / plate.youngs_modulus :
-                                                  of_half_space);
-    }
-
-
-
-    /// The constant beside ln(l/a) of a line contact on a layer: the plate's
-    /// side of the approach is F' (1 - nu) / (pi G) (ln(h/a) + Lambda), the
-    /// cylinder's F' (1 - nu^2) / (pi E) (2 ln(4r/a) - 1), to its axis
-    /// (Johnson, sec. 5.6), F' the force per length.
-    double
-    line_constant_of_layer(const Parameters &parameters, const double Lambda)
-    {
-      const PlateParameters    &plate    = parameters.plate;
-      const ImpactorParameters &impactor = parameters.impactor;
-      const double nu_p = plate.poissons_ratio, nu_i = impactor.poissons_ratio;
-      const double h = plate.thickness;
-      return contact_modulus(parameters) *
-        ((1. - nu_p * nu_p) / plate.youngs_modulus * (std::log(h) + Lambda) +
-         (1. - nu_i * nu_i) / impactor.youngs_modulus *
-           (std::log(4. * impactor.radius) - 0.5)) -
-        std::log(0.5 * impactor.length);
-    }
-  } // namespace
-
-
-
-  std::unique_ptr<const ContactLaw>
-  make_half_space_law(const Parameters &parameters)
-  {
-    const ImpactorParameters &impactor = parameters.impactor;
-    if (parameters.contact.law == ForceLaw::line)
-      return std::make_unique<LineLaw>(impactor.radius,
-                                       0.5 * impactor.length,
-                                       contact_modulus(parameters));
-    return std::make_unique<HertzLaw>(coefficient_of(parameters));
-  }
-
-
-
-  double
-  layer_constant(const PlateParameters &plate, const ContactParameters &contact)
-  {
-    if (contact.local_response == LocalResponse::half_space)
-      return 0.;
-    const LayerResponse layer(plate, contact.load_distribution);
-    const double        radius = contact.patch_radius / plate.thickness;
-    return contact.law == ForceLaw::line ? layer.line_constant(radius) :
-                                           layer.sphere_compliance(radius);
-  }
-
-
-
-  std::unique_ptr<const ContactLaw>
-  make_contact_law(const Parameters &parameters)
-  {
-    return make_contact_law(parameters,
-                            layer_constant(parameters.plate,
-                                           parameters.contact));
-  }
-
-
-
-  std::unique_ptr<const ContactLaw>
-  make_contact_law(const Parameters &parameters, const double layer_constant)
-  {
-    const ImpactorParameters &impactor = parameters.impactor;
-    const PlateParameters    &plate    = parameters.plate;
-    if (parameters.contact.local_response == LocalResponse::half_space)
-      return make_half_space_law(parameters);
-    if (parameters.contact.law == ForceLaw::line)
-      return std::make_unique<LineLaw>(impactor.radius,
-                                       0.5 * impactor.length,
-                                       contact_modulus(parameters),
-                                       line_constant_of_layer(parameters,
-                                                              layer_constant));
-    const double shear_modulus =
-      plate.youngs_modulus / (2. * (1. + plate.poissons_ratio));
-    return std::make_unique<SeriesLaw>(coefficient_of(parameters),
-                                       layer_constant /
-                                         (shear_modulus * plate.thickness));
   }
 } // namespace PlateImpact

@@ -3,6 +3,7 @@
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/parameters.h"
 #include "plate_impact/contact/contact_solver.h"
+#include "plate_impact/contact/make_contact_law.h"
 #include "plate_impact/plate/plate_section.h"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ namespace PlateImpact
     double
     impedance(const PlateSection &section)
     {
-      return 8. * std::sqrt(section.bending_stiffness(0, 0)) *
+      return 8. * std::sqrt(section.mean_bending_stiffness()) *
         std::sqrt(section.mass);
     }
 
@@ -127,6 +128,28 @@ namespace PlateImpact
 
 
 
+  ExpectedPeak
+  zener_peak(const Parameters &parameters)
+  {
+    return zener_peak(*make_half_space_law(parameters),
+                      make_impactor(parameters.impactor),
+                      PlateSection(parameters.plate));
+  }
+
+
+
+  ExpectedPeak
+  rigid_plate_peak(const ContactLaw   &law,
+                   const Impactor     &impactor,
+                   const PlateSection &section)
+  {
+    PlateSection immovable = section;
+    immovable.mass *= 1e12;
+    return zener_peak(law, impactor, immovable);
+  }
+
+
+
   ContactHistory
   zener_history(const ContactLaw   &law,
                 const Impactor     &impactor,
@@ -209,8 +232,17 @@ namespace PlateImpact
     const double pi        = std::acos(-1.);
     const double frequency = pi / contact_time;
     const double speed     = std::sqrt(frequency) *
-      std::pow(section.bending_stiffness(0, 0) / section.mass, 0.25);
+      std::pow(section.mean_bending_stiffness() / section.mass, 0.25);
     return {2. * contact_time * speed, 2. * speed};
+  }
+
+
+
+  BendingWave
+  contact_wave(const Parameters &parameters)
+  {
+    return contact_wave(PlateSection(parameters.plate),
+                        2. * zener_peak(parameters).time);
   }
 
 
@@ -226,7 +258,7 @@ namespace PlateImpact
     // by powers of two from a time of the plate alone, the inverse frequency of
     // thickness shear, so that impactors share steps
     const double base =
-      std::sqrt(section.rotary_inertia / section.shear_stiffness);
+      std::sqrt(section.rotary_inertia / section.mean_shear_stiffness());
     double step =
       base * std::exp2(std::floor(std::log2(contact_time / 8. / base)));
     // the reference is good to about 1e-5
@@ -239,7 +271,7 @@ namespace PlateImpact
         const double changed = std::abs(
           zener_peak(law, impactor, section, step).force / exact.force - 1.);
         if (std::max(missed, changed) <= tolerance)
-          return std::min(step, time.end_time);
+          return time.end_time > 0. ? std::min(step, time.end_time) : step;
       }
   }
 } // namespace PlateImpact

@@ -185,11 +185,15 @@ namespace PlateImpact
         const Eigen::MatrixXd moments =
           unscaled * by_resultant(recovered).topRows<3>() * coordinates;
         for (Eigen::Index n = 0; n < moments.cols(); ++n)
-          max_stress = std::max(
-            max_stress,
-            discretization.section().surface_von_mises_stress(moments(0, n),
-                                                              moments(1, n),
-                                                              moments(2, n)));
+          {
+            const Eigen::MatrixXd stresses =
+              discretization.section().stresses(moments(0, n),
+                                                moments(1, n),
+                                                moments(2, n));
+            max_stresses = max_stresses.size() == 0 ?
+              stresses :
+              max_stresses.cwiseMax(stresses).eval();
+          }
       }
   }
 
@@ -210,10 +214,10 @@ namespace PlateImpact
       Eigen::Map<Eigen::VectorXd>(result.element_errors.data(),
                                   relative_integral.size()) =
         relative_integral / last_time;
-    result.max_effective_stress = max_stress;
-    result.sample_times         = sample_times;
-    result.sample_errors        = sample_errors;
-    result.kept_element_errors  = kept_element_errors;
+    result.max_stresses        = max_stresses;
+    result.sample_times        = sample_times;
+    result.sample_errors       = sample_errors;
+    result.kept_element_errors = kept_element_errors;
     return result;
   }
 } // namespace PlateImpact

@@ -88,9 +88,10 @@ namespace PlateImpact
     ComponentMask slopes(n_components, false), rotations(n_components, true);
     slopes.set(deflection, true);
     rotations.set(deflection, false);
-    const Eigen::MatrixXd squares = discretization.section().shear_stiffness *
+    const Eigen::MatrixXd squares =
+      discretization.section().mean_shear_stiffness() *
         squared_jumps(discretization.dofs(), states, slopes) +
-      discretization.section().bending_stiffness(0, 0) *
+      discretization.section().mean_bending_stiffness() *
         squared_jumps(discretization.dofs(), states, rotations);
     for (unsigned int n = 0; n < times.size(); ++n)
       {

@@ -3,6 +3,7 @@
 #include "plate_impact/estimator/energy_norm_estimator.h"
 #include "plate_impact/estimator/kelly_estimator.h"
 
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -31,11 +32,17 @@ namespace PlateImpact
   make_stress_recovery(const Parameters       &parameters,
                        const Triangulation<2> &mesh)
   {
-    if (!parameters.contact.load_is_line())
-      return StressRecovery(mesh);
-    const double half_length = 0.5 * parameters.impactor.length;
-    return StressRecovery(mesh, [half_length](const Point<2> &point) {
-      return point[1] == 0. && point[0] <= half_length;
+    const double line = parameters.contact.load_is_line() ?
+      0.5 * parameters.impactor.length :
+      -1.;
+    const bool   is_interior =
+      parameters.adaptivity.recovery_patches == RecoveryPatches::interior;
+    const PlateParameters &plate = parameters.plate;
+    return StressRecovery(mesh, [=](const Point<2> &point) {
+      const bool is_on_plane = (plate.is_symmetric(0) && point[0] == 0.) ||
+        (plate.is_symmetric(1) && point[1] == 0.);
+      return (point[1] == 0. && std::abs(point[0]) <= line) ||
+        (is_interior && is_on_plane);
     });
   }
 

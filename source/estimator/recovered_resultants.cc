@@ -1,6 +1,7 @@
 #include "plate_impact/estimator/recovered_resultants.h"
 
-#include <deal.II/fe/mapping_q1.h>
+#include "plate_impact/plate/plate_mesh.h"
+
 
 namespace PlateImpact
 {
@@ -10,10 +11,10 @@ namespace PlateImpact
   to_real(const Triangulation<2>::active_cell_iterator &cell,
           const std::vector<Point<2>>                  &unit_points)
   {
-    const MappingQ1<2>    mapping;
     std::vector<Point<2>> points;
     for (const Point<2> &unit_point : unit_points)
-      points.push_back(mapping.transform_unit_to_real_cell(cell, unit_point));
+      points.push_back(
+        mapping_of(cell).transform_unit_to_real_cell(cell, unit_point));
     return points;
   }
 

@@ -2,9 +2,11 @@
 
 #include <deal.II/base/polynomial.h>
 #include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/mapping_q1.h>
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/grid_tools_cache.h>
+
+#include "plate_impact/base/exceptions.h"
+#include "plate_impact/plate/plate_mesh.h"
 
 #include <array>
 #include <cmath>
@@ -101,7 +103,6 @@ namespace PlateImpact
     const Eigen::MatrixXd        states = columns(snapshots);
     const std::vector<Point<2>> &unit_points =
       fine.element().quadrature().get_points();
-    const MappingQ1<2> mapping;
     exact.resize(5 * unit_points.size() * fine.mesh().n_active_cells(),
                  times.size());
     for (const auto &cell : fine.mesh().active_cell_iterators())
@@ -112,7 +113,8 @@ namespace PlateImpact
         for (unsigned int q = 0; q < unit_points.size(); ++q)
           {
             points.push_back(
-              mapping.transform_unit_to_real_cell(cell, unit_points[q]));
+              mapping_of(cell).transform_unit_to_real_cell(cell,
+                                                           unit_points[q]));
             weights.push_back(fine.shape(c).weights[q]);
           }
       }
@@ -129,13 +131,23 @@ namespace PlateImpact
       discretization.mesh().n_active_cells());
     const GaussInterpolation interpolation(
       std::lround(std::sqrt(discretization.element().quadrature().size())));
-    const GridTools::Cache<2> cache(discretization.mesh());
-    auto                      hint = discretization.mesh().begin_active();
-    Eigen::VectorXd           e2 = Eigen::VectorXd::Zero(times.size()), u2 = e2;
+    const Mapping<2>         &mapping = mapping_of(discretization.mesh());
+    const GridTools::Cache<2> cache(discretization.mesh(), mapping);
+    // curved cells of two meshes differ by a little at the edge, of a cell
+    const double    tolerance = &mapping == &curved_mapping() ? 0.05 : 1e-10;
+    auto            hint      = discretization.mesh().begin_active();
+    Eigen::VectorXd e2 = Eigen::VectorXd::Zero(times.size()), u2 = e2;
     for (unsigned int p = 0; p < points.size(); ++p)
       {
         const auto [cell, unit_point] =
-          GridTools::find_active_cell_around_point(cache, points[p], hint);
+          GridTools::find_active_cell_around_point(cache,
+                                                   points[p],
+                                                   hint,
+                                                   {},
+                                                   tolerance);
+        if (cell == discretization.mesh().end())
+          throw ComputationError("a point of the reference lies outside of the "
+                                 "mesh that is compared");
         hint                        = cell;
         Eigen::MatrixXd &cell_field = of_cell[cell->active_cell_index()];
         if (cell_field.size() == 0)

@@ -1,7 +1,6 @@
 #include "plate_impact/estimator/stress_recovery.h"
 
 #include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/mapping_q1.h>
 #include <deal.II/grid/grid_tools.h>
 
 #include "plate_impact/plate/plate_mesh.h"
@@ -54,14 +53,13 @@ namespace PlateImpact
     , uses_neighbours(mesh.n_vertices())
     , patches_of_vertex(mesh.n_vertices())
   {
-    const MappingQ1<2> mapping;
-    const QGauss<2>    points(2);
+    const QGauss<2> points(2);
     for (const auto &cell : mesh.active_cell_iterators())
       {
         const unsigned int c = cell->active_cell_index();
         for (unsigned int g = 0; g < samples_per_cell; ++g)
           sample_points[samples_per_cell * c + g] =
-            mapping.transform_unit_to_real_cell(cell, points.point(g));
+            mapping_of(cell).transform_unit_to_real_cell(cell, points.point(g));
         for (unsigned int v = 0; v < 4; ++v)
           vertices_of_cell[c][v] = cell->vertex_index(v);
       }

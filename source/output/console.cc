@@ -26,7 +26,9 @@ namespace PlateImpact
       local_response_in_words(scene.parameters) :
       "";
     adaptivity     = scene.parameters.adaptivity;
-    time_unit      = PrefixedUnit("s", scene.parameters.time.end_time);
+    time_unit      = PrefixedUnit("s",
+                             std::max(scene.parameters.time.end_time,
+                                      100. * scene.parameters.time.time_step));
     if (quiet)
       return;
 #ifdef DEBUG
@@ -70,7 +72,25 @@ namespace PlateImpact
               << column(13, "{:.6g}", peak) << column(6, "{:.2g}", bar)
               << column(8, "{:.4g}", peak_time)
               << column(9, "{:.5g}", contact_end)
-              << column(8, "{:.2f}", result.seconds.total()) << std::endl;
+              << column(8, "{:.2f}", result.cumulative_seconds()) << std::endl;
+  }
+
+
+
+  void
+  Console::print_line(const Outcome      outcome,
+                      const CycleResult &last,
+                      const Verdict     &verdict) const
+  {
+    if (last.history)
+      std::cout << "peak_force=" << shortest(last.history->peak().force)
+                << " bar="
+                << (last.peak_force_bar ?
+                      shortest(last.peak_force_bar->total()) :
+                      "none")
+                << ' ';
+    std::cout << "outcome=\"" << word_for(outcome)
+              << "\" trust=" << word_for(verdict.trust) << std::endl;
   }
 
 
@@ -78,15 +98,21 @@ namespace PlateImpact
   void
   Console::end(const Outcome                   outcome,
                const CycleResult              &last,
+               const Verdict                  &verdict,
                const std::vector<std::string> &warnings,
                const std::string              &results)
   {
-    if (!quiet)
+    if (quiet)
+      print_line(outcome, last, verdict);
+    else
       {
         std::cout << "\nOutcome     "
                   << out.emphasized(word_for(outcome),
-                                    is_success(outcome) ? Emphasis::good :
-                                                          Emphasis::warning);
+                                    verdict.trust == Trust::good ?
+                                      Emphasis::good :
+                                      verdict.trust == Trust::doubtful ?
+                                      Emphasis::warning :
+                                      Emphasis::error);
         const bool for_peak = adaptivity.goal == AdaptationGoal::peak_force;
         if (for_peak && last.peak_force_bar)
           std::cout << ", peak force to "
@@ -106,15 +132,27 @@ namespace PlateImpact
                     << last.cells_at_minimum_size << ")";
         if (last.history)
           std::cout << "\nPeak force  "
-                    << out.emphasized(number(last.history->peak().force) + " N",
-                                      Emphasis::bold)
-                    << (last.peak_force_bar ? " +- " +
-                            about(last.peak_force_bar->total() *
-                                  last.history->peak().force) +
-                            " N" :
-                                              "")
+                    << out.emphasized(
+                         in_ascii(with_error(last.history->peak().force,
+                                             last.peak_force_bar ?
+                                               last.peak_force_bar->total() *
+                                                 last.history->peak().force :
+                                               0.,
+                                             "N")),
+                         Emphasis::bold)
                     << " at "
-                    << in_ascii(time_unit.text(last.history->peak().time));
+                    << in_ascii(time_unit.text(last.history->peak().time))
+                    << (verdict.trust == Trust::none && !last.peak_force_bar ?
+                          " (error not known)" :
+                          "");
+        if (last.verification)
+          {
+            const double force = last.verification->peak_force;
+            std::cout << "\nVerified    " << number(force) << " N on "
+                      << counted(last.verification->cells, "cell") << ", "
+                      << deviation(force, last.history->peak().force)
+                      << " away";
+          }
         if (!local_response.empty())
           std::cout << "\nContact     local response of a "
                     << in_ascii(local_response);

@@ -76,8 +76,12 @@ namespace PlateImpact
           }
         table.rows.push_back(
           {quantity.name + (unit.empty() ? "" : " [" + unit + "]")});
+        // whole numbers, and what is compared from cycle to cycle
         for (const double value : values)
-          table.rows.back().push_back(number(value));
+          table.rows.back().push_back(quantity.key == "peak_force" ||
+                                          value == std::round(value) ?
+                                        number(value) :
+                                        rounded(value));
       }
     return table;
   }
@@ -103,6 +107,38 @@ namespace PlateImpact
               values,
               0,
               Style::line_and_points}},
+            {}};
+  }
+
+
+
+  Plot
+  errors_against_seconds(const Json &cycles)
+  {
+    const std::vector<double> seconds =
+      over_cycles(cycles, "cumulative_seconds");
+    const auto in_percent = [&](const std::string &key) {
+      std::vector<double> values = over_cycles(cycles, key);
+      for (double &value : values)
+        value *= 100.;
+      return values;
+    };
+    const std::vector<double> eta = in_percent("discretization_error");
+    return {"Error against time",
+            "The slope is that of an error that halves when the time doubles.",
+            {"seconds since the beginning", true},
+            {"error [%]", true},
+            {{"η", seconds, eta, 0, Style::line_and_points},
+             {"error bar of the peak force",
+              seconds,
+              in_percent("peak_force_error_bar"),
+              1,
+              Style::line_and_points},
+             {"slope −1",
+              {seconds.front(), seconds.back()},
+              {eta.front(), eta.front() * seconds.front() / seconds.back()},
+              2,
+              Style::dashed}},
             {}};
   }
 

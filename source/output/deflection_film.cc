@@ -115,7 +115,8 @@ namespace PlateImpact
 
 
   nlohmann::ordered_json
-  deflection_film(const CycleResult         &result,
+  deflection_film(const Parameters          &parameters,
+                  const CycleResult         &result,
                   const PlateDiscretization &discretization)
   {
     const std::size_t  n_cells        = discretization.mesh().n_active_cells();
@@ -132,8 +133,20 @@ namespace PlateImpact
       n_cells,
       std::numeric_limits<std::int16_t>::min());
     std::vector<const Snapshot *> frames;
+    std::vector<std::size_t>      sample_of_frame;
     for (const std::size_t i : chosen)
-      frames.push_back(&result.frames[i]);
+      {
+        const Snapshot &frame = result.frames[i];
+        // the largest force is never between two frames
+        if (result.peak_state && result.peak_state->time < frame.time &&
+            (frames.empty() || result.peak_state->time > frames.back()->time))
+          {
+            frames.push_back(&*result.peak_state);
+            sample_of_frame.push_back(i);
+          }
+        frames.push_back(&frame);
+        sample_of_frame.push_back(i);
+      }
     const Eigen::MatrixXf w =
       deflections(discretization, frames, nodes_per_cell);
     const double unit = std::max(double(w.cwiseAbs().maxCoeff()) / 32767.,
@@ -158,14 +171,20 @@ namespace PlateImpact
                                       samples.begin()]);
         for (Eigen::Index row = 0; row < w.rows(); ++row)
           deflection.push_back(quantized(w(row, i) / unit));
-        for (const float error : result.error->kept_element_errors[chosen[i]])
+        for (const float error :
+             result.error->kept_element_errors[sample_of_frame[i]])
           cell_errors.push_back(
             error > 0.f ?
               quantized(1e4 *
                         std::log10(error / result.over_limit->element_limit)) :
               std::numeric_limits<std::int16_t>::min());
       }
+    const std::array<bool, 2> symmetric = discretization.is_symmetric();
     return {{"cells", n_cells},
+            {"symmetric", {symmetric[0], symmetric[1]}},
+            {"patch",
+             parameters.contact.has_patch() ? parameters.contact.patch_radius :
+                                              0.},
             {"nodesPerCell", nodes_per_cell},
             {"times", times},
             {"forces", forces},

@@ -9,8 +9,9 @@
 #include "plate_impact/base/stage_clock.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/base/version.h"
-#include "plate_impact/contact/contact_law.h"
 #include "plate_impact/output/deflection_film.h"
+#include "plate_impact/output/mirrored_fields.h"
+#include "plate_impact/output/summary.h"
 #include "plate_impact/page/mesh_picture.h"
 #include "plate_impact/plate/plate_mesh.h"
 
@@ -63,93 +64,15 @@ namespace PlateImpact
 
 
     std::string
-    caption_of(const CycleResult &result)
+    caption_of(const CycleResult &result, const bool is_quarter)
     {
-      return fmt::format(
-        "Cycle {}: {} cells{}. Impact at the lower left corner.",
-        result.cycle,
-        result.cells,
-        result.error ? ", eta = " + about_percentage(result.error->eta) : "");
-    }
-
-
-
-    nlohmann::ordered_json
-    to_json(const CycleResult &result, const Parameters &parameters)
-    {
-      nlohmann::ordered_json cycle;
-      cycle["cycle"]              = result.cycle;
-      cycle["cells"]              = result.cells;
-      cycle["degrees_of_freedom"] = result.degrees_of_freedom;
-      cycle["min_cell_size"]      = result.min_cell_size;
-      if (result.error)
-        {
-          cycle["discretization_error"] = result.error->eta;
-          if (result.error->n_singular_cells > 0)
-            {
-              cycle["singular_cells"] = result.error->n_singular_cells;
-              cycle["discretization_error_of_all_cells"] =
-                result.error->eta_of_all_cells;
-            }
-          cycle["max_element_error"]     = result.over_limit->max_element();
-          cycle["cells_above_limit"]     = result.cells_above_limit;
-          cycle["cells_at_minimum_size"] = result.cells_at_minimum_size;
-        }
-      if (result.history)
-        {
-          const ContactHistory &history = *result.history;
-          const ContactState   &peak    = history.peak();
-          cycle["peak_force"]           = peak.force;
-          cycle["time_of_peak_force"]   = peak.time;
-          if (result.time_error)
-            cycle["time_error"] = *result.time_error;
-          if (result.peak_force_error)
-            cycle["peak_force_error_estimate"] = result.peak_force_error->sum();
-          if (const auto &bar = result.peak_force_bar)
-            {
-              cycle["peak_force_error_space"] = bar->space;
-              cycle["peak_force_error_time"]  = bar->time;
-              cycle["peak_force_error_bar"]   = bar->total();
-            }
-          if (result.sensitivity)
-            cycle["sensitivity"] = result.sensitivity->factor;
-          if (const auto end = history.first_contact_end())
-            cycle["first_contact_end"] = *end;
-          cycle["number_of_contacts"] = history.n_contacts();
-          if (result.separation_time)
-            cycle["no_contact_after"] = *result.separation_time;
-          cycle["impulse"] = result.impulse;
-          cycle["final_impactor_velocity"] =
-            history.states().back().impactor_velocity;
-          cycle["max_plate_displacement"] = history.max_plate_displacement();
-          cycle["plate_displacement_at_peak"] = peak.plate_displacement;
-          cycle["contact_radius_over_thickness"] =
-            contact_radius(parameters, peak.force, peak.indentation) /
-            parameters.plate.thickness;
-          if (peak.force > 0.)
-            cycle["contact_pressure"] =
-              contact_pressure(parameters, peak.force, peak.indentation);
-          if (result.error)
-            cycle["max_effective_stress"] = result.error->max_effective_stress;
-          cycle["relative_energy_drift"] = history.relative_energy_drift();
-          cycle["steps"]                 = result.steps;
-          cycle["work"] = {{"factorizations", result.work.factorizations},
-                           {"linear_solves", result.work.linear_solves},
-                           {"contact_steps", result.work.contact_steps},
-                           {"estimator_samples", result.work.estimator_samples},
-                           {"ritz_vectors", result.work.ritz_vectors}};
-        }
-      if (!result.natural_frequencies.empty())
-        cycle["natural_frequencies"] = result.natural_frequencies;
-      const Seconds &s = result.seconds;
-      cycle["seconds"] = {{"mesh", s.mesh},
-                          {"assembly", s.assembly},
-                          {"factorization", s.factorization},
-                          {"stepping", s.stepping},
-                          {"estimation", s.estimation},
-                          {"output", s.output},
-                          {"total", s.total()}};
-      return cycle;
+      return fmt::format("Cycle {}: {} cells{}.{}",
+                         result.cycle,
+                         result.cells,
+                         result.error ?
+                           ", eta = " + about_percentage(result.error->eta) :
+                           "",
+                         is_quarter ? " Impact at the lower left corner." : "");
     }
   } // namespace
 
@@ -210,12 +133,16 @@ namespace PlateImpact
                            });
     if (scene.parameters.output.write_meshes)
       directory.write_file("mesh" + suffix + ".svg", [&](std::ostream &out) {
-        write_mesh_svg(out, mesh, caption_of(result), result.element_errors());
+        write_mesh_svg(out,
+                       mesh,
+                       caption_of(result,
+                                  scene.parameters.plate.n_parts() == 4.),
+                       result.element_errors());
       });
     if (scene.parameters.output.write_report)
       report.add_cycle(cycle);
     clock.charge(result.seconds.output);
-    cycles.push_back(to_json(result, scene.parameters));
+    cycles.push_back(summary_of(result, scene.parameters));
   }
 
 
@@ -223,22 +150,24 @@ namespace PlateImpact
   void
   Output::write_fields(const Cycle &cycle)
   {
-    const CycleResult             &result      = cycle.result;
-    const PlateDiscretization     &plate       = cycle.discretization();
-    const unsigned int             n_fields    = 9;
-    const std::vector<std::string> field_names = {"deflection",
-                                                  "rotation_x",
-                                                  "rotation_y",
-                                                  "moment_x",
-                                                  "moment_y",
-                                                  "moment_xy",
-                                                  "shear_force_x",
-                                                  "shear_force_y",
-                                                  "von_mises_stress"};
+    const CycleResult         &result       = cycle.result;
+    const PlateDiscretization &plate        = cycle.discretization();
+    std::vector<std::string>   field_names  = {"deflection",
+                                               "rotation_x",
+                                               "rotation_y",
+                                               "moment_x",
+                                               "moment_y",
+                                               "moment_xy",
+                                               "shear_force_x",
+                                               "shear_force_y"};
+    const auto                &stress_names = plate.section().stress_names();
+    field_names.insert(field_names.end(),
+                       stress_names.begin(),
+                       stress_names.end());
     // values of every cell at its own nine nodes: what is recovered may differ
     // from cell to cell at hanging nodes
     const FE_DGQ<2>   nodal(2);
-    const FESystem<2> fields_element(nodal, n_fields);
+    const FESystem<2> fields_element(nodal, field_names.size());
     DoFHandler<2>     dof_handler(plate.mesh());
     dof_handler.distribute_dofs(fields_element);
     const std::vector<unsigned int> hierarchic =
@@ -277,18 +206,29 @@ namespace PlateImpact
                 const Resultants r = resultants.col(c).segment<5>(5 * node);
                 for (unsigned int k = 0; k < 5; ++k)
                   set(n_components + k, r[k]);
-                set(8,
-                    plate.section().surface_von_mises_stress(r[0], r[1], r[2]));
+                const Eigen::RowVectorXd stresses =
+                  plate.section()
+                    .stresses(r[0], r[1], r[2])
+                    .colwise()
+                    .maxCoeff();
+                for (unsigned int k = 0; k < stress_names.size(); ++k)
+                  set(n_components + 5 + k, stresses[k]);
               }
           }
         require_finite(fields, snapshot.time);
-        DataOut<2> data_out;
+        MirroredFields data_out;
         data_out.attach_dof_handler(dof_handler);
         data_out.add_data_vector(fields, field_names);
         data_out.add_data_vector(element_errors,
                                  "element_error",
-                                 DataOut<2>::type_cell_data);
-        data_out.build_patches(2);
+                                 MirroredFields::type_cell_data);
+        data_out.build_patches(curved_mapping(),
+                               2,
+                               DataOut<2>::CurvedCellRegion::curved_boundary);
+        if (plate.is_symmetric()[0])
+          data_out.mirror(0, {"rotation_x", "moment_xy", "shear_force_x"});
+        if (plate.is_symmetric()[1])
+          data_out.mirror(1, {"rotation_y", "moment_xy", "shear_force_y"});
         const std::string name =
           "fields_" + std::to_string(record.size()) + ".vtu";
         directory.write_file(name, [&](std::ostream &out) {
@@ -305,15 +245,20 @@ namespace PlateImpact
 
   nlohmann::ordered_json
   Output::write_summary(const std::string              &outcome,
-                        const std::vector<std::string> &warnings)
+                        const std::vector<std::string> &warnings,
+                        const Verdict                  &verdict)
   {
     nlohmann::ordered_json summary;
     summary["scene"]   = scene.name;
     summary["version"] = PLATE_IMPACT_VERSION;
     summary["outcome"] = outcome;
+    summary["verdict"] = {{"trust", word_for(verdict.trust)},
+                          {"text", verdict.text},
+                          {"reasons", verdict.reasons}};
     if (scene.parameters.has_impactor())
       summary["local_response"] =
         word_for(scene.parameters.contact.local_response);
+    summary["inputs"]   = inputs_of(scene.text);
     summary["warnings"] = warnings;
     summary["cycles"]   = cycles;
     directory.write_file("summary.json", [&](std::ostream &out) {
@@ -327,20 +272,23 @@ namespace PlateImpact
   void
   Output::finish(const Outcome                   outcome,
                  const std::vector<std::string> &warnings,
+                 const Verdict                  &verdict,
                  Cycle                          &last)
   {
     StageClock clock;
     if (!last.result.snapshots.empty())
       write_fields(last);
     clock.charge(last.result.seconds.output);
-    cycles.back() = to_json(last.result, scene.parameters);
+    cycles.back() = summary_of(last.result, scene.parameters);
     const nlohmann::ordered_json summary =
-      write_summary(word_for(outcome), warnings);
+      write_summary(word_for(outcome), warnings, verdict);
     if (scene.parameters.output.write_report)
       directory.write_file("report.html", [&](std::ostream &out) {
         report.write(out,
                      summary,
-                     deflection_film(last.result, last.discretization()));
+                     deflection_film(scene.parameters,
+                                     last.result,
+                                     last.discretization()));
       });
   }
 
@@ -351,12 +299,23 @@ namespace PlateImpact
   {
     try
       {
-        write_summary("failed: " + failure, {});
+        write_summary("failed: " + failure,
+                      {},
+                      {Trust::none, "the computation has failed", {failure}});
       }
     catch (const ComputationError &)
       {
         // the disk that failed first fails again: the first failure is the news
       }
+  }
+
+
+
+  std::string
+  Output::kept() const
+  {
+    return (directory / "").string() + " has " +
+      counted(cycles.size(), "cycle");
   }
 
 

@@ -22,6 +22,18 @@ namespace PlateImpact
 
 
   void
+  ProgressLine::show(const unsigned int cycle, const std::string &stage)
+  {
+    if (!is_shown)
+      return;
+    has_text = true;
+    std::cout << "\r\033[K" << column(5, "{:.0f}", cycle) << "  " << stage
+              << std::flush;
+  }
+
+
+
+  void
   ProgressLine::show(const unsigned int cycle,
                      const unsigned int step,
                      const unsigned int n_steps)

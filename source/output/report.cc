@@ -43,14 +43,19 @@ namespace PlateImpact
           const Eigen::VectorXd values = resultants.row(i);
           fields.push_back({names[i], false, {values.begin(), values.end()}});
         }
-      CellField stress{"von Mises stress at the faces [Pa]", false, {}};
-      for (Eigen::Index c = 0; c < resultants.cols(); ++c)
-        stress.values.push_back(
-          cycle.discretization().section().surface_von_mises_stress(
-            resultants(0, c),
-            resultants(1, c),
-            resultants(2, c)));
-      fields.push_back(stress);
+      const PlateSection            &section = cycle.discretization().section();
+      const std::vector<std::string> words   = stresses_in_words(section);
+      for (unsigned int k = 0; k < words.size(); ++k)
+        {
+          CellField stress{words[k] + " [Pa]", false, {}};
+          for (Eigen::Index c = 0; c < resultants.cols(); ++c)
+            stress.values.push_back(
+              section
+                .stresses(resultants(0, c), resultants(1, c), resultants(2, c))
+                .col(k)
+                .maxCoeff());
+          fields.push_back(stress);
+        }
       return fields;
     }
   } // namespace
@@ -92,10 +97,31 @@ namespace PlateImpact
 
 
 
+  std::pair<double, double>
+  Report::extent_of(const PlottedHistory &history, const Quantities &quantities)
+  {
+    double low = 0., high = 0.;
+    for (const auto &[name, values] : quantities)
+      for (const double value : history.*values)
+        {
+          low  = std::min(low, value);
+          high = std::max(high, value);
+        }
+    // round, a fifth of a decade and a little room above
+    const double step =
+      high > low ? std::pow(10., std::floor(std::log10(high - low))) / 5. : 1.;
+    return {std::floor(low / step) * step,
+            std::ceil(1.02 * high / step) * step};
+  }
+
+
+
   void
   Report::add_outcome(Page &page, const Json &summary) const
   {
     page.section("Outcome");
+    const Json &verdict = summary["verdict"];
+    page.verdict(verdict["trust"], verdict["text"], verdict["reasons"]);
     for (const std::string warning : summary["warnings"])
       page.notice("Warning: " + warning);
     page.facts(facts_of_run(scene.parameters, summary));
@@ -114,43 +140,50 @@ namespace PlateImpact
       return;
     const PlottedHistory &last = histories.back();
     const PrefixedUnit    time("s", last.time);
-    const auto            plot =
-      [&](const std::string &title,
-          const std::string &unit_name,
-          const std::vector<
-            std::pair<std::string, std::vector<double> PlottedHistory::*>>
-            &quantities) {
-        double largest = 0.;
-        for (const auto &[name, values] : quantities)
-          for (const double value : last.*values)
-            largest = std::max(largest, std::abs(value));
-        const PrefixedUnit unit(unit_name, largest);
-        Plot               plot{title,
-                  "",
-                  {"time [" + time.name() + "]"},
-                  {title + " [" + unit.name() + "]"},
-                  {},
-                  {}};
-        for (const PlottedHistory &history : histories)
-          for (std::size_t i = 0; i < quantities.size(); ++i)
-            {
-              const bool        is_last = &history == &last;
-              const std::string cycle =
-                "cycle " + std::to_string(history.cycle);
-              const bool is_one = quantities.size() == 1;
-              plot.series.push_back(
-                {is_one ? cycle :
-                          quantities[i].first + (is_last ? "" : ", " + cycle),
-                 time(history.time),
-                 unit(history.*(quantities[i].second)),
-                 is_one ? unsigned(&last - &history) : unsigned(i),
-                 is_last || is_one ? Style::line : Style::faint});
-            }
-        return plot;
-      };
+    const auto            plot = [&](const std::string &title,
+                          const std::string &unit_name,
+                          const Quantities  &quantities) {
+      double largest = 0.;
+      for (const auto &[name, values] : quantities)
+        for (const double value : last.*values)
+          largest = std::max(largest, std::abs(value));
+      const PrefixedUnit unit(unit_name, largest);
+      Plot               plot{title,
+                "",
+                {"time [" + time.name() + "]"},
+                {title + " [" + unit.name() + "]"},
+                {},
+                {}};
+      for (const PlottedHistory &history : histories)
+        for (std::size_t i = 0; i < quantities.size(); ++i)
+          {
+            const bool        is_last = &history == &last;
+            const std::string cycle = "cycle " + std::to_string(history.cycle);
+            const bool        is_one = quantities.size() == 1;
+            plot.series.push_back(
+              {is_one ? cycle :
+                                   quantities[i].first + (is_last ? "" : ", " + cycle),
+               time(history.time),
+               unit(history.*(quantities[i].second)),
+               unsigned(i),
+               is_last ? Style::line : Style::faint});
+          }
+      const auto [low, high] = extent_of(last, quantities);
+      plot.y.limits          = {unit(low), unit(high)};
+      return plot;
+    };
     page.section("Histories");
-    using History = PlottedHistory;
-    page.plots({plot("Force", "N", {{"", &History::force}})});
+    using History    = PlottedHistory;
+    Plot       force = plot("Force", "N", {{"", &History::force}});
+    const auto peak  = std::max_element(last.force.begin(), last.force.end());
+    const PrefixedUnit unit("N", *peak);
+    force.series.push_back({"peak, " + unit.text(*peak) + " at " +
+                              time.text(last.time[peak - last.force.begin()]),
+                            {time(last.time[peak - last.force.begin()])},
+                            {unit(*peak)},
+                            1,
+                            Style::points});
+    page.plots({force});
     page.plots({plot("Displacement",
                      "m",
                      {{"plate", &History::plate_displacement},
@@ -181,8 +214,9 @@ namespace PlateImpact
                           {"η [%]", true},
                           100.),
          plot_over_cycles(cycles, "peak_force", {"peak force [N]"}),
-         plot_over_cycles(cycles, "degrees_of_freedom", {"unknowns", true})},
-        true);
+         plot_over_cycles(cycles, "degrees_of_freedom", {"unknowns", true}),
+         errors_against_seconds(cycles)},
+        PlotSize::small);
     if (!error_histories.empty())
       {
         const PrefixedUnit unit("s", error_histories.back().time);
@@ -194,10 +228,12 @@ namespace PlateImpact
                   {},
                   {}};
         for (const ErrorHistory &history : error_histories)
-          plot.series.push_back({"cycle " + std::to_string(history.cycle),
-                                 unit(history.time),
-                                 history.error,
-                                 unsigned(&error_histories.back() - &history)});
+          plot.series.push_back(
+            {"cycle " + std::to_string(history.cycle),
+             unit(history.time),
+             history.error,
+             0,
+             &history == &error_histories.back() ? Style::line : Style::faint});
         page.plots({plot});
       }
     page.plots({seconds_by_stage(cycles)});
@@ -211,8 +247,8 @@ namespace PlateImpact
     if (meshes.empty())
       return;
     page.section("Meshes");
-    page.paragraph("A quarter of the plate; the impact is at the lower left "
-                   "corner. Resultants are those at the peak force, recovered, "
+    page.paragraph(meshed_part_in_words(scene.parameters.plate) +
+                   " Resultants are those at the peak force, recovered, "
                    "at the centres of the cells.");
     // the last meshes matter most
     std::size_t              n_cells = 0;
@@ -289,15 +325,14 @@ namespace PlateImpact
     std::string title = "Cycle " + std::to_string(result.cycle) + ": " +
       std::to_string(result.cells) + " cells";
     if (result.error)
-      title += ", η = " + number(100. * result.error->eta) + " %";
+      title += ", η = " + percentage(result.error->eta);
     MeshPicture mesh{title, result.cells, {}, {}};
     if (result.cells <= max_pictured_cells)
       {
-        mesh.svg =
-          mesh_picture(cycle.mesh(),
-                       "Mesh of cycle " + std::to_string(result.cycle) +
-                         ", impact at the lower left corner",
-                       result.element_errors());
+        mesh.svg = mesh_picture(cycle.mesh(),
+                                scene.parameters,
+                                "Mesh of cycle " + std::to_string(result.cycle),
+                                result.element_errors());
         if (result.error)
           mesh.fields.push_back(
             {"local error ratio ξ′", true, result.over_limit->elements});

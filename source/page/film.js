@@ -5,20 +5,12 @@ function decoded(text, Type) {
   return new Type(bytes.buffer);
 }
 
-/** A value with the prefix that makes it easy to read. */
-function withUnit(value, unit) {
-  if (value === 0) return '0 ' + unit;
-  const power = Math.min(4, Math.max(-4, Math.floor(Math.log10(Math.abs(value)) / 3 + 1e-9)));
-  const everyday = Math.abs(value) >= 1 && Math.abs(value) < 1e5;
-  return everyday ? formatted(value, 4) + ' ' + unit :
-    formatted(value * 10 ** (-3 * power), 4) + ' ' + ['p', 'n', 'µ', 'm', '', 'k', 'M', 'G', 'T'][power + 4] + unit;
-}
-
-/** Plays deflection_film(): the whole plate, drawn from the quarter that is
+/** Plays deflection_film(): the whole plate, drawn from the part that is
     computed, seen from any side. */
 class Film {
   constructor(holder, film) {
-    Object.assign(this, { holder, film, frame: 0, azimuth: 0.6, elevation: 0.55, field: 'deflection', timer: null });
+    Object.assign(this, { holder, film, frame: 0, azimuth: 0.6, elevation: 0.55, zoom: 1, isAtContact: false,
+      field: 'deflection', timer: null });
     this.deflections = decoded(film.deflections, Int16Array);
     this.cellErrors = decoded(film.cellErrors, Int16Array);
     this.corners = decoded(film.corners, Float32Array);
@@ -30,7 +22,7 @@ class Film {
     this.draw();
   }
 
-  /** Quadrilaterals to draw, with their nodes, for all four quarters. */
+  /** Quadrilaterals to draw, with their nodes, for all mirror images. */
   makePatches() {
     const { film, corners } = this;
     const nine = film.nodesPerCell === 9;
@@ -39,10 +31,17 @@ class Film {
       [[[0, 1, 4, 3], [3, 0, 1]], [[1, 2, 5, 4], [0, 1, 2]], [[3, 4, 7, 6], [0, 3, 2]], [[4, 5, 8, 7], [1, 2, 3]]] :
       [[[0, 1, 3, 2], [0, 1, 2, 3, 0]]];
     const side = nine ? 3 : 2;
-    const sides = [0, 0];
-    corners.forEach((c, i) => { sides[i % 2] = Math.max(sides[i % 2], c); });
-    this.extent = Math.max(...sides);
-    this.lift = Math.max(0.45 * Math.min(...sides), 0.1 * this.extent) / this.largest;
+    const mirrored = film.symmetric.map((is) => (is ? [1, -1] : [1]));
+    const begin = [Infinity, Infinity], end = [-Infinity, -Infinity];
+    corners.forEach((c, i) => mirrored[i % 2].forEach((sign) => {
+      begin[i % 2] = Math.min(begin[i % 2], sign * c);
+      end[i % 2] = Math.max(end[i % 2], sign * c);
+    }));
+    const half = begin.map((b, d) => (end[d] - b) / 2);
+    this.centre = begin.map((b, d) => (end[d] + b) / 2);
+    this.extent = Math.max(...half);
+    this.radius = Math.hypot(...half);
+    this.lift = Math.max(0.45 * Math.min(...half), 0.1 * this.extent) / this.largest;
     this.nodes = new Float32Array(2 * film.cells * film.nodesPerCell);
     for (let cell = 0; cell < film.cells; ++cell)
       for (let n = 0; n < film.nodesPerCell; ++n) {
@@ -54,11 +53,21 @@ class Film {
         }
       }
     this.patches = [];
-    const quarters = film.cells > 4000 ? [[1, 1]] : [[1, 1], [-1, 1], [1, -1], [-1, -1]];
-    for (const [mirrorX, mirrorY] of quarters)
+    for (const mirrorX of mirrored[0]) for (const mirrorY of mirrored[1])
       for (let cell = 0; cell < film.cells; ++cell)
         for (const [quad, border] of quads)
           this.patches.push({ cell, mirrorX, mirrorY, border, nodes: quad.map((n) => cell * film.nodesPerCell + n) });
+    this.struck = this.nodeAt(0, 0);
+  }
+
+  /** The node nearest to a point. */
+  nodeAt(x, y) {
+    let best = 0, least = Infinity;
+    for (let n = 0; n < this.nodes.length / 2; ++n) {
+      const distance = Math.hypot(this.nodes[2 * n] - x, this.nodes[2 * n + 1] - y);
+      if (distance < least) [best, least] = [n, distance];
+    }
+    return best;
   }
 
   makeControls() {
@@ -70,7 +79,7 @@ class Film {
     };
     this.canvas = add('canvas', { tabIndex: 0 }, holder);
     this.canvas.setAttribute('role', 'img');
-    this.canvas.setAttribute('aria-label', 'The deflected plate. Arrow keys turn it.');
+    this.canvas.setAttribute('aria-label', 'The deflected plate. Arrow keys turn it, + and - change its size.');
     const controls = add('div', { className: 'controls' }, holder);
     this.button = add('button', { type: 'button', textContent: '▶ Play' }, controls);
     this.slider = add('input', { type: 'range', min: 0, max: film.times.length - 1, value: this.frame }, controls);
@@ -79,18 +88,27 @@ class Film {
     this.select = add('select', {}, label);
     for (const [value, text] of [['deflection', 'deflection'], ['error', 'local error ratio ξ']])
       add('option', { value, textContent: text }, this.select);
+    const contact = () => {
+      // five radii to either side, or a part of the plate under a point load
+      this.isAtContact = true;
+      this.zoom = this.radius / (film.patch > 0 ? 5 * film.patch : this.radius / 16);
+      this.enlarge(1);
+    };
+    addZoomButtons(controls, (factor) => this.enlarge(factor), () => this.showWhole(), contact);
     this.readout = add('div', { className: 'readout' }, holder);
     this.readout.setAttribute('aria-live', 'off');
     this.scale = add('div', {}, holder);
-    add('figcaption', { textContent: `Deflection magnified; the largest is ${withUnit(this.largest * film.deflectionUnit, 'm')}. ` +
-      'ξ is the error of a cell over what the target allows it at that time. Drag or arrow keys turn the plate.' }, holder);
+    add('figcaption', { textContent: `Deflection magnified ${formatted(this.lift / film.deflectionUnit, 3)} times; the largest is ` +
+      `${withUnit(this.largest * film.deflectionUnit, 'm')}. ξ is the error of a cell over what the target allows it at that time. ` +
+      'Drag or arrow keys turn the plate; wheel (after a click), two fingers, + and − change its size.' }, holder);
 
     this.slider.addEventListener('input', () => { this.frame = Number(this.slider.value); this.draw(); });
     this.select.addEventListener('change', () => { this.field = this.select.value; this.draw(); });
     this.button.addEventListener('click', () => this.toggle());
+    const fingers = makeZoomable(this.canvas, (factor) => this.enlarge(factor), () => this.showWhole());
     this.canvas.addEventListener('pointerdown', (event) => this.canvas.setPointerCapture(event.pointerId));
     this.canvas.addEventListener('pointermove', (event) => {
-      if (event.buttons) this.turn(-0.01 * event.movementX, 0.01 * event.movementY);
+      if (event.buttons && fingers() < 2) this.turn(-0.01 * event.movementX, 0.01 * event.movementY);
     });
     this.canvas.addEventListener('keydown', (event) => {
       const step = { ArrowLeft: [0.1, 0], ArrowRight: [-0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1] }[event.key];
@@ -107,6 +125,18 @@ class Film {
     this.azimuth += azimuth;
     this.elevation = Math.min(Math.PI / 2, Math.max(0.05, this.elevation + elevation));
     this.draw();
+  }
+
+  enlarge(factor) {
+    this.zoom = Math.min(Math.max(this.zoom * factor, 1), 1e4);
+    // what is looked at closely is the contact
+    this.isAtContact = this.zoom > 1;
+    this.draw();
+  }
+
+  showWhole() {
+    this.zoom = 1;
+    this.enlarge(1);
   }
 
   toggle() {
@@ -134,7 +164,7 @@ class Film {
       return colourAt(palettes.diverging, 0.5 + sum / 4 / this.largest / 2);
     }
     const value = this.cellErrors[this.frame * this.film.cells + patch.cell];
-    return value === -32768 ? 'rgb(255,255,255)' : colourAt(palettes.diverging, 0.5 + value / 20000);
+    return value === -32768 ? 'rgb(255,255,255)' : colourAt(ratioScale.palette, ratioScale.place(10 ** (value / 1e4)));
   }
 
   draw() {
@@ -147,17 +177,20 @@ class Film {
     context.scale(ratio, ratio);
     const sinA = Math.sin(this.azimuth), cosA = Math.cos(this.azimuth);
     const sinE = Math.sin(this.elevation), cosE = Math.cos(this.elevation);
-    const quarter = film.cells > 4000;
-    const scale = Math.min(width / 2.9, height / 1.8) / this.extent * (quarter ? 1.6 : 1);
-    const centre = quarter ? this.extent / 2 : 0;
+    const highest = this.lift * this.largest;
+    const scale = this.zoom * Math.min(width / (2.05 * this.radius), height / (2.05 * (this.radius * sinE + highest * cosE)));
     const offset = this.frame * film.cells * film.nodesPerCell;
+    // in the middle: that of the whole plate, or the contact, the origin, on the deflected one
+    const share = this.isAtContact ? Math.min(1, (this.zoom - 1) / 2) : 0;
+    const middle = this.centre.map((c) => c - share * c);
+    const level = share * this.lift * this.deflections[offset + this.struck];
     const drawn = this.patches.map((patch) => {
       let depth = 0;
       const points = patch.nodes.map((node) => {
-        const x = patch.mirrorX * this.nodes[2 * node] - centre, y = patch.mirrorY * this.nodes[2 * node + 1] - centre;
+        const x = patch.mirrorX * this.nodes[2 * node] - middle[0], y = patch.mirrorY * this.nodes[2 * node + 1] - middle[1];
         const u = x * cosA - y * sinA, v = x * sinA + y * cosA;
         depth += v;
-        return [width / 2 + scale * u, 0.45 * height - scale * (v * sinE - this.lift * this.deflections[offset + node] * cosE)];
+        return [width / 2 + scale * u, height / 2 - scale * (v * sinE - (this.lift * this.deflections[offset + node] - level) * cosE)];
       });
       return { patch, points, depth };
     });
@@ -174,7 +207,7 @@ class Film {
       context.fill();
       context.stroke();
       trace(patch.border);
-      context.strokeStyle = 'rgba(0,0,0,0.45)';
+      context.strokeStyle = 'rgba(0,0,0,0.25)';
       context.stroke();
     }
     this.readout.textContent = `t = ${withUnit(film.times[this.frame], 's')},  F = ${withUnit(film.forces[this.frame], 'N')},  ` +
@@ -189,7 +222,7 @@ class Film {
     const top = withUnit(this.largest * this.film.deflectionUnit, 'm');
     this.scale.replaceChildren(this.field === 'deflection' ?
       makeScale(palettes.diverging, ['−' + top, '0', top], 'deflection, positive in the direction of impact') :
-      makeScale(palettes.diverging, ['0.01', '0.1', '1', '10', '100'], 'local error ratio ξ(t)'));
+      makeScale(ratioScale.palette, ratioScale.labels, 'local error ratio ξ(t)'));
   }
 }
 

@@ -38,10 +38,18 @@ function svgElement(name, attributes, text) {
   return element;
 }
 
-/** Labels of an axis of a map: not more than there is room for. */
-function labels(values, room) {
-  const every = Math.ceil(values.length / room);
-  return values.map((value, i) => (i % every === 0 ? formatted(value, 4) : ''));
+/** Ticks of an axis of a map, with their places in cells: round values where the values are evenly
+    spaced, or else values themselves, not more than there is room for. */
+function mapTicks(values, room) {
+  const every = Math.ceil(values.length / room), step = (values.at(-1) - values[0]) / (values.length - 1);
+  const isEven = values.length > 2 && step > 0 && values.every((value, i) => Math.abs(value - values[0] - i * step) < 0.02 * step);
+  if (!isEven) return values.map((value, i) => ({ value, at: i })).filter((_, i) => i % every === 0);
+  const span = values.at(-1) - values[0];
+  const tick = [1, 2, 5, 10].map((lead) => lead * roundBelow(span / room)).find((size) => span / size <= room) ?? span;
+  const ticks = [];
+  for (let n = Math.ceil(values[0] / tick - 1e-6); n * tick <= values.at(-1) + 1e-6 * span; ++n)
+    ticks.push({ value: n * tick, at: (n * tick - values[0]) / step });
+  return ticks;
 }
 
 function makeMap(holder) {
@@ -65,22 +73,31 @@ function makeMap(holder) {
     cell.addEventListener('pointerenter', () => { readout.textContent = text; });
     svg.append(cell);
   });
-  labels(xs, 8).forEach((label, i) => svg.append(svgElement('text', { x: left + (i + 0.5) * dx, y: height + 20, 'text-anchor': 'middle' }, label)));
-  labels(ys, Math.max(2, height / 24)).forEach((label, j) => svg.append(svgElement('text', { x: left - 6, y: 8 + height - (j + 0.5) * dy, 'text-anchor': 'end' }, label)));
+  for (const k of data.arrays[map.marked])
+    svg.append(svgElement('text', { x: left + (k % xs.length + 0.5) * dx, y: 4 + height - (Math.floor(k / xs.length) + 0.5) * dy,
+      class: 'marked', 'text-anchor': 'middle', 'dominant-baseline': 'central' }, '!'));
+  for (const { value, at } of mapTicks(xs, 8))
+    svg.append(svgElement('text', { x: left + (at + 0.5) * dx, y: height + 20, 'text-anchor': 'middle' }, formatted(value)));
+  for (const { value, at } of mapTicks(ys, Math.max(2, height / 24)))
+    svg.append(svgElement('text', { x: left - 6, y: 8 + height - (at + 0.5) * dy, 'text-anchor': 'end' }, formatted(value)));
   svg.append(svgElement('text', { x: left + width / 2, y: height + 40, 'text-anchor': 'middle' }, map.x.title));
   svg.append(svgElement('text', { transform: `translate(14 ${height / 2}) rotate(-90)`, 'text-anchor': 'middle' }, map.y.title));
   holder.append(svg, makeScale(palettes.sequential, [formatted(low), formatted((low + high) / 2), formatted(high)], map.value), readout);
+  if (data.arrays[map.marked].length > 0)
+    holder.append(Object.assign(document.createElement('p'), { textContent: '!: with warnings.' }));
 }
 
 document.querySelectorAll('[data-map]').forEach(makeMap);
 
 // ---------------------------------------------------------------- meshes
 
+/** Errors over their limit, in meshes and film alike. */
+const ratioScale = { palette: palettes.diverging, labels: ['≤ 0.1', '0.3', '1 (limit)', '3', '≥ 10'],
+  place: (value) => 0.5 + 0.5 * Math.log10(Math.max(value, 1e-12)) };
+
 /** Places of values on a palette, for all meshes of a group alike. */
 function fieldScale(fields) {
-  if (fields[0].isRatio)
-    return { palette: palettes.diverging, labels: ['≤ 0.1', '0.3', '1 (limit)', '3', '≥ 10'],
-      place: (value) => 0.5 + 0.5 * Math.log10(Math.max(value, 1e-12)) };
+  if (fields[0].isRatio) return ratioScale;
   let high = 0, isSigned = false;
   for (const { values } of fields)
     for (const value of data.arrays[values]) {
@@ -96,20 +113,86 @@ function fieldScale(fields) {
     { palette: palettes.sequential, labels: [0, high / 4, high].map(label), place: root };
 }
 
+/** One part of the plate in all pictures of a group, with a scale bar in each. */
+function makeMeshView(pictures, controls) {
+  const { width, height } = pictures[0].viewBox.baseVal;
+  const { x: left, y: top } = pictures[0].viewBox.baseVal;
+  const { unit, x, y, r } = Object.fromEntries(Object.entries(pictures[0].dataset).map(([key, value]) => [key, Number(value)]));
+  const view = { factor: 1, x: left + width / 2, y: top + height / 2 };
+  const bars = pictures.map((picture) => {
+    const bar = svgElement('g', { class: 'scalebar' });
+    picture.append(bar);
+    return bar;
+  });
+
+  const show = () => {
+    view.factor = Math.min(Math.max(view.factor, 1), 1e4);
+    // parts of long plates are square
+    const side = Math.max(width, height) / view.factor, w = Math.min(width, side), h = Math.min(height, side);
+    view.x = Math.min(Math.max(view.x, left + w / 2), left + width - w / 2);
+    view.y = Math.min(Math.max(view.y, top + h / 2), top + height - h / 2);
+    const u = Math.max(w, h) / 100, length = roundBelow(0.3 * w / unit);
+    const x0 = view.x - w / 2 + 2 * u, y0 = view.y + h / 2 - 2.5 * u;
+    pictures.forEach((picture) => picture.setAttribute('viewBox', [view.x - w / 2, view.y - h / 2, w, h].join(' ')));
+    for (const bar of bars)
+      bar.replaceChildren(
+        svgElement('path', { d: `M${x0} ${y0 - u}v${u}h${length * unit}v${-u}`, fill: 'none', 'vector-effect': 'non-scaling-stroke' }),
+        svgElement('text', { x: x0 + length * unit + u, y: y0, 'font-size': 4.5 * u, 'stroke-width': u }, withUnit(length, 'm')));
+  };
+  const zoom = (factor, event) => {
+    if (event) {
+      const at = new DOMPoint(event.clientX, event.clientY).matrixTransform(event.currentTarget.getScreenCTM().inverse());
+      const kept = Math.max(factor, 1 / view.factor);
+      view.x = at.x + (view.x - at.x) / kept;
+      view.y = at.y + (view.y - at.y) / kept;
+    }
+    view.factor *= factor;
+    show();
+  };
+  const reset = () => { view.factor = 1; show(); };
+  const contact = () => {
+    // five radii to either side, or a part of the plate under a point load
+    Object.assign(view, { factor: Math.max(width, height) / (r > 0 ? 10 * r : Math.max(width, height) / 16), x, y });
+    show();
+  };
+  addZoomButtons(controls, zoom, reset, contact);
+  for (const picture of pictures) {
+    const fingers = makeZoomable(picture, zoom, reset);
+    picture.addEventListener('pointermove', (event) => {
+      if (!event.buttons || fingers() > 1 || view.factor === 1) return;
+      const scale = picture.getScreenCTM().a;
+      view.x -= event.movementX / scale;
+      view.y -= event.movementY / scale;
+      show();
+    });
+    picture.addEventListener('keydown', (event) => {
+      const step = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[event.key];
+      if (!step) return;
+      event.preventDefault();
+      view.x += 0.1 * step[0] * Math.max(width, height) / view.factor;
+      view.y += 0.1 * step[1] * Math.max(width, height) / view.factor;
+      show();
+    });
+  }
+  show();
+}
+
 function makeMeshes(holder) {
   const meshes = data.meshes[holder.dataset.meshes];
-  if (!meshes.every((mesh) => mesh.fields.length > 0)) return;
   const figures = [...holder.querySelectorAll('figure')];
   const controls = document.createElement('div');
   controls.className = 'controls';
+  holder.prepend(controls);
+  makeMeshView(figures.map((figure) => figure.querySelector('svg')), controls);
+  if (!meshes.every((mesh) => mesh.fields.length > 0)) return;
   const label = Object.assign(document.createElement('label'), { textContent: 'Colour: ' });
   const select = document.createElement('select');
   meshes[0].fields.forEach((field, i) => select.append(new Option(field.name, i)));
   label.append(select);
-  controls.append(label);
+  controls.prepend(label);
   const scaleHolder = document.createElement('div');
   const readout = Object.assign(document.createElement('div'), { className: 'readout' });
-  holder.prepend(controls, scaleHolder);
+  controls.after(scaleHolder);
   holder.append(readout);
 
   const show = () => {

@@ -1,5 +1,7 @@
 #include "plate_impact/page/mesh_picture.h"
 
+#include <deal.II/grid/grid_tools.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -57,27 +59,37 @@ namespace PlateImpact
     }
 
 
-    /// Size of a mesh that begins at the origin. [m]
-    Point<2>
-    extent(const Triangulation<2> &mesh)
+    /// The rectangle around a mesh. [m]
+    struct Extent
     {
-      Point<2> far;
-      for (const auto &vertex : mesh.get_vertices())
-        for (unsigned int d = 0; d < 2; ++d)
-          far[d] = std::max(far[d], vertex[d]);
-      return far;
-    }
+      explicit Extent(const Triangulation<2> &mesh)
+      {
+        const auto box = GridTools::compute_bounding_box(mesh);
+        begin          = box.get_boundary_points().first;
+        size           = Point<2>(box.get_boundary_points().second - begin);
+      }
+
+      double
+      longest() const
+      {
+        return std::max(size[0], size[1]);
+      }
+
+      Point<2> begin, size;
+    };
 
 
 
     /// The cells, coloured by xi' where it is known, y upwards.
     /// @param scale      from metres
-    /// @param left, bottom  where the origin of the mesh is
+    /// @param begin      lower left corner of the mesh [m]
+    /// @param left, bottom  where it is
     void
     write_cells(std::ostream              &out,
                 const Triangulation<2>    &mesh,
                 const std::vector<double> &errors,
                 const double               scale,
+                const Point<2>            &begin,
                 const double               left,
                 const double               bottom)
     {
@@ -88,8 +100,9 @@ namespace PlateImpact
         {
           out << "<polygon points=\"";
           for (const unsigned int v : around)
-            out << (v == 0 ? "" : " ") << left + scale * cell->vertex(v)[0]
-                << ',' << bottom - scale * cell->vertex(v)[1];
+            out << (v == 0 ? "" : " ")
+                << left + scale * (cell->vertex(v)[0] - begin[0]) << ','
+                << bottom - scale * (cell->vertex(v)[1] - begin[1]);
           const std::string fill =
             errors.empty() ? "none" : colour(errors[cell->active_cell_index()]);
           out << "\" fill=\"" << fill << "\"/>\n";
@@ -106,11 +119,12 @@ namespace PlateImpact
                  const std::string         &caption,
                  const std::vector<double> &errors)
   {
-    const Point<2> far  = extent(mesh);
-    const double   size = 600., margin = 20., header = 34.;
-    const double   scale = size / std::max(far[0], far[1]);
-    const double   width = far[0] * scale, height = far[1] * scale;
-    const double   total_width =
+    const Extent extent(mesh);
+    const double size = 600., margin = 20., header = 34.;
+    const double scale  = size / extent.longest();
+    const double width  = extent.size[0] * scale,
+                 height = extent.size[1] * scale;
+    const double total_width =
       std::max(2 * margin + width + (errors.empty() ? 0. : 150.), 420.);
     const double total_height =
       header + 2 * margin + std::max(height, errors.empty() ? 0. : 330.);
@@ -123,7 +137,13 @@ namespace PlateImpact
         << "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
         << "<text x=\"" << margin << "\" y=\"" << header - 8 << "\">" << caption
         << "</text>\n";
-    write_cells(out, mesh, errors, scale, margin, header + margin + height);
+    write_cells(out,
+                mesh,
+                errors,
+                scale,
+                extent.begin,
+                margin,
+                header + margin + height);
     if (!errors.empty())
       write_scale(out, 2 * margin + width, header + margin + 24.);
     out << "</svg>\n";
@@ -133,17 +153,48 @@ namespace PlateImpact
 
   std::string
   mesh_picture(const Triangulation<2>    &mesh,
+               const Parameters          &parameters,
                const std::string         &label,
                const std::vector<double> &errors)
   {
-    const Point<2>     far   = extent(mesh);
-    const double       scale = 400. / std::max(far[0], far[1]);
+    const Extent             extent(mesh);
+    const double             scale   = 400. / extent.longest();
+    const ContactParameters &contact = parameters.contact;
+    // the impact is the origin
+    const double x = -scale * extent.begin[0],
+                 y = scale * (extent.size[1] + extent.begin[1]),
+                 r = contact.has_patch() ? scale * contact.patch_radius : 0.;
     std::ostringstream out;
     out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-1 -1 "
-        << scale * far[0] + 2. << ' ' << scale * far[1] + 2.
-        << "\" role=\"img\" aria-label=\"" << label << "\">\n";
-    write_cells(out, mesh, errors, scale, 0., scale * far[1]);
+        << scale * extent.size[0] + 2. << ' ' << scale * extent.size[1] + 2.
+        << "\" role=\"img\" aria-label=\"" << label << "\" data-unit=\""
+        << scale << "\" data-x=\"" << x << "\" data-y=\"" << y << "\" data-r=\""
+        << r << "\">\n";
+    write_cells(out,
+                mesh,
+                errors,
+                scale,
+                extent.begin,
+                0.,
+                scale * extent.size[1]);
+    if (r > 0. && !contact.load_has_length())
+      out << "<circle class=\"patch\" cx=\"" << x << "\" cy=\"" << y
+          << "\" r=\"" << r << "\"/>\n";
     out << "</svg>";
     return out.str();
+  }
+
+
+
+  std::string
+  meshed_part_in_words(const PlateParameters &plate)
+  {
+    const bool left = plate.is_symmetric(0), lower = plate.is_symmetric(1);
+    if (left && lower)
+      return "A quarter of the plate; the impact is at the lower left corner.";
+    if (left || lower)
+      return std::string("Half of the plate; the impact is on the ") +
+        (left ? "left" : "lower") + " side.";
+    return "The whole plate.";
   }
 } // namespace PlateImpact

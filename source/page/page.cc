@@ -104,7 +104,8 @@ namespace PlateImpact
     {
       return {{"title", axis.title},
               {"logarithmic", axis.logarithmic},
-              {"range", to_json(axis.range)}};
+              {"range", to_json(axis.range)},
+              {"limits", to_json(axis.limits)}};
     }
   } // namespace
 
@@ -179,6 +180,24 @@ namespace PlateImpact
 
 
   void
+  Page::verdict(const std::string              &trust,
+                const std::string              &text,
+                const std::vector<std::string> &reasons)
+  {
+    const std::string sign = trust == "good" ? "✓" :
+      trust == "doubtful"                    ? "!" :
+                                               "✗";
+    content += "<div class=\"verdict " + escaped(trust) +
+      "\" role=\"note\"><span class=\"sign\" aria-hidden=\"true\">" + sign +
+      "</span><div><strong>" + escaped(text) + "</strong>";
+    for (const std::string &reason : reasons)
+      content += "<br>" + escaped(reason);
+    content += "</div></div>\n";
+  }
+
+
+
+  void
   Page::facts(const std::vector<Fact> &facts)
   {
     content += "<dl class=\"facts\">\n";
@@ -196,7 +215,10 @@ namespace PlateImpact
   Page::table(const Table &table)
   {
     content += std::string("<div class=\"wide\" tabindex=\"0\"><table") +
-      (table.has_words ? " class=\"words\"" : "") + ">\n<thead><tr>";
+      (table.has_words     ? " class=\"words\"" :
+         table.is_sortable ? " class=\"sortable\"" :
+                             "") +
+      ">\n<thead><tr>";
     for (const std::string &column : table.columns)
       content += "<th scope=\"col\">" + escaped(column) + "</th>";
     content += "</tr></thead>\n<tbody>\n";
@@ -214,10 +236,12 @@ namespace PlateImpact
 
 
   void
-  Page::plots(const std::vector<Plot> &plots, const bool small)
+  Page::plots(const std::vector<Plot> &plots, const PlotSize size)
   {
-    content += std::string("<div class=\"grid") + (small ? " small" : "") +
-      (plots.size() == 1 ? " single" : "") + "\">\n";
+    const char *const sizes[] = {" small", "", " large"};
+    content += std::string("<div class=\"grid") +
+      sizes[static_cast<int>(size)] + (plots.size() == 1 ? " single" : "") +
+      "\">\n";
     for (const Plot &plot : plots)
       {
         content += "<figure><h3>" + escaped(plot.title) +
@@ -229,13 +253,23 @@ namespace PlateImpact
 
         Json series = Json::array();
         for (const Series &s : plot.series)
-          series.push_back({{"name", s.name},
-                            {"x", array(s.x)},
-                            {"y", array(s.y)},
-                            {"colour", s.colour},
-                            {"style", name_of(s.style)}});
+          {
+            series.push_back({{"name", s.name},
+                              {"x", array(s.x)},
+                              {"y", array(s.y)},
+                              {"colour", s.colour},
+                              {"style", name_of(s.style)}});
+            if (!s.marker.empty())
+              series.back()["marker"] = s.marker;
+            for (const auto &x : s.more_x)
+              series.back()["moreX"].push_back(array(x));
+          }
+        Json more_x = Json::array();
+        for (const Axis &x : plot.more_x)
+          more_x.push_back(to_json(x));
         plot_data.push_back({{"title", plot.title},
                              {"x", to_json(plot.x)},
+                             {"moreX", more_x},
                              {"y", to_json(plot.y)},
                              {"categories", plot.categories},
                              {"series", series}});
@@ -262,6 +296,7 @@ namespace PlateImpact
                             {"xValues", array(map.x_values)},
                             {"yValues", array(map.y_values)},
                             {"values", array(map.values)},
+                            {"marked", array(map.marked)},
                             {"range", to_json(map.range)}});
       }
     content += "</div>\n";
@@ -365,6 +400,7 @@ namespace PlateImpact
                   {"LIBRARY", std::string(PageAssets::chart_js)},
                   {"SCRIPT",
                    std::string(PageAssets::plots_js)
+                     .append(PageAssets::zoom_js)
                      .append(PageAssets::maps_js)
                      .append(PageAssets::film_js)}});
   }

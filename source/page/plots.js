@@ -7,12 +7,21 @@ function cssColour(name) {
   return getComputedStyle(document.documentElement).getPropertyValue('--' + name).trim();
 }
 
-function formatted(value, digits = 6) {
+function formatted(value, digits = 4) {
   if (value === null || !Number.isFinite(value)) return '–';
   const size = Math.abs(value);
   if (size !== 0 && (size < 1e-4 || size >= 1e7))
     return value.toExponential(Math.max(0, digits - 1)).replace(/\.?0+e/, 'e');
   return String(Number(value.toPrecision(digits)));
+}
+
+/** A value with the prefix that makes it easy to read. */
+function withUnit(value, unit) {
+  if (value === 0) return '0 ' + unit;
+  const power = Math.min(4, Math.max(-4, Math.floor(Math.log10(Math.abs(value)) / 3 + 1e-9)));
+  const everyday = Math.abs(value) >= 1 && Math.abs(value) < 1e5;
+  return everyday ? formatted(value, 4) + ' ' + unit :
+    formatted(value * 10 ** (-3 * power), 4) + ' ' + ['p', 'n', 'µ', 'm', '', 'k', 'M', 'G', 'T'][power + 4] + unit;
 }
 
 // ---------------------------------------------------------------- plots
@@ -57,6 +66,7 @@ function axis(description, overrides, values) {
     ticks: { color: cssColour('text'), maxRotation: 0 }, ...overrides
   };
   if (result.type === 'category') return result;
+  if (description.limits) [result.min, result.max] = description.limits;
   if (description.range) [result.suggestedMin, result.suggestedMax] = description.range;
   if (description.logarithmic) {
     result.afterBuildTicks = (scale) => {
@@ -75,13 +85,29 @@ function axis(description, overrides, values) {
   return result;
 }
 
+/** Shapes of points, in the order of the names that series give them. */
+const shapes = ['circle', 'rect', 'triangle', 'rectRot', 'star', 'crossRot'];
+
+function shapeOf(marker, plot) {
+  const names = [...new Set(plot.series.map((series) => series.marker).filter(Boolean))];
+  return shapes[Math.max(0, names.indexOf(marker)) % shapes.length];
+}
+
+/** A plot over the abscissa that is chosen. */
+function shown({ plot, view }) {
+  return view.x === 0 ? plot : { ...plot, x: plot.moreX[view.x - 1],
+    series: plot.series.map((series) => ({ ...series, x: series.moreX[view.x - 1] })) };
+}
+
 /** Series of the page as datasets of Chart.js. */
-function datasets(plot) {
+function datasets(plot, hidden) {
   const bars = plot.categories.length > 0;
   return plot.series.map((series) => {
     const y = data.arrays[series.y];
     const colour = cssColour('c' + (series.colour % 8));
-    const dataset = { label: series.name, style: series.style, group: series.colour,
+    const dataset = { label: series.marker ? series.name + ', ' + series.marker : series.name,
+      hidden: hidden.has(series.name) || hidden.has(series.marker),
+      pointStyle: shapeOf(series.marker, plot), style: series.style, group: series.colour,
       backgroundColor: colour, borderColor: series.style === 'faint' ? colour + '90' : colour };
     if (bars) return { ...dataset, data: y, stack: 'all' };
     const x = data.arrays[series.x];
@@ -136,7 +162,8 @@ function readByKeys(canvas) {
   });
 }
 
-function makePlot(canvas, plot) {
+function makePlot(canvas, entry) {
+  const plot = shown(entry), { hidden } = entry.view;
   const bars = plot.categories.length > 0;
   // points in the order of x need no parsing
   const sorted = plot.series.every((series) =>
@@ -145,7 +172,7 @@ function makePlot(canvas, plot) {
   Chart.getChart(canvas)?.destroy();
   return new Chart(canvas, {
     type: bars ? 'bar' : 'line',
-    data: { labels: bars ? plot.categories : undefined, datasets: datasets(plot) },
+    data: { labels: bars ? plot.categories : undefined, datasets: datasets(plot, hidden) },
     options: {
       animation: false, maintainAspectRatio: false, parsing: bars || !sorted ? undefined : false,
       indexAxis: bars ? 'y' : 'x',
@@ -155,7 +182,7 @@ function makePlot(canvas, plot) {
         { x: axis(plot.x, {}, plot.series.flatMap((series) => data.arrays[series.x])), y: axis(plot.y) },
       plugins: {
         legend: {
-          display: plot.series.length > 1, position: 'bottom', onClick: toggleSeries,
+          display: plot.series.length > 1 && !plot.series.some((series) => series.marker), position: 'bottom', onClick: toggleSeries,
           labels: { color: cssColour('text'), boxWidth: 24, boxHeight: bars ? 10 : 2,
             filter: (item, { datasets }) => datasets[item.datasetIndex].style !== 'faint' }
         },
@@ -172,6 +199,151 @@ function makePlot(canvas, plot) {
   });
 }
 
+/** Series of a plot that are shown, a row a point. */
+function csvOf(chart, plot) {
+  const quoted = (text) => `"${String(text).replaceAll('"', '""')}"`;
+  const rows = [['series', plot.x.title || 'x', plot.y.title || 'y']];
+  chart.data.datasets.forEach((dataset, i) => {
+    if (!chart.isDatasetVisible(i)) return;
+    dataset.data.forEach((point, k) => {
+      rows.push(plot.categories.length > 0 ? [dataset.label, point, plot.categories[k]] :
+        [dataset.label, point.x, point.y]);
+    });
+  });
+  return rows.map((row) => row.map((value) => typeof value === 'number' ? value : quoted(value ?? '')).join()).join('\n') + '\n';
+}
+
+/** A point of a plot as SVG. */
+function shapePath(shape, x, y, r, colour) {
+  const corners = { rect: [[-1, -1], [1, -1], [1, 1], [-1, 1]], rectRot: [[0, -1.3], [1.3, 0], [0, 1.3], [-1.3, 0]],
+    triangle: [[0, -1.2], [1.1, 0.8], [-1.1, 0.8]] }[shape];
+  if (corners)
+    return `<path d="M${corners.map(([u, v]) => `${(x + r * u).toFixed(2)} ${(y + r * v).toFixed(2)}`).join('L')}Z" fill="${colour}"/>`;
+  if (shape === 'circle') return `<circle cx="${x.toFixed(2)}" cy="${y.toFixed(2)}" r="${r}" fill="${colour}"/>`;
+  const strokes = shape === 'star' ? [[1, 0], [0, 1], [0.7, 0.7], [0.7, -0.7]] : [[0.8, 0.8], [0.8, -0.8]];
+  return `<path d="${strokes.map(([u, v]) => `M${(x - r * u).toFixed(2)} ${(y - r * v).toFixed(2)}l${2 * r * u} ${2 * r * v}`).join('')}" ` +
+    `stroke="${colour}" stroke-width="1.5"/>`;
+}
+
+/** What a plot shows, as lines: axes, ticks and series where Chart.js has put them. */
+function svgOf(chart, plot) {
+  const { chartArea: area, scales, width, height } = chart;
+  const text = (x, y, words, anchor = 'middle', more = '') => `<text x="${x.toFixed(1)}" y="${y.toFixed(1)}" ` +
+    `text-anchor="${anchor}" ${more}>${String(words).replaceAll('&', '&amp;').replaceAll('<', '&lt;')}</text>`;
+  const parts = [`<rect width="${width}" height="${height + 24}" fill="${cssColour('ground')}"/>`,
+    text(width / 2, 16, plot.title, 'middle', 'font-weight="bold"'), '<g transform="translate(0 24)">'];
+  scales.x.ticks.forEach((tick, i) => {
+    const x = scales.x.getPixelForTick(i);
+    parts.push(`<path d="M${x.toFixed(1)} ${area.top}V${area.bottom}" stroke="${cssColour('line')}"/>`,
+      text(x, area.bottom + 15, tick.label));
+  });
+  scales.y.ticks.forEach((tick, i) => {
+    const y = scales.y.getPixelForTick(i);
+    parts.push(`<path d="M${area.left} ${y.toFixed(1)}H${area.right}" stroke="${cssColour('line')}"/>`,
+      text(area.left - 5, y + 4, tick.label, 'end'));
+  });
+  parts.push(text((area.left + area.right) / 2, area.bottom + 31, plot.x.title),
+    text(12, (area.top + area.bottom) / 2, plot.y.title, 'middle', `transform="rotate(-90 12 ${(area.top + area.bottom) / 2})"`),
+    // a picture within the picture shows nothing beyond its edges
+    `<svg x="${area.left}" y="${area.top}" width="${area.right - area.left}" height="${area.bottom - area.top}" ` +
+      `viewBox="${area.left} ${area.top} ${area.right - area.left} ${area.bottom - area.top}">`);
+  chart.getSortedVisibleDatasetMetas().reverse().forEach((meta) => {
+    const dataset = chart.data.datasets[meta.index], colour = dataset.borderColor;
+    const lines = [[]];
+    for (const point of meta.data) {
+      if (point.skip || !Number.isFinite(point.x) || !Number.isFinite(point.y)) lines.push([]);
+      else lines.at(-1).push(point);
+    }
+    const points = lines.flat();
+    if (plot.categories.length > 0)
+      points.forEach((bar) => parts.push(`<rect x="${Math.min(bar.base, bar.x)}" y="${bar.y - bar.height / 2}" ` +
+        `width="${Math.abs(bar.x - bar.base)}" height="${bar.height}" fill="${dataset.backgroundColor}"/>`));
+    else if (dataset.showLine !== false)
+      lines.filter((line) => line.length > 0).forEach((line) =>
+        parts.push(`<polyline fill="none" stroke="${colour}" stroke-width="${dataset.borderWidth}" ` +
+          `stroke-dasharray="${dataset.borderDash.join(' ')}" points="${line.map((p) => p.x.toFixed(2) + ',' + p.y.toFixed(2)).join(' ')}"/>`));
+    if (dataset.pointRadius > 0)
+      points.forEach((p) => parts.push(shapePath(dataset.pointStyle, p.x, p.y, dataset.pointRadius, colour)));
+  });
+  parts.push('</svg></g>');
+  const named = chart.data.datasets.filter((dataset, i) => chart.isDatasetVisible(i) && dataset.style !== 'faint');
+  if (named.length > 1)
+    named.forEach((dataset, i) => parts.push(text((i + 0.5) * width / named.length, height + 20, dataset.label, 'middle',
+      `style="fill: ${dataset.borderColor}"`)));
+  const { namespaceURI } = new DOMParser().parseFromString('<svg></svg>', 'text/html').querySelector('svg');
+  return `<svg xmlns="${namespaceURI}" width="${width}" height="${height + 24}" ` +
+    `font-family="sans-serif" font-size="12" fill="${cssColour('text')}">${parts.join('\n')}</svg>\n`;
+}
+
+/** Buttons that save a plot. */
+function saveButtons(holder, canvas, entry) {
+  const { plot } = entry;
+  const bar = document.createElement('div');
+  bar.className = 'controls save';
+  const save = (name, url) => {
+    const link = document.createElement('a');
+    link.download = (plot.title.replace(/[^\w]+/g, '-').toLowerCase() || 'plot') + '.' + name;
+    link.href = url;
+    link.click();
+  };
+  const file = (text, type) => URL.createObjectURL(new Blob([text], { type }));
+  const ways = {
+    SVG: () => save('svg', file(svgOf(Chart.getChart(canvas), shown(entry)), 'image/svg+xml')),
+    PNG: () => save('png', canvas.toDataURL('image/png')),
+    CSV: () => save('csv', file(csvOf(Chart.getChart(canvas), shown(entry)), 'text/csv'))
+  };
+  for (const [name, way] of Object.entries(ways)) {
+    const button = document.createElement('button');
+    button.textContent = name;
+    button.title = `Save the plot "${plot.title}" as ${name}`;
+    button.addEventListener('click', way);
+    bar.append(button);
+  }
+  holder.after(bar);
+}
+
+/** What the plots of a grid share: the abscissa, and the names of series and shapes that are hidden. */
+const views = new Map();
+
+function viewOf(grid) {
+  if (!views.has(grid)) views.set(grid, { x: 0, hidden: new Set() });
+  return views.get(grid);
+}
+
+/** One legend for the plots of a grid, by colours and by shapes, and the choice of the abscissa. */
+function makeLegend(grid, entries) {
+  const { plot, view } = entries[0];
+  if (!plot.series.some((series) => series.marker)) return;
+  const bar = Object.assign(document.createElement('div'), { className: 'controls legend' });
+  const redraw = () => entries.forEach((entry) => makePlot(entry.canvas, entry));
+  const label = Object.assign(document.createElement('label'), { textContent: 'Against: ' });
+  const select = document.createElement('select');
+  [plot.x, ...plot.moreX].forEach((x, i) => select.append(new Option(x.title, i)));
+  select.addEventListener('change', () => { view.x = Number(select.value); redraw(); });
+  label.append(select);
+  bar.append(label);
+  const toggle = (name, sign, colour) => {
+    const button = Object.assign(document.createElement('button'), { type: 'button' });
+    const holder = document.createElement('span');
+    holder.innerHTML = `<svg width="16" height="12" style="display: inline; width: 16px">${sign}</svg>`;
+    button.append(holder, ' ' + name);
+    if (colour) button.style.color = `var(--${colour})`;
+    button.setAttribute('aria-pressed', 'true');
+    button.addEventListener('click', () => {
+      if (!view.hidden.delete(name)) view.hidden.add(name);
+      button.setAttribute('aria-pressed', String(!view.hidden.has(name)));
+      redraw();
+    });
+    bar.append(button);
+  };
+  const once = (key) => [...new Map(plot.series.filter((series) => series[key]).map((series) => [series[key], series])).values()];
+  for (const series of once('name'))
+    toggle(series.name, '<path d="M0 6h16" stroke="currentColor" stroke-width="3"/>', 'c' + (series.colour % 8));
+  for (const series of once('marker'))
+    toggle(series.marker, shapePath(shapeOf(series.marker, plot), 8, 6, 5, 'currentColor'));
+  grid.before(bar);
+}
+
 const plots = Array.from(document.querySelectorAll('[data-plot]'), (holder) => {
   const plot = data.plots[holder.dataset.plot];
   const canvas = document.createElement('canvas');
@@ -184,14 +356,45 @@ const plots = Array.from(document.querySelectorAll('[data-plot]'), (holder) => {
   }
   holder.append(canvas);
   readByKeys(canvas);
-  return [canvas, plot];
+  const entry = { canvas, plot, view: viewOf(holder.closest('.grid')) };
+  saveButtons(holder, canvas, entry);
+  return entry;
 });
+for (const [grid, view] of views) makeLegend(grid, plots.filter((entry) => entry.view === view));
 
 /** Draws all plots in the colours and the size of the medium. */
 function drawPlots() {
-  plots.forEach(([canvas, plot]) => makePlot(canvas, plot));
+  plots.forEach((entry) => makePlot(entry.canvas, entry));
 }
 
 drawPlots();
 matchMedia('(prefers-color-scheme: dark)').addEventListener('change', drawPlots);
 matchMedia('print').addEventListener('change', drawPlots);
+
+// ---------------------------------------------------------------- tables
+
+/** A number in a cell, in parentheses or not; text sorts behind. */
+function sortKey(cell) {
+  const number = parseFloat(cell.textContent.replace(/[()]/g, ''));
+  return Number.isNaN(number) ? Infinity : number;
+}
+
+document.querySelectorAll('table.sortable').forEach((table) => {
+  table.querySelectorAll('thead th').forEach((head, column) => {
+    const button = Object.assign(document.createElement('button'), { type: 'button', textContent: head.textContent, title: 'Sort' });
+    head.replaceChildren(button);
+    button.addEventListener('click', () => {
+      const up = head.getAttribute('aria-sort') !== 'ascending';
+      table.querySelectorAll('thead th').forEach((other) => other.removeAttribute('aria-sort'));
+      head.setAttribute('aria-sort', up ? 'ascending' : 'descending');
+      const body = table.tBodies[0];
+      const rows = [...body.rows].sort((a, b) => {
+        const [x, y] = [sortKey(a.cells[column]), sortKey(b.cells[column])];
+        const order = column === 0 || (x === Infinity && y === Infinity) ?
+          a.cells[column].textContent.localeCompare(b.cells[column].textContent) : x < y ? -1 : x > y ? 1 : 0;
+        return up ? order : -order;
+      });
+      body.append(...rows);
+    });
+  });
+});

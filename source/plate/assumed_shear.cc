@@ -45,14 +45,15 @@ namespace PlateImpact
 
 
 
-  ReducedShear::ReducedShear()
-    : points(tensor_points(QGauss<1>(2), QGauss<1>(2)))
+  ShearAtGaussPoints::ShearAtGaussPoints(const unsigned int n)
+    : rule(n)
+    , points(tensor_points(rule, rule))
   {}
 
 
 
   const Quadrature<2> &
-  ReducedShear::tying_points() const
+  ShearAtGaussPoints::tying_points() const
   {
     return points;
   }
@@ -60,23 +61,35 @@ namespace PlateImpact
 
 
   CellOperator
-  ReducedShear::interpolate(const CellOperator &tied,
-                            const FEValues<2> &,
-                            const FEValues<2> &values) const
+  ShearAtGaussPoints::interpolate(const CellOperator &tied,
+                                  const FEValues<2> &,
+                                  const FEValues<2> &values) const
   {
-    const QGauss<1>    rule(2);
     const unsigned int n      = values.n_quadrature_points;
     CellOperator       result = CellOperator::Zero(2 * n, n_cell_dofs);
     for (unsigned int q = 0; q < n; ++q)
       {
         const Point<2> &p = values.get_quadrature().point(q);
-        for (unsigned int j = 0; j < 2; ++j)
-          for (unsigned int i = 0; i < 2; ++i)
+        for (unsigned int j = 0; j < rule.size(); ++j)
+          for (unsigned int i = 0; i < rule.size(); ++i)
             result.middleRows<2>(2 * q) += lagrange(rule, i, p[0]) *
-              lagrange(rule, j, p[1]) * tied.middleRows<2>(2 * (2 * j + i));
+              lagrange(rule, j, p[1]) *
+              tied.middleRows<2>(2 * (rule.size() * j + i));
       }
     return result;
   }
+
+
+
+  ReducedShear::ReducedShear()
+    : ShearAtGaussPoints(2)
+  {}
+
+
+
+  FullShear::FullShear()
+    : ShearAtGaussPoints(3)
+  {}
 
 
 

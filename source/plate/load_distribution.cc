@@ -102,4 +102,23 @@ namespace PlateImpact
       }
     throw std::logic_error("no such load distribution");
   }
+
+
+
+  std::vector<LoadPoint>
+  on_meshed_part(const std::vector<LoadPoint> &of_quadrant,
+                 const PlateParameters        &plate)
+  {
+    std::vector<LoadPoint> points = of_quadrant;
+    for (unsigned int d = 0; d < 2; ++d)
+      if (!plate.is_symmetric(d))
+        for (std::size_t p = 0, n = points.size(); p < n; ++p)
+          if (points[p].point[d] != 0.)
+            {
+              points[p].weight *= 0.5;
+              points.push_back(points[p]);
+              points.back().point[d] *= -1.;
+            }
+    return points;
+  }
 } // namespace PlateImpact

@@ -2,12 +2,12 @@
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_values.h>
-#include <deal.II/fe/mapping_q1.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/vector.h>
 #include <deal.II/numerics/vector_tools_interpolate.h>
 
 #include "plate_impact/base/exceptions.h"
+#include "plate_impact/plate/edge_constraints.h"
 #include "plate_impact/plate/plate_mesh.h"
 #include "plate_impact/plate/support.h"
 
@@ -15,6 +15,7 @@
 #include <Epetra_Map.h>
 #include <Epetra_SerialComm.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -50,7 +51,7 @@ namespace PlateImpact
       try
         {
           const Point<2> unit =
-            MappingQ1<2>().transform_real_to_unit_cell(cell, point);
+            mapping_of(cell).transform_real_to_unit_cell(cell, point);
           if (GeometryInfo<2>::is_inside_unit_cell(unit, 1e-9))
             return unit;
         }
@@ -102,6 +103,14 @@ namespace PlateImpact
 
   PlateDiscretization::PlateDiscretization(const Triangulation<2> &mesh,
                                            const PlateElement     &element,
+                                           const PlateParameters  &plate)
+    : PlateDiscretization(mesh, element, plate, plate.n_parts())
+  {}
+
+
+
+  PlateDiscretization::PlateDiscretization(const Triangulation<2> &mesh,
+                                           const PlateElement     &element,
                                            const PlateParameters  &plate,
                                            const double            multiplicity)
     : plate_element(element)
@@ -110,7 +119,10 @@ namespace PlateImpact
     , dof_handler(mesh)
   {
     dof_handler.distribute_dofs(element.finite_element());
-    constrain(plate);
+    const auto supports = supports_of(plate);
+    for (const auto &[edge, support] : supports)
+      holds_deflection = holds_deflection || support.deflection;
+    constrain(supports);
     unknowns.reinit(dof_handler, constraints);
     find_shapes();
   }
@@ -118,29 +130,14 @@ namespace PlateImpact
 
 
   void
-  PlateDiscretization::constrain(const PlateParameters &plate)
+  PlateDiscretization::constrain(
+    const std::map<types::boundary_id, Support> &supports)
   {
     DoFTools::make_hanging_node_constraints(dof_handler, constraints);
     plate_element.add_internal_constraints(dof_handler, constraints);
 
-    const Support &support_x = find_support(plate.support.front());
-    const Support &support_y = find_support(plate.support.back());
-    const auto     hold      = [&](const PlateBoundary boundary,
-                          const Support      &support) {
-      const bool normal_is_x = boundary == symmetry_x || boundary == edge_x;
-      const ComponentMask mask = support.held_components(normal_is_x);
-      if (mask.n_selected_components() > 0)
-        DoFTools::make_zero_boundary_constraints(dof_handler,
-                                                 boundary,
-                                                 constraints,
-                                                 mask);
-    };
-    hold(symmetry_x, symmetry_plane());
-    hold(symmetry_y, symmetry_plane());
-    hold(edge_x, support_x);
-    hold(edge_y, support_y);
+    hold_edges(dof_handler, supports, constraints);
     constraints.close();
-    holds_deflection = support_x.deflection || support_y.deflection;
   }
 
 
@@ -154,11 +151,19 @@ namespace PlateImpact
     shape_of_cell.resize(mesh.n_active_cells());
     for (const auto &cell : mesh.active_cell_iterators())
       {
+        auto &shape_of_this = shape_of_cell[cell->active_cell_index()];
+        // corners do not tell curved cells apart
+        if (&mapping_of(cell) == &curved_mapping())
+          {
+            shape_of_this = shapes.size();
+            shapes.push_back(plate_element.shape(cell));
+            continue;
+          }
         const auto [shape, is_new] =
           known.insert({congruence_key(cell, tolerance), shapes.size()});
         if (is_new)
           shapes.push_back(plate_element.shape(cell));
-        shape_of_cell[cell->active_cell_index()] = shape->second;
+        shape_of_this = shape->second;
       }
   }
 
@@ -267,8 +272,11 @@ namespace PlateImpact
     for (const auto &cell : mesh().active_cell_iterators())
       {
         const auto box = cell->bounding_box();
+        // a curved cell reaches beyond the box of its corners, by a part of it
+        const double beyond =
+          &mapping_of(cell) == &curved_mapping() ? 0.25 : 1e-9;
         for (std::size_t p = 0; p < points.size(); ++p)
-          if (!is_found[p] && box.point_inside(points[p].point, 1e-9))
+          if (!is_found[p] && box.point_inside(points[p].point, beyond))
             {
               const std::optional<Point<2>> unit =
                 position_in(cell, points[p].point);
@@ -308,7 +316,10 @@ namespace PlateImpact
     Eigen::VectorXd                              &u) const
   {
     const FESystem<2> &fe = plate_element.finite_element();
-    FEValues<2>        values(fe, Quadrature<2>(unit), update_gradients);
+    FEValues<2>        values(mapping_of(cell),
+                       fe,
+                       Quadrature<2>(unit),
+                       update_gradients);
     values.reinit(cell);
     for (int i = 0; i < n_cell_dofs; ++i)
       {
@@ -381,6 +392,18 @@ namespace PlateImpact
   PlateDiscretization::n_parts() const
   {
     return multiplicity;
+  }
+
+
+
+  std::array<bool, 2>
+  PlateDiscretization::is_symmetric() const
+  {
+    const auto ids = mesh().get_boundary_ids();
+    const auto has = [&ids](const types::boundary_id id) {
+      return std::find(ids.begin(), ids.end(), id) != ids.end();
+    };
+    return {{has(symmetry_x), has(symmetry_y)}};
   }
 
 

@@ -1,5 +1,7 @@
 #include "plate_impact/plate/plate_element.h"
 
+#include "plate_impact/plate/plate_mesh.h"
+
 #include <stdexcept>
 
 namespace PlateImpact
@@ -26,6 +28,7 @@ namespace PlateImpact
 
     const std::vector<ElementRow> elements = {
       {ElementType::serendipity, {{true, true, true}}, make<ReducedShear>},
+      {ElementType::serendipity_full, {{true, true, true}}, make<FullShear>},
       {ElementType::heterosis, {{true, false, false}}, make<ReducedShear>},
       {ElementType::Lagrange, {{false, false, false}}, make<ReducedShear>},
       {ElementType::MITC9, {{false, false, false}}, make<MixedShear>}};
@@ -112,7 +115,8 @@ namespace PlateImpact
   PlateElement::strains(const Triangulation<2>::active_cell_iterator &cell,
                         const FEValues<2> &values) const
   {
-    FEValues<2> tying(scalar_element,
+    FEValues<2> tying(mapping_of(cell),
+                      scalar_element,
                       assumed_shear->tying_points(),
                       update_values | update_gradients | update_jacobians);
     tying.reinit(cell);
@@ -158,8 +162,9 @@ namespace PlateImpact
   {
     const UpdateFlags flags = update_values | update_gradients |
       update_inverse_jacobians | update_JxW_values;
-    FEValues<2> values(scalar_element, quadrature_points, flags);
-    FEValues<2> sample_values(scalar_element, samples, flags);
+    const Mapping<2> &mapping = mapping_of(cell);
+    FEValues<2>       values(mapping, scalar_element, quadrature_points, flags);
+    FEValues<2>       sample_values(mapping, scalar_element, samples, flags);
     values.reinit(cell);
     sample_values.reinit(cell);
 
@@ -189,7 +194,8 @@ namespace PlateImpact
         CellOperator resultants = shape.weights[q] * B;
         resultants.topRows<3>() =
           section.bending_stiffness * resultants.topRows<3>().eval();
-        resultants.bottomRows<2>() *= section.shear_stiffness;
+        resultants.bottomRows<2>() =
+          section.shear_stiffness * resultants.bottomRows<2>().eval();
         K.noalias() += B.transpose() * resultants;
       }
     return K;

@@ -3,24 +3,196 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <cmath>
 
 namespace PlateImpact
 {
+  namespace
+  {
+    /// Of angles that are multiples of 90 degrees what round-off leaves.
+    constexpr double negligible = 1e-9;
+
+
+
+    /// Turns strains e_x, e_y, gamma_xy into those of axes turned by an angle;
+    /// its transpose turns stresses back.
+    Eigen::Matrix3d
+    turned_strains(const double angle)
+    {
+      const double    c = std::cos(angle), s = std::sin(angle);
+      Eigen::Matrix3d T;
+      T << c * c, s * s, c * s, //
+        s * s, c * c, -c * s,   //
+        -2. * c * s, 2. * c * s, c * c - s * s;
+      return T;
+    }
+
+
+
+    /// Plane stress, in the axes of the ply.
+    Eigen::Matrix3d
+    plane_stiffness(const PlyParameters &ply)
+    {
+      const double E1 = ply.longitudinal_modulus, E2 = ply.transverse_modulus,
+                   nu12 = ply.poissons_ratio, nu21 = nu12 * E2 / E1;
+      Eigen::Matrix3d Q;
+      Q << E1, nu12 * E2, 0., //
+        nu21 * E1, E2, 0.,    //
+        0., 0., ply.in_plane_shear_modulus * (1. - nu12 * nu21);
+      return Q / (1. - nu12 * nu21);
+    }
+  } // namespace
+
+
+
   PlateSection::PlateSection(const PlateParameters &plate)
     : thickness(plate.thickness)
   {
-    const double E = plate.youngs_modulus, nu = plate.poissons_ratio,
-                 t = plate.thickness;
-    const double D = E * t * t * t / (12. * (1. - nu * nu));
+    const double t = thickness;
+    coupling_stiffness.setZero();
+    mass           = plate.density * t;
+    rotary_inertia = plate.density * t * t * t / 12.;
+    if (plate.is_laminate())
+      set_laminate(plate);
+    else
+      set_isotropic(plate);
+    bending_compliance = bending_stiffness.inverse();
+    shear_compliance   = shear_stiffness.inverse();
+    for (Eigen::Matrix3d &stress : stress_of_ply)
+      stress *= bending_compliance;
+  }
 
+
+
+  void
+  PlateSection::set_isotropic(const PlateParameters &plate)
+  {
+    const double E = plate.youngs_modulus, nu = plate.poissons_ratio,
+                 t = thickness;
+    const double D = E * t * t * t / (12. * (1. - nu * nu));
     bending_stiffness << D, D * nu, 0., //
       D * nu, D, 0.,                    //
       0., 0., D * (1. - nu) / 2.;
-    bending_compliance = bending_stiffness.inverse();
-    shear_stiffness = plate.shear_correction_factor * E / (2. * (1. + nu)) * t;
-    mass            = plate.density * t;
-    rotary_inertia  = plate.density * t * t * t / 12.;
+    shear_modulus   = E / (2. * (1. + nu));
+    shear_stiffness = plate.shear_correction_factor * E / (2. * (1. + nu)) * t *
+      Eigen::Matrix2d::Identity();
+    contact_modulus       = E;
+    half_space_compliance = (1. - nu * nu) / E;
+  }
+
+
+
+  void
+  PlateSection::set_laminate(const PlateParameters &plate)
+  {
+    const PlyParameters  &ply    = plate.ply;
+    const auto           &angles = plate.layup.angles;
+    const Eigen::Matrix3d Q      = plane_stiffness(ply);
+    const double          t      = thickness / angles.size();
+    bending_stiffness.setZero();
+    shear_stiffness.setZero();
+    for (std::size_t k = 0; k < angles.size(); ++k)
+      {
+        const double angle = angles[k] * std::acos(-1.) / 180.,
+                     c = std::cos(angle), s = std::sin(angle);
+        // faces of the ply from the middle surface
+        const double          near = -0.5 * thickness + k * t, far = near + t;
+        const Eigen::Matrix3d T       = turned_strains(angle);
+        const Eigen::Matrix3d in_axes = T.transpose() * Q * T;
+        bending_stiffness +=
+          (far * far * far - near * near * near) / 3. * in_axes;
+        coupling_stiffness += (far * far - near * near) / 2. * in_axes;
+        Eigen::Matrix2d turn;
+        turn << c, s, -s, c;
+        shear_stiffness += plate.shear_correction_factor * t *
+          turn.transpose() *
+          Eigen::Vector2d(ply.longitudinal_shear_modulus,
+                          ply.transverse_shear_modulus)
+            .asDiagonal() *
+          turn;
+        // the farther face; sigma = Q T z kappa
+        stress_of_ply.push_back(std::max(std::abs(near), std::abs(far)) * Q *
+                                T);
+      }
+    contact_modulus       = ply.transverse_modulus;
+    half_space_compliance = 1. / ply.transverse_modulus;
+    shear_modulus         = ply.in_plane_shear_modulus;
+  }
+
+
+
+  double
+  PlateSection::bending_stiffness_along(const double angle) const
+  {
+    const double    c = std::cos(angle), s = std::sin(angle);
+    Eigen::Vector3d curvature(c * c, s * s, 2. * c * s);
+    return curvature.dot(bending_stiffness * curvature);
+  }
+
+
+
+  double
+  PlateSection::mean_bending_stiffness() const
+  {
+    if (twists_when_bent())
+      {
+        // Olsson's formula holds in the axes of an orthotropic plate; this is
+        // the mean over directions that it stands for
+        const unsigned int n    = 180;
+        double             mean = 0.;
+        for (unsigned int i = 0; i < n; ++i)
+          mean +=
+            1. / std::sqrt(bending_stiffness_along(std::acos(-1.) * i / n));
+        return n / mean * (n / mean);
+      }
+    const double along =
+      std::sqrt(bending_stiffness(0, 0)) * std::sqrt(bending_stiffness(1, 1));
+    return std::sqrt(0.5 *
+                     (1. +
+                      (bending_stiffness(0, 1) + 2. * bending_stiffness(2, 2)) /
+                        along)) *
+      along;
+  }
+
+
+
+  double
+  PlateSection::mean_shear_stiffness() const
+  {
+    return std::sqrt(shear_stiffness(0, 0)) * std::sqrt(shear_stiffness(1, 1));
+  }
+
+
+
+  double
+  PlateSection::fastest_wave() const
+  {
+    double             largest = 0.;
+    const unsigned int n       = 180;
+    for (unsigned int i = 0; i < n; ++i)
+      largest =
+        std::max(largest, bending_stiffness_along(std::acos(-1.) * i / n));
+    return std::sqrt(largest / rotary_inertia);
+  }
+
+
+
+  bool
+  PlateSection::twists_when_bent() const
+  {
+    return bending_stiffness.topRightCorner<2, 1>().cwiseAbs().maxCoeff() >
+      negligible * bending_stiffness.norm() ||
+      std::abs(shear_stiffness(0, 1)) > negligible * shear_stiffness.norm();
+  }
+
+
+
+  bool
+  PlateSection::is_unsymmetric() const
+  {
+    return coupling_stiffness.norm() * thickness >
+      negligible * bending_stiffness.norm();
   }
 
 
@@ -30,7 +202,7 @@ namespace PlateImpact
   {
     const auto M = resultants.head<3>();
     const auto Q = resultants.tail<2>();
-    return M.dot(bending_compliance * M) + Q.squaredNorm() / shear_stiffness;
+    return M.dot(bending_compliance * M) + Q.dot(shear_compliance * Q);
   }
 
 
@@ -40,7 +212,7 @@ namespace PlateImpact
   {
     Eigen::Matrix<double, 5, 5> matrix = Eigen::Matrix<double, 5, 5>::Zero();
     matrix.topLeftCorner<3, 3>()       = bending_stiffness;
-    matrix(3, 3) = matrix(4, 4) = shear_stiffness;
+    matrix.bottomRightCorner<2, 2>()   = shear_stiffness;
     return matrix;
   }
 
@@ -51,18 +223,40 @@ namespace PlateImpact
   {
     Eigen::Matrix<double, 5, 5> root = Eigen::Matrix<double, 5, 5>::Zero();
     root.topLeftCorner<3, 3>()       = bending_compliance.llt().matrixU();
-    root(3, 3) = root(4, 4) = 1. / std::sqrt(shear_stiffness);
+    root.bottomRightCorner<2, 2>()   = shear_compliance.llt().matrixU();
     return root;
   }
 
 
 
-  double
-  PlateSection::surface_von_mises_stress(const double m_x,
-                                         const double m_y,
-                                         const double m_xy) const
+  const std::vector<std::string> &
+  PlateSection::stress_names() const
   {
-    return 6. / (thickness * thickness) *
-      std::sqrt(m_x * m_x - m_x * m_y + m_y * m_y + 3. * m_xy * m_xy);
+    static const std::vector<std::string> isotropic = {"von_mises_stress"},
+                                          of_plies  = {"fibre_stress",
+                                                       "transverse_stress",
+                                                       "ply_shear_stress"};
+    return stress_of_ply.empty() ? isotropic : of_plies;
+  }
+
+
+
+  Eigen::MatrixXd
+  PlateSection::stresses(const double m_x,
+                         const double m_y,
+                         const double m_xy) const
+  {
+    if (stress_of_ply.empty())
+      // sigma = 6 M / t^2
+      return Eigen::MatrixXd::Constant(
+        1,
+        1,
+        6. / (thickness * thickness) *
+          std::sqrt(m_x * m_x - m_x * m_y + m_y * m_y + 3. * m_xy * m_xy));
+    Eigen::MatrixXd result(stress_of_ply.size(), 3);
+    for (std::size_t k = 0; k < stress_of_ply.size(); ++k)
+      result.row(k) =
+        (stress_of_ply[k] * Eigen::Vector3d(m_x, m_y, m_xy)).cwiseAbs();
+    return result;
   }
 } // namespace PlateImpact

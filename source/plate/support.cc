@@ -1,6 +1,7 @@
 #include "plate_impact/plate/support.h"
 
 #include "plate_impact/plate/plate_element.h"
+#include "plate_impact/plate/plate_mesh.h"
 
 #include <stdexcept>
 #include <utility>
@@ -40,6 +41,25 @@ namespace PlateImpact
       if (its_name == name)
         return support;
     throw std::logic_error("no such support");
+  }
+
+
+
+  std::map<types::boundary_id, Support>
+  supports_of(const PlateParameters &plate)
+  {
+    const Support &first = find_support(plate.supports.front().support),
+                  &last  = find_support(plate.supports.back().support);
+    if (plate.is_circle())
+      return {{edge_round, first}};
+    if (!plate.is_from_file())
+      return {{edge_x, first}, {edge_y, last}};
+    std::map<types::boundary_id, Support> supports;
+    for (unsigned int edge = 0; edge < plate.file->edges.size(); ++edge)
+      for (const EdgeSupports &named : plate.supports)
+        if (named.edge.empty() || named.edge == plate.file->edges[edge])
+          supports[edge_named + edge] = find_support(named.support);
+    return supports;
   }
 
 

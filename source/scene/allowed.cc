@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
+#include <utility>
 
 namespace PlateImpact
 {
@@ -87,6 +89,14 @@ namespace PlateImpact
 
 
   Allowed
+  Allowed::any_number()
+  {
+    return number("a number", [](double) { return true; });
+  }
+
+
+
+  Allowed
   Allowed::number_above(const double bound)
   {
     return number("a number above " + shortest(bound),
@@ -149,6 +159,117 @@ namespace PlateImpact
       list += (list.empty() ? "" : " | ") + word;
     return {list, [words](const std::string &text) {
               return std::find(words.begin(), words.end(), text) != words.end();
+            }};
+  }
+
+
+
+  namespace
+  {
+    constexpr unsigned int most_plies = 1000;
+
+
+
+    /// "edge: word" taken apart; the edge is empty without a colon.
+    std::pair<std::string, std::string>
+    edge_and_word(const std::string &item)
+    {
+      const std::size_t colon = item.rfind(':');
+      if (colon == std::string::npos)
+        return {"", item};
+      return {Utilities::trim(item.substr(0, colon)),
+              Utilities::trim(item.substr(colon + 1))};
+    }
+
+
+
+    /// Angles of "0/90_2/45s", with the bracket that may be around all but
+    /// the s; empty where the text is no lay-up.
+    std::vector<double>
+    read_layup(std::string text)
+    {
+      if (text.empty())
+        return {};
+      const bool is_half = text.back() == 's' || text.back() == 'S';
+      if (is_half)
+        text.pop_back();
+      if (text.size() > 1 && text.front() == '[' && text.back() == ']')
+        text = text.substr(1, text.size() - 2);
+      if (text.empty() || text.front() == '/' || text.back() == '/')
+        return {};
+      std::vector<double> angles;
+      for (const std::string &item : Utilities::split_string_list(text, '/'))
+        {
+          const std::size_t underscore = item.find('_');
+          double            angle;
+          unsigned int      n_plies = 1;
+          if (!to_number(item.substr(0, underscore), angle) ||
+              std::abs(angle) > 180.)
+            return {};
+          if (underscore != std::string::npos &&
+              (!to_number(item.substr(underscore + 1), n_plies) ||
+               n_plies == 0 || n_plies > most_plies))
+            return {};
+          angles.insert(angles.end(), n_plies, angle);
+        }
+      if (is_half)
+        for (std::size_t k = angles.size(); k-- > 0;)
+          angles.push_back(angles[k]);
+      return angles.size() <= most_plies ? angles : std::vector<double>();
+    }
+
+
+
+    bool
+    names_a_mesh(const std::string &text)
+    {
+      return std::filesystem::path(text).extension() == ".msh";
+    }
+  } // namespace
+
+
+
+  Allowed
+  Allowed::outline()
+  {
+    const Allowed word = word_for<PlateOutline>();
+    return {word.words + " | the name of a mesh of Gmsh, ending in .msh",
+            [word](const std::string &text) {
+              return word.test(text) || names_a_mesh(text);
+            }};
+  }
+
+
+
+  Allowed
+  Allowed::layup()
+  {
+    return {"angles of up to 1000 plies in degrees between slashes, with an s "
+            "for the mirrored half, as 0/90/45/-45s or 0_2/90s, or nothing",
+            [](const std::string &text) {
+              return text.empty() || !read_layup(text).empty();
+            }};
+  }
+
+
+
+  Allowed
+  Allowed::supports()
+  {
+    const Allowed word  = word_for<EdgeSupport>();
+    const Allowed plain = list(word, 1, 2);
+    return {plain.words + "; or, for an outline from a file, pairs edge: word",
+            [word, plain](const std::string &text) {
+              if (text.find(':') == std::string::npos)
+                return plain.test(text);
+              const auto items = Utilities::split_string_list(text, ',');
+              return text.back() != ',' &&
+                std::all_of(items.begin(),
+                            items.end(),
+                            [&word](const std::string &item) {
+                              const auto [edge, support] = edge_and_word(item);
+                              return !edge.empty() && word.test(support);
+                            });
             }};
   }
 
@@ -227,6 +348,38 @@ namespace PlateImpact
   convert(const std::string &text, std::vector<std::string> &words)
   {
     words = Utilities::split_string_list(text, ',');
+  }
+
+
+
+  void
+  convert(const std::string &text, Outline &outline)
+  {
+    if (names_a_mesh(text))
+      outline = {PlateOutline::file, text};
+    else
+      outline = {choice_of<PlateOutline>(text), ""};
+  }
+
+
+
+  void
+  convert(const std::string &text, Layup &layup)
+  {
+    layup = {text, read_layup(text)};
+  }
+
+
+
+  void
+  convert(const std::string &text, std::vector<EdgeSupports> &supports)
+  {
+    supports.clear();
+    for (const std::string &item : Utilities::split_string_list(text, ','))
+      {
+        const auto [edge, word] = edge_and_word(item);
+        supports.push_back({edge, choice_of<EdgeSupport>(word)});
+      }
   }
 
 

@@ -22,8 +22,8 @@ namespace PlateImpact
                      "0.2, 0.2",
                      Allowed::list(positive, 2, 2),
                      plate.side_lengths,
-                     "Of the whole plate, along x and y. The impact is at its "
-                     "centre. [m]");
+                     "Of the whole plate, along x and y; the first is the "
+                     "diameter of a circle. [m]");
       schema.declare("Thickness", "0.008", positive, plate.thickness, "[m]");
       schema.declare("Young's modulus",
                      "2.1e11",
@@ -45,11 +45,71 @@ namespace PlateImpact
       schema.declare(
         "Support",
         "clamped",
-        Allowed::list(Allowed::word_for<EdgeSupport>(), 1, 2),
-        plate.support,
+        Allowed::supports(),
+        plate.supports,
         "One word for all four edges, or two: for the edges x = +-a/2 and for "
         "the edges y = +-b/2. 'simply supported' also stops the rotation along "
-        "the edge (hard support), 'soft simply supported' the deflection only.");
+        "the edge (hard support), 'soft simply supported' the deflection only. Edges of a file may have "
+        "each its own, as rim: clamped, hole: free.");
+      schema.declare("Outline",
+                     "rectangle",
+                     Allowed::outline(),
+                     plate.outline,
+                     "Of the plate. A circle has one edge and one support. A "
+                     "mesh of Gmsh, of quadrilaterals and in metres, brings "
+                     "its own lengths and cells, and its physical groups of "
+                     "curves name the edges; it is looked for beside the "
+                     "scene first.");
+      schema.declare(
+        "Impact point",
+        "0, 0",
+        Allowed::list(Allowed::any_number(), 2, 2),
+        plate.impact_point,
+        "Where the impactor strikes, from the centre of the plate, that of the "
+        "rectangle around it. "
+        "What is meshed follows: a quarter of the plate, a half "
+        "where one of the two is not 0, or the whole plate. [m]");
+      schema.declare("Layup",
+                     "",
+                     Allowed::layup(),
+                     plate.layup,
+                     "Angles of the fibres to x, from the struck face, of "
+                     "plies with equal shares of the thickness; an s at the "
+                     "end mirrors them. Empty: homogeneous and isotropic. "
+                     "[degrees]");
+
+      PlyParameters &ply = plate.ply;
+      schema.begin_section("Ply");
+      schema.declare("Longitudinal modulus",
+                     "120e9",
+                     positive,
+                     ply.longitudinal_modulus,
+                     "E_1 of a ply of the lay-up, along its fibres. [Pa]");
+      schema.declare("Transverse modulus",
+                     "7.9e9",
+                     positive,
+                     ply.transverse_modulus,
+                     "E_2, across them. [Pa]");
+      schema.declare("Poisson's ratio",
+                     "0.3",
+                     Allowed::any_number(),
+                     ply.poissons_ratio,
+                     "nu_12, below the root of E_1/E_2. [-]");
+      schema.declare("In-plane shear modulus",
+                     "5.5e9",
+                     positive,
+                     ply.in_plane_shear_modulus,
+                     "G_12. [Pa]");
+      schema.declare("Longitudinal shear modulus",
+                     "5.5e9",
+                     positive,
+                     ply.longitudinal_shear_modulus,
+                     "G_13. [Pa]");
+      schema.declare("Transverse shear modulus",
+                     "5.5e9",
+                     positive,
+                     ply.transverse_shear_modulus,
+                     "G_23. [Pa]");
 
       ImpactorParameters &impactor = parameters.impactor;
       schema.begin_section("Impactor");
@@ -107,6 +167,19 @@ namespace PlateImpact
         "half-space: what Hertz's law says, as usual and in the paper, which "
         "counts the shortest waves twice; where no response is given, that "
         "of the law Sun and of point and line loads.");
+      schema.declare("Unloading",
+                     "elastic",
+                     Allowed::word_for<UnloadingLaw>(),
+                     contact.unloading,
+                     "elastic: along the curve of loading. Yang-Sun: steeper, "
+                     "down to a dent, and back by another curve, as measured "
+                     "on laminates; of spheres on a half-space.");
+      schema.declare("Critical indentation",
+                     "8e-5",
+                     positive,
+                     contact.critical_indentation,
+                     "From which on Yang-Sun leaves a dent; 8e-5 for "
+                     "graphite/epoxy, 1.65e-4 for glass/epoxy. [m]");
       schema.declare(
         "Load distribution",
         "Hertz disc",
@@ -150,14 +223,16 @@ namespace PlateImpact
         Allowed::word_for<ElementType>(),
         discretization.element,
         "Deflection and rotations with 8 nodes (serendipity, the "
-        "paper's), with 8 and 9 (heterosis) or with 9 (Lagrange); "
+        "paper's; serendipity full: with 3x3 points for the shear), "
+        "with 8 and 9 (heterosis) or with 9 (Lagrange); "
         "with 9 and mixed interpolation of the shear (MITC9), which "
         "neither locks on thin plates nor has spurious modes.");
       schema.declare("Initial cells",
                      "3, 3",
                      Allowed::list(Allowed::whole_number(1, 10000), 2, 2),
                      discretization.initial_cells,
-                     "On the quadrant, along x and y.");
+                     "On the part of the plate that is meshed, the quadrant "
+                     "under an impact at the centre, along x and y.");
       schema.declare("Linear solver",
                      "CHOLMOD",
                      Allowed::word_for<SolverType>(),
@@ -167,7 +242,11 @@ namespace PlateImpact
 
       TimeParameters &time = parameters.time;
       schema.begin_section("Time");
-      schema.declare("End time", "80e-6", positive, time.end_time, "[s]");
+      schema.declare("End time",
+                     "80e-6",
+                     Allowed::number_from(0),
+                     time.end_time,
+                     "0: to the end of the first contact. [s]");
       schema.declare("Time step",
                      "1e-7",
                      Allowed::number_from(0),
@@ -240,6 +319,15 @@ namespace PlateImpact
                      "the jumps of slopes and curvatures across the sides of "
                      "cells (Kelly), which only rank cells; eta is that of "
                      "the recovered field in any case.");
+      schema.declare("Recovery patches",
+                     "mirrored",
+                     Allowed::word_for<RecoveryPatches>(),
+                     adaptivity.recovery_patches,
+                     "Where the patches of the recovery lie: around every "
+                     "vertex, continued across planes of symmetry by mirror "
+                     "images (mirrored), or around vertices inside the "
+                     "mesh only (interior), whose patches those on its "
+                     "edges use.");
       schema.declare("Target error",
                      "0.05",
                      Allowed::number_between(0, 1),
@@ -251,6 +339,12 @@ namespace PlateImpact
                      adaptivity.target_peak_force_error,
                      "Of the error bar of the peak force, relative to it, for "
                      "the goal peak force. [-]");
+      schema.declare("Verify",
+                     "false",
+                     Allowed::truth(),
+                     adaptivity.verify,
+                     "Compute the peak force again on the last mesh with every "
+                     "cell halved, and say how far it is.");
       schema.declare("Maximum cycles",
                      "6",
                      Allowed::whole_number(1, 1000),
@@ -360,20 +454,18 @@ namespace PlateImpact
     void
     declare_comparison(SceneSchema &schema, Parameters &parameters)
     {
-      std::vector<std::string> strategies = words_for<AdaptationStrategy>();
-      strategies.erase(std::find(strategies.begin(),
-                                 strategies.end(),
-                                 word_for(AdaptationStrategy::none)));
       ComparisonParameters &comparison = parameters.comparison;
       schema.begin_section("Comparison");
       schema.declare("Strategies",
                      "uniform, hanging nodes, remeshing",
-                     Allowed::list(Allowed::one_of(strategies),
+                     Allowed::list(Allowed::word_for<ComparedStrategy>(),
                                    1,
-                                   strategies.size()),
+                                   choices<ComparedStrategy>().size()),
                      comparison.strategies,
                      "This section is read by `plate-impact compare` only. "
-                     "What is compared, each with every element.");
+                     "What is compared, each with every element: meshes made "
+                     "for the error in the energy norm, or, by force, for that "
+                     "of the peak force (Adaptivity/Goal).");
       schema.declare("Elements",
                      "serendipity, heterosis, Lagrange, MITC9",
                      Allowed::list(Allowed::word_for<ElementType>(),

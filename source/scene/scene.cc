@@ -14,10 +14,11 @@ namespace PlateImpact
     SceneReader  reader(path, overrides, output);
     SceneChecker checker(reader.schema, reader.parameters());
     checker.check_together();
-    const Parameters given = reader.parameters();
-    if (reader.mistakes.empty() && checker.mistakes.empty())
+    Parameters given = reader.parameters();
+    given.plate.file = checker.parameters().plate.file;
+    if (reader.mistakes.empty() && checker.mistakes.sentences.empty())
       checker.complete();
-    reader.add_mistakes(checker.mistakes);
+    reader.add_mistakes(checker.mistakes.sentences);
     reader.add_mistakes(SweepPlan(reader.schema, given.sweep).mistakes());
     reader.refuse_mistakes();
     return {path, checker.parameters(), reader.text(), given};

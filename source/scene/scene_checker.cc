@@ -2,10 +2,12 @@
 
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/text.h"
-#include "plate_impact/contact/contact_law.h"
 #include "plate_impact/contact/impactor.h"
+#include "plate_impact/contact/make_contact_law.h"
 #include "plate_impact/plate/layer_response.h"
+#include "plate_impact/plate/plate_mesh.h"
 #include "plate_impact/plate/plate_section.h"
+#include "plate_impact/scene/plate_checker.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,10 +19,10 @@ namespace PlateImpact
                              const Parameters                  &parameters,
                              const std::set<std::string>       &swept,
                              const std::optional<ExpectedPeak> &expected_peak)
-    : expected_peak(expected_peak)
+    : mistakes(schema, swept)
+    , expected_peak(expected_peak)
     , schema(schema)
     , scene(parameters)
-    , swept(swept)
   {}
 
 
@@ -52,7 +54,7 @@ namespace PlateImpact
                                     const Choice       value)
   {
     const std::string path = "Contact/" + entry;
-    if (schema.origin(path) != "default" || swept.count(path) > 0)
+    if (schema.origin(path) != "default" || mistakes.is_swept(path))
       return;
     variable = value;
     schema.choose("Contact", entry, word_for(value));
@@ -71,7 +73,10 @@ namespace PlateImpact
                             contact.load_distribution,
                             LoadShape::strip);
       }
-    if (contact.law == ForceLaw::Sun || !contact.has_patch())
+    else if (scene.plate.is_laminate())
+      choose_unless_given("Law", contact.law, ForceLaw::Sun);
+    if (contact.law == ForceLaw::Sun || !contact.has_patch() ||
+        scene.plate.is_laminate() || contact.unloading != UnloadingLaw::elastic)
       choose_unless_given("Local response",
                           contact.local_response,
                           LocalResponse::half_space);
@@ -80,29 +85,15 @@ namespace PlateImpact
 
 
   void
-  SceneChecker::refuse(const std::vector<std::string> &involved,
-                       const std::string              &text)
-  {
-    std::string origin = "default";
-    for (const std::string &path : involved)
-      {
-        if (swept.count(path) > 0 || schema.was_refused(path))
-          return;
-        if (origin == "default")
-          origin = schema.origin(path);
-      }
-    mistakes.push_back(origin + ": " + involved.front() + " = " +
-                       schema.value(involved.front()) + " " + text);
-  }
-
-
-
-  void
   SceneChecker::check_together()
   {
+    PlateChecker plate(schema, scene, mistakes);
+    plate.read();
+    plate.check_section();
     choose_contact();
-    check_plate();
+    plate.check_shape();
     check_contact();
+    check_unloading();
     check_time();
     check_mesh();
     check_comparison();
@@ -111,21 +102,19 @@ namespace PlateImpact
 
 
   void
-  SceneChecker::check_plate()
+  SceneChecker::check_unloading()
   {
-    const PlateParameters &plate = scene.plate;
-    const double           half_side =
-      0.5 * std::min(plate.side_lengths[0], plate.side_lengths[1]);
-    if (plate.thickness > half_side)
-      refuse({"Plate/Thickness", "Plate/Side lengths"},
-             "m is too thick for a plate theory; expected at most half the "
-             "shorter side, " +
-               number(half_side) + " m");
-    if (scene.contact.has_patch() && scene.contact.patch_radius > half_side)
-      refuse({"Contact/Patch radius", "Plate/Side lengths"},
-             "m reaches beyond the plate; expected at most half the shorter "
-             "side, " +
-               number(half_side) + " m");
+    if (!scene.has_impactor() ||
+        scene.contact.unloading == UnloadingLaw::elastic)
+      return;
+    if (scene.impactor.is_cylinder())
+      mistakes.refuse({"Contact/Unloading", "Impactor/Shape"},
+                      "is a law of spheres; expected elastic for a cylinder");
+    if (scene.contact.local_response == LocalResponse::layer)
+      mistakes.refuse(
+        {"Contact/Unloading", "Contact/Local response"},
+        "is a law of half-spaces; expected elastic, or Local response = "
+        "half-space");
   }
 
 
@@ -139,33 +128,57 @@ namespace PlateImpact
     const std::vector<std::string> law_and_shape = {"Contact/Law",
                                                     "Impactor/Shape"};
     if (is_cylinder && scene.contact.law != ForceLaw::line)
-      refuse(law_and_shape,
-             "is a law of spheres; expected line for a cylinder");
+      mistakes.refuse(law_and_shape,
+                      "is a law of spheres; expected line for a cylinder");
     if (!is_cylinder && scene.contact.law == ForceLaw::line)
-      refuse(law_and_shape,
-             "is the law of a cylinder; expected Sun or Hertz for a sphere");
+      mistakes.refuse(
+        law_and_shape,
+        "is the law of a cylinder; expected Sun or Hertz for a sphere");
     if (is_cylinder != scene.contact.load_has_length())
-      refuse({"Contact/Load distribution", "Impactor/Shape"},
-             is_cylinder ?
-               "does not fit a cylinder; expected line or strip" :
-               "does not fit a sphere; expected Hertz disc, uniform "
-               "disc or point");
-    if (scene.contact.local_response == LocalResponse::layer)
+      mistakes.refuse({"Contact/Load distribution", "Impactor/Shape"},
+                      is_cylinder ?
+                        "does not fit a cylinder; expected line or strip" :
+                        "does not fit a sphere; expected Hertz disc, uniform "
+                        "disc or point");
+    if (scene.plate.is_laminate() && scene.contact.law == ForceLaw::Hertz)
+      mistakes.refuse(
+        {"Contact/Law", "Plate/Layup"},
+        "takes the plate for isotropic; expected Sun on a laminate");
+    if (scene.plate.is_laminate() &&
+        scene.contact.local_response == LocalResponse::layer)
+      mistakes.refuse({"Contact/Local response", "Plate/Layup"},
+                      "is that of an isotropic plate; expected half-space on a "
+                      "laminate, whose local error is not known");
+    else if (scene.contact.local_response == LocalResponse::layer)
       {
         if (scene.contact.law == ForceLaw::Sun)
-          refuse({"Contact/Local response", "Contact/Law"},
-                 "does not fit the law Sun, whose compliance of the plate is "
-                 "not that of its material; expected Law = Hertz, or Local "
-                 "response = half-space");
+          mistakes.refuse(
+            {"Contact/Local response", "Contact/Law"},
+            "does not fit the law Sun, whose compliance of the plate is "
+            "not that of its material; expected Law = Hertz, or Local "
+            "response = half-space");
         if (!scene.contact.has_patch())
-          refuse({"Contact/Local response", "Contact/Load distribution"},
-                 "needs a load patch; expected Load distribution = Hertz disc, "
-                 "uniform disc or strip, or Local response = half-space");
+          mistakes.refuse(
+            {"Contact/Local response", "Contact/Load distribution"},
+            "needs a load patch; expected Load distribution = Hertz disc, "
+            "uniform disc or strip, or Local response = half-space");
       }
-    if (is_cylinder && scene.impactor.length > scene.plate.side_lengths[0])
-      refuse({"Impactor/Length", "Plate/Side lengths"},
-             "m reaches beyond the plate; expected at most its side along x, " +
-               number(scene.plate.side_lengths[0]) + " m");
+    if (scene.contact.load_is_line() && !scene.plate.is_symmetric(1))
+      mistakes.refuse(
+        {"Contact/Load distribution",
+         "Plate/Impact point",
+         "Plate/Outline",
+         "Plate/Layup"},
+        "is a line along which the shear force jumps, and has its stress "
+        "recovered only where the plate mirrors in it; expected Load "
+        "distribution = strip for this impact point, outline and lay-up");
+    const double longest = 2. * scene.plate.distance_to_edge(0);
+    if (is_cylinder && longest > 0. && scene.impactor.length > longest)
+      mistakes.refuse(
+        {"Impactor/Length", "Plate/Side lengths", "Plate/Impact point"},
+        "m reaches beyond the plate; expected at most twice the distance "
+        "to its nearer edge along x, " +
+          number(longest) + " m");
   }
 
 
@@ -174,19 +187,22 @@ namespace PlateImpact
   SceneChecker::check_time()
   {
     const TimeParameters &time = scene.time;
-    if (time.time_step > time.end_time)
-      refuse({"Time/Time step", "Time/End time"},
-             "s is longer than End time, " + number(time.end_time) + " s");
+    if (time.end_time > 0. && time.time_step > time.end_time)
+      mistakes.refuse({"Time/Time step", "Time/End time"},
+                      "s is longer than End time, " + number(time.end_time) +
+                        " s");
     if (time.newmark_beta < 0.5 * time.newmark_gamma)
-      refuse({"Time/Newmark beta", "Time/Newmark gamma"},
-             "is below half of Newmark gamma, so that the scheme is unstable "
-             "on fine meshes; expected at least " +
-               number(0.5 * time.newmark_gamma));
+      mistakes.refuse(
+        {"Time/Newmark beta", "Time/Newmark gamma"},
+        "is below half of Newmark gamma, so that the scheme is unstable "
+        "on fine meshes; expected at least " +
+          number(0.5 * time.newmark_gamma));
     if (scene.contact.integration == ForceIntegration::energy_conserving &&
         (time.newmark_beta != 0.25 || time.newmark_gamma != 0.5))
-      refuse({"Contact/Integration", "Time/Newmark beta", "Time/Newmark gamma"},
-             "needs Newmark beta = 0.25 and Newmark gamma = 0.5, which alone "
-             "conserve energy; with others set Integration = collocation");
+      mistakes.refuse(
+        {"Contact/Integration", "Time/Newmark beta", "Time/Newmark gamma"},
+        "needs Newmark beta = 0.25 and Newmark gamma = 0.5, which alone "
+        "conserve energy; with others set Integration = collocation");
   }
 
 
@@ -195,35 +211,37 @@ namespace PlateImpact
   SceneChecker::check_mesh()
   {
     const auto &cells = scene.discretization.initial_cells;
-    const auto &sides = scene.plate.side_lengths;
     if (static_cast<double>(cells[0]) * cells[1] > 250000.)
-      refuse({"Discretization/Initial cells"}, "are more than 250000 cells");
-    const double h = 0.5 * std::max(sides[0] / cells[0], sides[1] / cells[1]);
+      mistakes.refuse({"Discretization/Initial cells"},
+                      "are more than 250000 cells");
+    const double h = initial_cell_size(scene);
     if (scene.adaptivity.minimum_cell_size > h)
-      refuse({"Adaptivity/Minimum cell size",
-              "Plate/Side lengths",
-              "Discretization/Initial cells"},
-             "m is larger than the initial cells, " + number(h) + " m");
+      mistakes.refuse({"Adaptivity/Minimum cell size",
+                       "Plate/Side lengths",
+                       "Discretization/Initial cells"},
+                      "m is larger than the initial cells, " + number(h) +
+                        " m");
     const AdaptivityParameters &adaptivity = scene.adaptivity;
     if (adaptivity.maximum_cell_size > 0. &&
         adaptivity.maximum_cell_size < adaptivity.minimum_cell_size)
-      refuse({"Adaptivity/Maximum cell size", "Adaptivity/Minimum cell size"},
-             "m is below Minimum cell size, " +
-               number(adaptivity.minimum_cell_size) + " m");
+      mistakes.refuse({"Adaptivity/Maximum cell size",
+                       "Adaptivity/Minimum cell size"},
+                      "m is below Minimum cell size, " +
+                        number(adaptivity.minimum_cell_size) + " m");
     if (adaptivity.goal == AdaptationGoal::peak_force)
       check_goal();
     if (adaptivity.refined_share_of_error +
           adaptivity.coarsened_share_of_error >
         1.)
-      refuse({"Adaptivity/Refined share of error",
-              "Adaptivity/Coarsened share of error"},
-             "and Coarsened share of error are together more than 1");
+      mistakes.refuse({"Adaptivity/Refined share of error",
+                       "Adaptivity/Coarsened share of error"},
+                      "and Coarsened share of error are together more than 1");
     if (adaptivity.refined_share_of_cells +
           adaptivity.coarsened_share_of_cells >
         1.)
-      refuse({"Adaptivity/Refined share of cells",
-              "Adaptivity/Coarsened share of cells"},
-             "and Coarsened share of cells are together more than 1");
+      mistakes.refuse({"Adaptivity/Refined share of cells",
+                       "Adaptivity/Coarsened share of cells"},
+                      "and Coarsened share of cells are together more than 1");
   }
 
 
@@ -232,14 +250,16 @@ namespace PlateImpact
   SceneChecker::check_goal()
   {
     if (scene.contact.load_is_singular())
-      refuse({"Adaptivity/Goal", "Contact/Load distribution"},
-             "has no meaning under a point load, whose peak force has no limit "
-             "under refinement; expected Load distribution = Hertz disc or "
-             "uniform disc, or Goal = energy norm");
+      mistakes.refuse(
+        {"Adaptivity/Goal", "Contact/Load distribution"},
+        "has no meaning under a point load, whose peak force has no limit "
+        "under refinement; expected Load distribution = Hertz disc or "
+        "uniform disc, or Goal = energy norm");
     if (scene.time.newmark_beta != 0.25 || scene.time.newmark_gamma != 0.5)
-      refuse({"Adaptivity/Goal", "Time/Newmark beta", "Time/Newmark gamma"},
-             "needs Newmark beta = 0.25 and Newmark gamma = 0.5; with others "
-             "there is no error bar, set Goal = energy norm");
+      mistakes.refuse(
+        {"Adaptivity/Goal", "Time/Newmark beta", "Time/Newmark gamma"},
+        "needs Newmark beta = 0.25 and Newmark gamma = 0.5; with others "
+        "there is no error bar, set Goal = energy norm");
   }
 
 
@@ -252,7 +272,7 @@ namespace PlateImpact
       std::sort(choices.begin(), choices.end());
       const auto twice = std::adjacent_find(choices.begin(), choices.end());
       if (twice != choices.end())
-        refuse({path}, "names " + word_for(*twice) + " twice");
+        mistakes.refuse({path}, "names " + word_for(*twice) + " twice");
     };
     const ComparisonParameters &comparison = scene.comparison;
     refuse_repetition("Comparison/Strategies", comparison.strategies);
@@ -282,25 +302,24 @@ namespace PlateImpact
   {
     const Impactor impactor = make_impactor(scene.impactor);
     if (!std::isnormal(impactor.kinetic_energy()))
-      return refuse({"Impactor/Velocity", "Impactor/Mass", "Impactor/Radius"},
-                    "m/s gives the impactor an energy of " +
-                      fmt::format("{:.6g}", impactor.kinetic_energy()) +
-                      " J, which is beyond what can be computed with");
+      return mistakes.refuse(
+        {"Impactor/Velocity", "Impactor/Mass", "Impactor/Radius"},
+        "m/s gives the impactor an energy of " +
+          fmt::format("{:.6g}", impactor.kinetic_energy()) +
+          " J, which is beyond what can be computed with");
     if (scene.impactor.mass == 0.)
       choose("Impactor", "Mass", scene.impactor.mass, impactor.mass);
     if (expected_peak)
       return;
     try
       {
-        expected_peak = zener_peak(*make_half_space_law(scene),
-                                   impactor,
-                                   PlateSection(scene.plate));
+        expected_peak = zener_peak(scene);
       }
     catch (const ComputationError &error)
       {
-        refuse({"Impactor/Velocity", "Impactor/Mass"},
-               "m/s gives no finite force in Zener's equation: " +
-                 std::string(error.what()));
+        mistakes.refuse({"Impactor/Velocity", "Impactor/Mass"},
+                        "m/s gives no finite force in Zener's equation: " +
+                          std::string(error.what()));
       }
   }
 
@@ -309,26 +328,42 @@ namespace PlateImpact
   void
   SceneChecker::complete_time(const ExpectedPeak &peak)
   {
+    const AdaptivityParameters &adaptivity = scene.adaptivity;
+    const bool                  is_for_peak =
+      adaptivity.is_adaptive() && adaptivity.goal == AdaptationGoal::peak_force;
     if (scene.time.time_step == 0.)
+      {
+        TimeParameters time = scene.time;
+        // what the step really costs is measured (TimeControl)
+        if (is_for_peak)
+          time.step_tolerance = adaptivity.target_peak_force_error;
+        choose("Time",
+               "Time step",
+               scene.time.time_step,
+               chosen_time_step(time,
+                                *make_half_space_law(scene),
+                                make_impactor(scene.impactor),
+                                PlateSection(scene.plate)));
+        scene.time.step_is_chosen = true;
+      }
+    if (is_for_peak && schema.origin("Time/Ritz tolerance") == "default")
       choose("Time",
-             "Time step",
-             scene.time.time_step,
-             chosen_time_step(scene.time,
-                              *make_half_space_law(scene),
-                              make_impactor(scene.impactor),
-                              PlateSection(scene.plate)));
+             "Ritz tolerance",
+             scene.time.ritz_tolerance,
+             0.02 * adaptivity.target_peak_force_error);
     if (scene.time.end_time / scene.time.time_step > 1e8)
-      refuse({"Time/Time step", "Time/End time"},
-             "s needs more than 1e8 steps to reach End time, " +
-               number(scene.time.end_time) + " s");
+      mistakes.refuse({"Time/Time step", "Time/End time"},
+                      "s needs more than 1e8 steps to reach End time, " +
+                        number(scene.time.end_time) + " s");
     // a contact lasts about twice the time to its peak
     const double longest_step = 25. * 2. * peak.time;
     if (scene.time.time_step > longest_step)
-      refuse({"Time/Time step", "Impactor/Mass", "Impactor/Velocity"},
-             "s is more than 25 times as long as the contact, which Zener's "
-             "equation expects to last " +
-               number(2. * peak.time) + " s; expected at most " +
-               number(longest_step) + " s");
+      mistakes.refuse(
+        {"Time/Time step", "Impactor/Mass", "Impactor/Velocity"},
+        "s is more than 25 times as long as the contact, which Zener's "
+        "equation expects to last " +
+          number(2. * peak.time) + " s; expected at most " +
+          number(longest_step) + " s");
   }
 
 
@@ -339,26 +374,37 @@ namespace PlateImpact
     if (!scene.contact.has_patch() || scene.contact.patch_radius > 0.)
       return;
     const double thickness = scene.plate.thickness;
+    const double to_edge   = scene.plate.distance_to_edge();
     if (scene.contact.local_response == LocalResponse::layer)
-      // the functional with div theta stands in for radii that are too small
-      return choose("Contact",
-                    "Patch radius",
-                    scene.contact.patch_radius,
-                    thickness *
-                      std::max(0.2,
-                               LayerResponse(scene.plate,
-                                             scene.contact.load_distribution)
-                                 .patch_radius()));
+      {
+        // the functional with div theta stands in for radii that are too small
+        const double of_layer = thickness *
+          std::max(0.2,
+                   LayerResponse(scene.plate, scene.contact.load_distribution)
+                     .patch_radius());
+        if (of_layer > to_edge)
+          return mistakes.refuse(
+            {"Plate/Impact point",
+             "Plate/Side lengths",
+             "Contact/Patch radius"},
+            "m is nearer to an edge, " + number(to_edge) +
+              " m, than the load patch of a layer is wide, " +
+              number(of_layer) + " m; expected a point farther from it");
+        return choose("Contact",
+                      "Patch radius",
+                      scene.contact.patch_radius,
+                      of_layer);
+      }
     const double radius = contact_radius(scene, peak.force, peak.indentation);
-    const auto  &sides  = scene.plate.side_lengths;
-    if (radius > 0.5 * std::min(sides[0], sides[1]))
-      return refuse({"Contact/Patch radius",
-                     "Plate/Side lengths",
-                     "Impactor/Radius",
-                     "Impactor/Velocity"},
-                    "lets the program choose the Hertz contact radius, "
-                    "which is " +
-                      number(radius) + " m and reaches beyond the plate");
+    if (radius > to_edge)
+      return mistakes.refuse(
+        {"Contact/Patch radius",
+         "Plate/Side lengths",
+         "Impactor/Radius",
+         "Impactor/Velocity"},
+        "lets the program choose the Hertz contact radius, "
+        "which is " +
+          number(radius) + " m and reaches beyond the plate");
     // one of few, so that similar impactors share their load; what that changes
     // of the radius, half a per cent at most, is a ten thousandth of the force
     // of the steel case
@@ -374,13 +420,16 @@ namespace PlateImpact
   void
   SceneChecker::complete_mesh()
   {
-    const auto &cells = scene.discretization.initial_cells;
-    const auto &sides = scene.plate.side_lengths;
+    // a round plate is the same wherever a sphere strikes at one radius, and
+    // half of it is enough
+    if (auto &point = scene.plate.impact_point; scene.plate.is_circle() &&
+        !scene.plate.is_laminate() && !scene.impactor.is_cylinder())
+      point = {{std::hypot(point[0], point[1]), 0.}};
     if (scene.adaptivity.maximum_cell_size == 0.)
       choose("Adaptivity",
              "Maximum cell size",
              scene.adaptivity.maximum_cell_size,
-             0.5 * std::max(sides[0] / cells[0], sides[1] / cells[1]));
+             initial_cell_size(scene));
     if (scene.adaptivity.minimum_cell_size == 0.)
       choose("Adaptivity",
              "Minimum cell size",

@@ -80,11 +80,28 @@ namespace PlateImpact
     : name(path)
   {
     declare_parameters(schema, bound);
-    const SceneFile file = scan(path, overrides, output);
-    mistakes             = file.mistakes;
+    SceneFile file = scan(path, overrides, output);
+    for (Assignment &assignment : file.assignments)
+      locate(assignment);
+    mistakes = file.mistakes;
     add_mistakes(schema.check_sections(file.sections));
     add_mistakes(schema.set(file.assignments));
     check_directory();
+  }
+
+
+
+  void
+  SceneReader::locate(Assignment &assignment) const
+  {
+    namespace fs = std::filesystem;
+    if (assignment.path() != "Plate/Outline" ||
+        fs::path(assignment.value).extension() != ".msh")
+      return;
+    const fs::path  beside = fs::path(name).parent_path() / assignment.value;
+    std::error_code error;
+    if (fs::is_regular_file(beside, error))
+      assignment.value = beside.string();
   }
 
 

@@ -24,7 +24,7 @@ namespace PlateImpact
       }
     SceneChecker checker(reader.schema, reader.parameters(), swept);
     checker.check_together();
-    reader.add_mistakes(checker.mistakes);
+    reader.add_mistakes(checker.mistakes.sentences);
     reader.add_mistakes(sweep_plan.mistakes());
     if (reader.mistakes.empty() && sweep_plan.n_points() == 0)
       reader.add_mistakes(
@@ -35,6 +35,8 @@ namespace PlateImpact
 
     base_text = reader.text();
     base      = reader.parameters();
+
+    base->plate.file = checker.parameters().plate.file;
   }
 
 
@@ -94,22 +96,25 @@ namespace PlateImpact
                                swept.path.substr(slash + 1),
                                values[i],
                                swept.origin});
+        reader.locate(assignments.back());
       }
 
-    std::vector<std::string> mistakes = reader.schema.set(assignments);
-    const auto               known    = expected_peaks.find(index);
-    SceneChecker             checker(reader.schema,
-                         reader.parameters(),
+    std::vector<std::string> mistakes   = reader.schema.set(assignments);
+    const auto               known      = expected_peaks.find(index);
+    Parameters               parameters = reader.parameters();
+    parameters.plate.file               = base->plate.file;
+    SceneChecker checker(reader.schema,
+                         parameters,
                          /*swept=*/{},
                          known == expected_peaks.end() ?
-                                       std::nullopt :
-                                       std::optional(known->second));
+                           std::nullopt :
+                           std::optional(known->second));
     if (mistakes.empty())
       {
         checker.check_together();
-        if (checker.mistakes.empty())
+        if (checker.mistakes.sentences.empty())
           checker.complete();
-        mistakes = checker.mistakes;
+        mistakes = checker.mistakes.sentences;
       }
     if (mistakes.empty() && !checker.expected_peak)
       mistakes = {sweep_plan.entries().front().origin +

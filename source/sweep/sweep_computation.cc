@@ -96,7 +96,8 @@ namespace PlateImpact
       row.figures               = values_of_figures(computed.impact,
                                       valid.parameters,
                                       valid.expected,
-                                      computed.discretization_error);
+                                      computed.discretization_error,
+                                      computed.peak_force_bar);
       row.warnings              = std::move(computed.warnings);
       if (valid.parameters.sweep.write_histories)
         history = std::move(computed.impact.history);
@@ -151,9 +152,10 @@ namespace PlateImpact
   SweepComputation::Computed
   SweepComputation::strike(const SweepPoint &point)
   {
-    const Parameters  &parameters   = point.parameters;
     const unsigned int loads_before = struck_plate->work().loads;
-    Computed           computed{struck_plate->strike(parameters), {}, {}};
+    const Parameters   parameters =
+      struck_plate->until_contact_ends(point.parameters);
+    Computed computed{struck_plate->strike(parameters), {}, {}, {}};
     done.loads += struck_plate->work().loads - loads_before;
 
     const Triangulation<2> &mesh = struck_plate->discretization().mesh();
@@ -178,22 +180,29 @@ namespace PlateImpact
   {
     ++done.meshes;
     if (!point.parameters.adaptivity.is_adaptive())
-      return make_plate_quadrant(point.parameters.plate,
-                                 point.parameters.discretization.initial_cells);
+      return make_plate_mesh(point.parameters.plate,
+                             point.parameters.discretization.initial_cells);
     const SweepPoint worst = worst_point(group);
     ImpactAnalysis   analysis(worst.parameters);
     analysis.run();
     mesh_warnings           = analysis.warnings();
     const CycleResult &last = analysis.last_cycle().result;
     done.meshes += last.cycle - 1;
-    if (last.error->eta > worst.parameters.adaptivity.target_error)
+    const AdaptivityParameters &adaptivity = worst.parameters.adaptivity;
+    if (adaptivity.goal == AdaptationGoal::peak_force)
       {
-        mesh_warnings.push_back(fmt::format(
-          "eta is {} on the mesh of the plate for its hardest point, more than "
-          "Adaptivity/Target error, {}",
-          about_percentage(last.error->eta),
-          about_percentage(worst.parameters.adaptivity.target_error)));
+        if (!meets_force_target(last, adaptivity))
+          mesh_warnings.push_back(
+            "on the mesh of the plate for its hardest point, the error bar of "
+            "the peak force does not meet Adaptivity/Target peak force error, " +
+            about_percentage(adaptivity.target()));
       }
+    else if (last.error->eta > adaptivity.target_error)
+      mesh_warnings.push_back(
+        fmt::format("eta is {} on the mesh of the plate for its hardest point, "
+                    "more than Adaptivity/Target error, {}",
+                    about_percentage(last.error->eta),
+                    about_percentage(adaptivity.target_error)));
     return copy_of(analysis.last_cycle().mesh());
   }
 
@@ -241,6 +250,10 @@ namespace PlateImpact
     Impact impact;
     impact.history = *last.history;
     impact.impulse = last.impulse;
-    return {impact, last.error->eta, analysis.all_warnings()};
+    return {impact,
+            last.error->eta,
+            last.peak_force_bar ? std::optional(last.peak_force_bar->total()) :
+                                  std::nullopt,
+            analysis.all_warnings()};
   }
 } // namespace PlateImpact

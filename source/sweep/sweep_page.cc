@@ -3,6 +3,7 @@
 #include "plate_impact/analysis/impact_figures.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/base/version.h"
+#include "plate_impact/output/run_in_words.h"
 #include "plate_impact/sweep/sweep_warnings.h"
 
 #include <algorithm>
@@ -205,11 +206,32 @@ namespace PlateImpact
           }
         plot.series.push_back(series);
       }
+    mark_warnings(quantity, x, points, plot);
     if (!x.is_numeric)
       for (std::size_t i = 0; i < x.texts.size(); ++i)
         plot.caption +=
           (i == 0 ? "" : ", ") + std::to_string(i + 1) + ": " + x.texts[i];
     return plot;
+  }
+
+
+
+  void
+  SweepPage::mark_warnings(const Quantity &quantity,
+                           const Scale    &x,
+                           const std::vector<std::vector<std::size_t>> &points,
+                           Plot &plot) const
+  {
+    Series marked{"with warnings", {}, {}, 7, Style::points};
+    for (const std::vector<std::size_t> &curve : points)
+      for (std::size_t i = 0; i < curve.size(); ++i)
+        if (!rows[curve[i]]->warnings.empty())
+          {
+            marked.x.push_back(x.values[i]);
+            marked.y.push_back(value(quantity, curve[i]));
+          }
+    if (!marked.x.empty())
+      plot.series.push_back(marked);
   }
 
 
@@ -250,7 +272,7 @@ namespace PlateImpact
             plots.back().y.title = unit_of(panel.quantity->title);
             plots.back().y.range = range(*panel.quantity);
           }
-        return page.plots(plots, small);
+        return page.plots(plots, small ? PlotSize::small : PlotSize::medium);
       }
 
     std::vector<ColourMap> maps;
@@ -267,8 +289,12 @@ namespace PlateImpact
                         range(*panel.quantity)});
         for (std::size_t j = 0; j < n_b; ++j)
           for (std::size_t i = 0; i < n_a; ++i)
-            maps.back().values.push_back(
-              value(*panel.quantity, point(panel, i, j)));
+            {
+              const std::size_t p = point(panel, i, j);
+              if (!rows[p]->warnings.empty())
+                maps.back().marked.push_back(maps.back().values.size());
+              maps.back().values.push_back(value(*panel.quantity, p));
+            }
       }
     page.colour_maps(maps, small);
   }
@@ -324,6 +350,41 @@ namespace PlateImpact
 
 
 
+  std::vector<Fact>
+  SweepPage::range_of_force() const
+  {
+    if (shown.empty())
+      return {};
+    const Quantity &force = shown.front();
+    std::size_t     least = rows.size(), largest = rows.size();
+    for (std::size_t point = 0; point < rows.size(); ++point)
+      {
+        const double f = value(force, point);
+        if (std::isnan(f))
+          continue;
+        if (least == rows.size() || f < value(force, least))
+          least = point;
+        if (largest == rows.size() || f > value(force, largest))
+          largest = point;
+      }
+    const auto where = [this](const std::size_t point) {
+      std::string text;
+      for (std::size_t i = 0; i < plan.entries().size(); ++i)
+        text += (i == 0 ? "" : ", ") +
+          assignment(plan.entries()[i], plan.values(point)[i], " ");
+      return text;
+    };
+    const Figure &figure = impact_figures()[force.index];
+    return {{"Smallest peak force",
+             number(*rows[least]->figures[force.index], figure.unit),
+             "at " + where(least)},
+            {"Largest peak force",
+             number(*rows[largest]->figures[force.index], figure.unit),
+             "at " + where(largest)}};
+  }
+
+
+
   void
   SweepPage::write_facts(Page &page, const SweepWork &work) const
   {
@@ -331,14 +392,25 @@ namespace PlateImpact
       std::count_if(rows.begin(), rows.end(), [](const auto &row) {
         return !row->failure.empty();
       });
+    const auto n_warned =
+      std::count_if(rows.begin(), rows.end(), [](const auto &row) {
+        return !row->warnings.empty();
+      });
     page.section("Outcome");
-    page.facts({{"Points", std::to_string(rows.size()), ""},
-                {"Failed", std::to_string(n_failed), ""},
-                {"Meshes", std::to_string(work.meshes), "computed on"},
-                {"Plate models", std::to_string(work.plates), ""},
-                {"Responses to a load", std::to_string(work.loads), ""}});
+    std::vector<Fact> facts = range_of_force();
+    facts.push_back({"Points",
+                     std::to_string(rows.size()),
+                     "failed: " + std::to_string(n_failed) +
+                       ", with warnings: " + std::to_string(n_warned)});
+    facts.push_back({"Meshes",
+                     std::to_string(work.meshes),
+                     "plate models: " + std::to_string(work.plates) +
+                       ", responses to a load: " + std::to_string(work.loads)});
+    page.facts(facts);
     for (const std::string &warning : sweep_warnings(rows))
-      page.notice(warning);
+      page.notice("Warning: " + warning);
+    page.paragraph("The scene, but for what is swept: " +
+                   scene_in_words(scene.parameters()));
     if (scene.may_adapt())
       page.paragraph(scene.parameters().sweep.adapt ==
                          SweepAdaptation::each_point ?

@@ -47,7 +47,7 @@ namespace PlateImpact
     try
       {
         return solve_contact(integration,
-                             law,
+                             *law,
                              current.indentation,
                              impactor_free - plate_free,
                              compliance);
@@ -81,14 +81,15 @@ namespace PlateImpact
     current.impactor_displacement = impactor.displacement;
     current.impactor_velocity     = impactor.velocity;
     current.indentation =
-      law.indentation_under(impactor.displacement - plate_displacement);
-    current.force           = law.force(current.indentation);
-    current.plate_energy    = plate_energy;
-    current.contact_energy  = law.potential(current.indentation);
-    current.impactor_energy = impactor.kinetic_energy();
+      law->indentation_under(impactor.displacement - plate_displacement);
+    current.force             = law->force(current.indentation);
+    current.plate_energy      = plate_energy;
+    current.contact_energy    = law->stored_energy(current.indentation);
+    current.impactor_energy   = impactor.kinetic_energy();
+    current.dissipated_energy = law->dissipated_energy(current.indentation);
     require_finite(current.plate_displacement, "plate displacement");
     require_finite(current.total_energy(), "total energy");
-    if (current.force > law.largest_force())
+    if (current.force > law->largest_force())
       throw ComputationError(fmt::format(
         "step {} (t = {}): the contact force, {}, is beyond what the local "
         "response of a layer holds, {}; choose Contact/Patch radius = 0 or, "
@@ -97,7 +98,9 @@ namespace PlateImpact
         step,
         number(current.time, "s"),
         number(current.force, "N"),
-        number(law.largest_force(), "N")));
+        number(law->largest_force(), "N")));
+    law.follow(current.indentation);
+    current.permanent_indentation = law->permanent_indentation();
   }
 
 

@@ -118,7 +118,7 @@ namespace PlateImpact
       double              area    = 0.;
       for (const auto &cell : discretization.mesh().active_cell_iterators())
         area += cell->measure();
-      return section.bending_stiffness(0, 0) / section.mass / (area * area);
+      return section.mean_bending_stiffness() / section.mass / (area * area);
     }
 
 
@@ -207,7 +207,11 @@ namespace PlateImpact
                       FullSystem                &system,
                       const unsigned int         n)
   {
-    const unsigned int n_rigid  = discretization.is_free() ? 1 : 0;
+    // planes of symmetry let a free plate move, but not turn across them
+    const unsigned int n_rigid  = !discretization.is_free() ? 0 :
+       discretization.n_parts() > 2.                        ? 1 :
+       discretization.n_parts() > 1.                        ? 2 :
+                                                              3;
     const unsigned int n_wanted = std::min(n, discretization.n_unknowns() / 4);
     if (n_wanted == 0)
       return {};

@@ -16,6 +16,19 @@ namespace PlateImpact
       return static_cast<unsigned int>(
         std::max(1., std::ceil(ratio * (1 - 1e-9))));
     }
+
+
+
+    /// The scene's own where the end time is a multiple of it, so that a
+    /// transient that goes on longer takes the same steps to the last digit.
+    double
+    length_of_steps(const TimeParameters &time, const unsigned int n_steps)
+    {
+      const double length = time.end_time / n_steps;
+      return std::abs(length - time.time_step) <= 1e-9 * length ?
+        time.time_step :
+        length;
+    }
   } // namespace
 
 
@@ -24,7 +37,7 @@ namespace PlateImpact
     : beta(time.newmark_beta)
     , gamma(time.newmark_gamma)
     , n_steps(count_steps(time))
-    , dt(time.end_time / n_steps)
+    , dt(length_of_steps(time, n_steps))
     , c0(1. / (beta * dt * dt))
     , c1(1. / (beta * dt))
     , c2(1. / (2. * beta) - 1.)

@@ -62,10 +62,14 @@ namespace PlateImpact
   {
     const std::vector<ContactState> &states = history.states();
     Eigen::VectorXd                  forces(step_of_peak(history));
+    FollowedLaw                      followed(law);
     for (Eigen::Index k = 1; k <= forces.size(); ++k)
-      forces[k - 1] = integration.force(law,
-                                        states[k - 1].indentation,
-                                        states[k].indentation);
+      {
+        forces[k - 1] = integration.force(*followed,
+                                          states[k - 1].indentation,
+                                          states[k].indentation);
+        followed.follow(states[k].indentation);
+      }
     return forces;
   }
 
@@ -89,18 +93,21 @@ namespace PlateImpact
 
     // d phi_k by the approaches at the begin (a) and at the end (b) of a step
     Eigen::VectorXd a = Eigen::VectorXd::Zero(p), b = a;
+    FollowedLaw     followed(law);
+    double          at_peak = 0.;
     for (Eigen::Index k = 0; k < p; ++k)
       {
         const double begin = states[k].indentation,
                      end   = states[k + 1].indentation;
-        if (forces[k] == 0.)
-          continue;
-        b[k] = integration.stiffness(law, begin, end, forces[k]) /
-          law.approach_rate(end);
+        if (forces[k] != 0.)
+          b[k] = integration.stiffness(*followed, begin, end, forces[k]) /
+            followed->approach_rate(end);
         // a mean force takes both ends alike
-        if (integration.acts_at_begin())
-          a[k] = integration.stiffness(law, end, begin, forces[k]) /
-            law.approach_rate(begin);
+        if (forces[k] != 0. && integration.acts_at_begin())
+          a[k] = integration.stiffness(*followed, end, begin, forces[k]) /
+            followed->approach_rate(begin);
+        at_peak = followed->stiffness(end) / followed->approach_rate(end);
+        followed.follow(end);
       }
 
     Eigen::VectorXd mu(p);
@@ -110,10 +117,7 @@ namespace PlateImpact
         const Eigen::Index n_after = p - 1 - n;
         const double       known =
           compliance.segment(1, n_after).dot(mu.tail(n_after));
-        const double peak            = states[p].indentation;
-        double       right_hand_side = n == p - 1 ?
-                law.stiffness(peak) / law.approach_rate(peak) :
-                -a[n + 1] * y_after;
+        double right_hand_side = n == p - 1 ? at_peak : -a[n + 1] * y_after;
         right_hand_side -= b[n] * known;
         mu[n]   = right_hand_side / (1. + b[n] * compliance[0]);
         y_after = known + compliance[0] * mu[n];

@@ -45,18 +45,20 @@ namespace PlateImpact
 
 
   Impact
-  PlateResponse::impact(const ContactLaw &law, const Impactor &impactor) const
+  PlateResponse::impact(const ContactLaw  &law,
+                        const Impactor    &impactor,
+                        const unsigned int n_steps) const
   {
     ImpactorStepper stepper(scheme, law, integration, impactor);
     Impact          result;
-    result.history.reserve(scheme.n_steps + 1);
+    result.history.reserve(n_steps + 1);
     result.history.add(stepper.state());
 
     const double    compliance = reversed[scheme.n_steps - 1];
-    Eigen::VectorXd forces(scheme.n_steps);
+    Eigen::VectorXd forces(n_steps);
     unsigned int    n_forces = 0; // up to the last that is not zero
     double          energy   = 0.;
-    for (unsigned int step = 0; step < scheme.n_steps; ++step)
+    for (unsigned int step = 0; step < n_steps; ++step)
       {
         const double begin = stepper.begin_step();
         const double w     = stepper.state().plate_displacement;

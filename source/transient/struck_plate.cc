@@ -3,6 +3,8 @@
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/stage_clock.h"
 #include "plate_impact/base/text.h"
+#include "plate_impact/contact/make_contact_law.h"
+#include "plate_impact/contact/zener.h"
 #include "plate_impact/plate/layer_response.h"
 #include "plate_impact/plate/load_distribution.h"
 #include "plate_impact/transient/linear_solver.h"
@@ -11,6 +13,8 @@
 #include "plate_impact/transient/newmark_scheme.h"
 #include "plate_impact/transient/time_error.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace PlateImpact
@@ -24,6 +28,12 @@ namespace PlateImpact
 
     /// Steps to the peak with which its error is estimated.
     constexpr double most_steps_to_peak = 20000.;
+
+    /// Of the force by Ritz vectors that serve its error alone.
+    constexpr double tolerance_of_estimate = 1e-2;
+
+    /// Steps in which the end of a contact is looked for.
+    constexpr double most_steps_of_contact = 262144.;
 
 
 
@@ -47,9 +57,9 @@ namespace PlateImpact
 
   StruckPlate::StruckPlate(const PlateParameters          &plate,
                            const DiscretizationParameters &discretization,
-                           std::unique_ptr<dealii::Triangulation<2>> quadrant)
+                           std::unique_ptr<dealii::Triangulation<2>> part)
     : element(discretization.element)
-    , mesh(std::move(quadrant))
+    , mesh(std::move(part))
     , linear_solver(discretization.linear_solver)
     , plate(*mesh, element, plate)
   {}
@@ -68,6 +78,88 @@ namespace PlateImpact
                     make_impactor(parameters.impactor));
     require_energy(parameters, result.history);
     return result;
+  }
+
+
+
+  Parameters
+  StruckPlate::until_contact_ends(const Parameters &parameters)
+  {
+    if (parameters.time.end_time > 0.)
+      return parameters;
+    Parameters   result   = parameters;
+    const double dt       = parameters.time.time_step;
+    const double expected = 2. * zener_peak(parameters).time;
+    // by powers of two, so that impactors share vectors
+    for (double n = std::exp2(std::ceil(std::log2(1.5 * expected / dt)));;
+         n *= 2.)
+      {
+        result.time.horizon = result.time.end_time = n * dt;
+        const std::optional<double> end            = contact_end(result);
+        if (end)
+          result.time.end_time = dt * std::ceil(*end / dt);
+        // more steps take more vectors
+        else if (is_stepped_on_the_mesh(result))
+          result.time.integrator = IntegratorType::Newmark;
+        if (end || n >= most_steps_of_contact ||
+            n * dt >= longest_contact(parameters))
+          return result;
+      }
+  }
+
+
+
+  bool
+  StruckPlate::is_stepped_on_the_mesh(const Parameters &parameters)
+  {
+    return &prepare(parameters).integrator->system_for(parameters) ==
+      full.get();
+  }
+
+
+
+  std::optional<double>
+  StruckPlate::contact_end(const Parameters &parameters)
+  {
+    if (!is_stepped_on_the_mesh(parameters))
+      return strike(parameters).history.first_contact_end();
+    // few digits are needed, but every step counts
+    TimeParameters coarse = parameters.time;
+    coarse.time_step *= 4.;
+    Load       &load = prepare(parameters);
+    const auto  law  = make_contact_law(parameters, load.layer_constant);
+    TimeStepper stepper(coarse,
+                        *full,
+                        *law,
+                        *load.integration,
+                        make_impactor(parameters.impactor));
+    bool        is_touching = false;
+    for (unsigned int step = 0; step < stepper.n_steps(); ++step)
+      {
+        stepper.advance();
+        const ContactState &state = stepper.state();
+        if (is_touching && state.force == 0.)
+          return 1.01 * state.time;
+        is_touching = is_touching || state.force > 0.;
+      }
+    return {};
+  }
+
+
+
+  double
+  StruckPlate::longest_contact(const Parameters &parameters)
+  {
+    const double half_space = 2. *
+      rigid_plate_peak(*make_half_space_law(parameters),
+                       make_impactor(parameters.impactor),
+                       PlateSection(parameters.plate))
+        .time;
+    const double compliance = assembled().static_compliance();
+    const double mass       = make_impactor(parameters.impactor).mass;
+    if (!std::isfinite(compliance)) // free to move, it is left sooner
+      return 100. * half_space;
+    return 2. * (half_space + std::acos(-1.) * std::sqrt(mass * compliance));
   }
 
 
@@ -100,8 +192,11 @@ namespace PlateImpact
                              const ContactLaw     &law,
                              const Impactor       &impactor)
   {
-    if (NewmarkScheme(time).conserves_energy())
-      return load.integrator->response(system).impact(law, impactor);
+    const NewmarkScheme scheme(time);
+    if (scheme.conserves_energy())
+      return load.integrator->response(system).impact(law,
+                                                      impactor,
+                                                      scheme.n_steps);
     TimeStepper stepper(time, system, law, *load.integration, impactor);
     return step_to_end(stepper);
   }
@@ -151,16 +246,27 @@ namespace PlateImpact
     const NewmarkScheme scheme(parameters.time);
     if (!scheme.conserves_energy() || history.peak().force <= 0.)
       return {};
-    Load               &load   = prepare(parameters);
-    SemidiscreteSystem &system = load.integrator->system_for(parameters);
-    // On the mesh it takes two more transients, and the weights take the square
-    // of the steps.
-    const bool is_wanted =
-      parameters.adaptivity.goal == AdaptationGoal::peak_force;
-    if ((&system == full.get() && !is_wanted) ||
-        history.peak().time > most_steps_to_peak * scheme.dt)
+    // the weights take the square of the steps
+    if (history.peak().time > most_steps_to_peak * scheme.dt)
       return {};
-    const PlateResponse &response = load.integrator->response(system);
+    Load       &load       = prepare(parameters);
+    Integrator *integrator = load.integrator.get();
+    // On the mesh it would take three more transients up to the peak. It needs
+    // few digits.
+    if (&integrator->system_for(parameters) == full.get())
+      {
+        Parameters for_estimate          = parameters;
+        for_estimate.time.integrator     = IntegratorType::Ritz_vectors;
+        for_estimate.time.end_time       = history.peak().time;
+        for_estimate.time.horizon        = 0.;
+        for_estimate.time.time_step      = scheme.dt;
+        for_estimate.time.ritz_tolerance = tolerance_of_estimate;
+        load.for_estimate =
+          make_integrator(for_estimate, *full, *load.integration);
+        integrator = load.for_estimate.get();
+      }
+    SemidiscreteSystem  &system   = integrator->system_for(parameters);
+    const PlateResponse &response = integrator->response(system);
     const auto  law         = make_contact_law(parameters, load.layer_constant);
     const auto &integration = *load.integration;
     // a motion takes half of what is looked at together
@@ -221,16 +327,20 @@ namespace PlateImpact
       {
         forget_loads();
         Load load;
-        load.u = plate.load(make_load_distribution(parameters.contact,
-                                                   parameters.impactor.length),
-                            load_rotation_factor(parameters.plate,
-                                                 parameters.contact));
+        load.u = plate.load(
+          on_meshed_part(make_load_distribution(parameters.contact,
+                                                parameters.impactor.length),
+                         parameters.plate),
+          load_rotation_factor(parameters.plate, parameters.contact));
         load.layer_constant =
           PlateImpact::layer_constant(parameters.plate, parameters.contact);
         load.integration =
           make_contact_integration(parameters.contact.integration);
+        Parameters to_horizon = parameters;
+        to_horizon.time.end_time =
+          std::max(parameters.time.end_time, parameters.time.horizon);
         load.integrator =
-          make_integrator(parameters, system, *load.integration);
+          make_integrator(to_horizon, system, *load.integration);
         known = loads.emplace(key, std::move(load)).first;
         ++n_loads;
       }
@@ -259,12 +369,16 @@ namespace PlateImpact
   StruckPlate::LoadKey
   StruckPlate::load_key(const Parameters &parameters)
   {
-    ContactParameters contact = parameters.contact;
-    contact.law               = {}; // whatever it is
+    ContactParameters contact    = parameters.contact;
+    contact.law                  = {}; // whatever it is
+    contact.unloading            = {};
+    contact.critical_indentation = 0.;
+    TimeParameters time          = parameters.time;
+    time.end_time                = std::max(time.end_time, time.horizon);
     return {contact,
             parameters.impactor.shape,
             parameters.impactor.length,
-            parameters.time,
+            time,
             parameters.needs_estimator()};
   }
 
@@ -286,7 +400,11 @@ namespace PlateImpact
     work.ritz_vectors     = n_forgotten_vectors;
     work.assembly_seconds = assembly_seconds;
     for (const auto &[key, load] : loads)
-      work.ritz_vectors += load.integrator->n_vectors();
+      {
+        work.ritz_vectors += load.integrator->n_vectors();
+        if (load.for_estimate != nullptr)
+          work.ritz_vectors += load.for_estimate->n_vectors();
+      }
     if (full != nullptr)
       {
         work.factorizations        = full->n_factorizations();

@@ -40,8 +40,8 @@ namespace PlateImpact
     {
       explicit Stages(const unsigned int cells)
         : parameters(steel_case(cells, IntegratorType::Newmark))
-        , mesh(make_plate_quadrant(parameters.plate,
-                                   parameters.discretization.initial_cells))
+        , mesh(make_plate_mesh(parameters.plate,
+                               parameters.discretization.initial_cells))
         , element(parameters.discretization.element)
         , model(*mesh, element, parameters.plate)
         , law(make_contact_law(parameters))

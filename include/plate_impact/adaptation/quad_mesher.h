@@ -1,16 +1,14 @@
 #ifndef plate_impact_adaptation_quad_mesher_h
 #define plate_impact_adaptation_quad_mesher_h
 
+#include "plate_impact/base/plate_file.h"
+
 #include <array>
 #include <string>
 #include <vector>
 
 namespace PlateImpact
 {
-  /// A point of the plane. [m]
-  using PlanePoint = std::array<double, 2>;
-
-
   /// Target sizes of a mesh, bilinear in quadrilaterals that cover its domain.
   struct SizeField
   {
@@ -73,11 +71,13 @@ namespace PlateImpact
     ///                  mesh. Vertices between two corners of equal x or y have
     ///                  exactly that x or y.
     /// @param warnings  told why settings were given up, if any were
+    /// @param inside    points of the domain that are vertices too
     /// @throws ComputationError when no settings give a mesh of quadrilaterals
     QuadMesh
     mesh(const std::vector<PlanePoint> &corners,
          const SizeField               &sizes,
-         std::vector<std::string>      &warnings) const;
+         std::vector<std::string>      &warnings,
+         const std::vector<PlanePoint> &inside = {}) const;
 
   private:
     const std::vector<MesherSettings> attempts;

@@ -43,8 +43,14 @@ namespace PlateImpact
     is_worth_it(const dealii::Triangulation<2> &mesh,
                 const ErrorOverLimit           &error,
                 const std::vector<double>      &sizes) const;
-    std::vector<PlanePoint>
-    corners(const dealii::Triangulation<2> &mesh) const;
+
+    /// Corners of the domain, and vertices within it.
+    struct Outline
+    {
+      std::vector<PlanePoint> corners, inside;
+    };
+    Outline
+    outline(const dealii::Triangulation<2> &mesh) const;
 
     const AdaptivityParameters adaptivity;
     const double               contact_half_length;

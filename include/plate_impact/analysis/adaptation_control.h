@@ -9,6 +9,19 @@
 
 namespace PlateImpact
 {
+  /// Whether the bar of the peak force meets its target.
+  bool
+  meets_force_target(const CycleResult          &result,
+                     const AdaptivityParameters &adaptivity);
+
+
+  /// What the goal makes smaller by better meshes: eta, or the mesh's part of
+  /// the error of the peak force, infinite where it cannot be estimated.
+  double
+  error_of_goal(const CycleResult          &result,
+                const AdaptivityParameters &adaptivity);
+
+
   /// When an analysis ends and what its next mesh is made for: by default, as
   /// Table 1 of the paper, when the scene's target error is met by the whole
   /// and by every cell that may still be refined.
@@ -35,6 +48,9 @@ namespace PlateImpact
   private:
     bool
     is_met(const CycleResult &result) const;
+    /// Whether it is not the mesh that keeps the peak force from its target.
+    bool
+    step_is_too_coarse(const CycleResult &result) const;
 
   protected:
     const AdaptivityParameters adaptivity;

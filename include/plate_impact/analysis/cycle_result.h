@@ -37,6 +37,13 @@ namespace PlateImpact
     }
   };
 
+  /// The peak force again, on the mesh with every cell halved.
+  struct Verification
+  {
+    unsigned int cells;
+    double       peak_force; ///< [N]
+  };
+
   /// Result of one mesh. Empty optionals are quantities that the scene does not
   /// have.
   struct CycleResult
@@ -75,8 +82,18 @@ namespace PlateImpact
     std::optional<Snapshot> peak_state;
     std::vector<Snapshot>   frames;
 
+    std::optional<Verification> verification; ///< where asked for
+
     Work    work;
     Seconds seconds;
+    double  seconds_before = 0.; ///< of all meshes before
+
+    /// From the beginning to the end of this cycle. [s]
+    double
+    cumulative_seconds() const
+    {
+      return seconds_before + seconds.total();
+    }
   };
 } // namespace PlateImpact
 

@@ -7,6 +7,7 @@
 #include "plate_impact/analysis/adaptation_control.h"
 #include "plate_impact/analysis/cycle.h"
 #include "plate_impact/analysis/outcome.h"
+#include "plate_impact/analysis/time_control.h"
 #include "plate_impact/base/parameters.h"
 
 #include <limits>
@@ -22,6 +23,11 @@ namespace PlateImpact
   {
   public:
     virtual ~AnalysisListener() = default;
+
+    /// Before what may take long.
+    /// @param what  "assembly" and the like
+    virtual void
+    stage(unsigned int cycle, const std::string &what);
 
     /// After every step of a transient.
     virtual void
@@ -60,6 +66,12 @@ namespace PlateImpact
     void
     refine_everywhere();
 
+    /// Computes the peak force of the last cycle again, with every cell of its
+    /// mesh halved.
+    /// @throws ComputationError naming step and quantity
+    void
+    verify();
+
     /// The last one; there is one after run().
     const Cycle &
     last_cycle() const;
@@ -76,11 +88,23 @@ namespace PlateImpact
 
   private:
     void
-    build();
+    build(AnalysisListener &listener);
     void
     strike(AnalysisListener &listener);
+    /// One transient.
     void
-    estimate();
+    strike(const Parameters &on_mesh, AnalysisListener &listener);
+    /// The last mesh again, if it was watched on the way to the peak only.
+    void
+    watch_to_the_end(AnalysisListener &listener);
+    /// Of the peak force.
+    void
+    estimate_errors(const Parameters &on_mesh, const ContactHistory &history);
+    /// Steps that were more than the vectors, on a mesh of so many unknowns.
+    bool
+    vectors_are_too_many(const Parameters &on_mesh) const;
+    void
+    estimate(AnalysisListener &listener);
     /// The error bar of the peak force.
     void
     bound(const PeakForceError &estimate);
@@ -88,7 +112,11 @@ namespace PlateImpact
     ErrorOverLimit
     over_limit(double target) const;
     std::optional<Outcome>
-    adapt(AdaptationControl &control);
+    adapt(AdaptationControl &control, AnalysisListener &listener);
+    /// Whether vectors were fewer than steps.
+    void
+    note_vectors(const StruckPlate::Work &before,
+                 const StruckPlate::Work &after);
     void
     note_work(const StruckPlate::Work &work);
 
@@ -100,10 +128,16 @@ namespace PlateImpact
     unsigned int              n_cycles         = 0;
     double                    seconds_for_mesh = 0.;
     std::vector<std::string>  adaptation_warnings;
-    std::optional<PeakOnMesh> peak_before; ///< on the mesh before
-    /// Unknowns from which vectors were more than steps, or nearly so.
-    unsigned int too_many_for_vectors =
-      std::numeric_limits<unsigned int>::max();
+    std::optional<PeakOnMesh> peak_here, peak_before; ///< mesh before
+
+    /// Of the bending waves that the contact sends out. [m]
+    double      contact_wave_length = 0.;
+    TimeControl time_control;
+    Parameters  last_struck; ///< with the end time and the step of the cycle
+    /// Unknowns from which vectors were more than steps, or nearly so, and as
+    /// many steps.
+    unsigned int unknowns_for_steps = std::numeric_limits<unsigned int>::max(),
+                 steps_for_unknowns = 0;
   };
 } // namespace PlateImpact
 

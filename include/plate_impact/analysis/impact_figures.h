@@ -20,6 +20,12 @@ namespace PlateImpact
   };
 
 
+  /// Speed of the rebound over that of the impact; empty while the bodies touch
+  /// or approach.
+  std::optional<double>
+  restitution(const ContactHistory &history);
+
+
   /// The figures of an impact, in the order of the columns of sweep.csv. SI
   /// units.
   const std::vector<Figure> &
@@ -32,11 +38,13 @@ namespace PlateImpact
   ///
   /// @param expected              by Zener's equation
   /// @param discretization_error  eta, where it was estimated
+  /// @param peak_force_bar        as PeakForceBar::total(), where there is one
   std::vector<std::optional<double>>
   values_of_figures(const Impact                &impact,
                     const Parameters            &parameters,
                     const ExpectedPeak          &expected,
-                    const std::optional<double> &discretization_error);
+                    const std::optional<double> &discretization_error,
+                    const std::optional<double> &peak_force_bar);
 } // namespace PlateImpact
 
 #endif

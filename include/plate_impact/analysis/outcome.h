@@ -13,6 +13,7 @@ namespace PlateImpact
     maximum_cycles,
     maximum_cells,
     mesh_unchanged,
+    time_step_too_coarse,
     time_budget,
     nearly_as_fine_as_the_reference
   };

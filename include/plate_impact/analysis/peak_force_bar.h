@@ -8,6 +8,9 @@
 
 namespace PlateImpact
 {
+  /// Covers what the cells miss: calibrated on random scenes (doc/theory.md).
+  constexpr double safety_of_bar = 1.5;
+
   /// How far the computed peak force may be from that of the equations, by mesh
   /// and time step, relative to it. The model is another matter.
   struct PeakForceBar
@@ -26,12 +29,15 @@ namespace PlateImpact
     std::optional<double> space;      ///< of the bar
   };
 
-  /// The part of a bar that is the mesh's: the sum of the absolute
-  /// contributions of the cells times a factor that covers what they miss
-  /// (doc/theory.md), and no less than the change of the force from
-  /// the mesh before where that was more than the bar there. Empty where the
-  /// mesh is blind: on a first mesh an estimate above a twentieth of the force
-  /// is none, nor is any where the load is not resolved.
+  /// The sum of the absolute contributions of the cells times a factor that
+  /// covers what they miss (doc/theory.md).
+  double
+  bar_of_mesh(const PeakForceError &estimate);
+
+  /// The part of a bar that is the mesh's: bar_of_mesh(). Where the load is not
+  /// resolved, no less than one and a half times the change of the force from
+  /// the mesh before, if that was more than the bar there; and empty on a first
+  /// mesh, as is any estimate above a twentieth of the force there.
   /// @param resolves_load  whether the smallest cells are no larger than the
   /// load
   std::optional<double>

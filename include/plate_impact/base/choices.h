@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -10,6 +11,13 @@
 /// choices.cc; what they mean is documented where the entry is declared.
 namespace PlateImpact
 {
+  enum class PlateOutline
+  {
+    rectangle,
+    circle,
+    file ///< of Gmsh, named in its place
+  };
+
   enum class EdgeSupport
   {
     clamped,
@@ -30,6 +38,12 @@ namespace PlateImpact
     Sun,
     Hertz,
     line
+  };
+
+  enum class UnloadingLaw
+  {
+    elastic,
+    Yang_Sun
   };
 
   enum class LocalResponse
@@ -56,6 +70,7 @@ namespace PlateImpact
   enum class ElementType
   {
     serendipity,
+    serendipity_full,
     heterosis,
     Lagrange,
     MITC9
@@ -90,10 +105,35 @@ namespace PlateImpact
     peak_force
   };
 
+  /// A strategy of a comparison, with what its meshes are made for.
+  struct ComparedStrategy
+  {
+    AdaptationStrategy strategy;
+    AdaptationGoal     goal;
+
+    bool
+    operator==(const ComparedStrategy &other) const
+    {
+      return strategy == other.strategy && goal == other.goal;
+    }
+
+    bool
+    operator<(const ComparedStrategy &other) const
+    {
+      return std::tie(strategy, goal) < std::tie(other.strategy, other.goal);
+    }
+  };
+
   enum class ErrorIndicator
   {
     SPR,
     Kelly
+  };
+
+  enum class RecoveryPatches
+  {
+    mirrored,
+    interior
   };
 
   enum class SweepCombination
@@ -147,6 +187,9 @@ namespace PlateImpact
   choices();
   template <>
   const std::vector<std::pair<AdaptationGoal, std::string>> &
+  choices();
+  template <>
+  const std::vector<std::pair<ComparedStrategy, std::string>> &
   choices();
   template <>
   const std::vector<std::pair<ErrorIndicator, std::string>> &

@@ -50,6 +50,14 @@ namespace PlateImpact
   public:
     using std::runtime_error::runtime_error;
   };
+
+  /// The user has pressed Ctrl-C: the sentence says what is kept and how to go
+  /// on. The program ends with exit status 130, as shells have it.
+  class Interruption : public std::runtime_error
+  {
+  public:
+    using std::runtime_error::runtime_error;
+  };
 } // namespace PlateImpact
 
 #endif

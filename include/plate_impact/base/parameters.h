@@ -2,8 +2,12 @@
 #define plate_impact_base_parameters_h
 
 #include "plate_impact/base/choices.h"
+#include "plate_impact/base/plate_file.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <memory>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -13,15 +17,162 @@
 /// (declarations.cc), and printed by `plate-impact defaults`. SI units.
 namespace PlateImpact
 {
+  /// What the entry Plate/Outline says.
+  struct Outline
+  {
+    PlateOutline shape = PlateOutline::rectangle;
+    std::string  file; ///< of Gmsh, for the shape of that name
+  };
+
+
+  /// A support and the edge that it is on; empty: those of a file without
+  /// names, the one edge or the x and the y edges.
+  struct EdgeSupports
+  {
+    std::string edge;
+    EdgeSupport support;
+  };
+
+
+  /// A ply of a laminate, longitudinal (1) along its fibres.
+  struct PlyParameters
+  {
+    double longitudinal_modulus;       ///< E_1
+    double transverse_modulus;         ///< E_2
+    double poissons_ratio;             ///< nu_12
+    double in_plane_shear_modulus;     ///< G_12
+    double longitudinal_shear_modulus; ///< G_13
+    double transverse_shear_modulus;   ///< G_23
+  };
+
+
+  /// Angles of plies to x in degrees, from the struck face, and how they were
+  /// written; none for a homogeneous isotropic plate.
+  struct Layup
+  {
+    std::string         text;
+    std::vector<double> angles;
+  };
+
+
   struct PlateParameters
   {
-    std::array<double, 2>    side_lengths;
-    double                   thickness;
-    double                   youngs_modulus;
-    double                   poissons_ratio;
-    double                   density;
-    double                   shear_correction_factor;
-    std::vector<EdgeSupport> support; ///< one, or x edges and y edges
+    std::array<double, 2> side_lengths;
+    double                thickness;
+    double                youngs_modulus;
+    double                poissons_ratio;
+    double                density;
+    double                shear_correction_factor;
+    /// one, x edges and y edges, or those of a file by their names
+    std::vector<EdgeSupports> supports;
+    std::array<double, 2>     impact_point = {{0., 0.}}; ///< from the centre
+    Outline                   outline;
+    Layup                     layup;
+    PlyParameters             ply;
+
+    // what follows from the entries
+    bool twists_when_bent = false;         ///< D_16 or D_26 is not zero
+    std::shared_ptr<const PlateFile> file; ///< for an outline from one
+
+    bool
+    is_laminate() const
+    {
+      return !layup.angles.empty();
+    }
+
+    bool
+    is_circle() const
+    {
+      return outline.shape == PlateOutline::circle;
+    }
+
+    bool
+    is_from_file() const
+    {
+      return outline.shape == PlateOutline::file;
+    }
+
+    /// Of the rectangle around the plate.
+    double
+    side_length(const unsigned int d) const
+    {
+      return is_from_file() ? file->extent[d] :
+                              side_lengths[is_circle() ? 0 : d];
+    }
+
+    double
+    area() const
+    {
+      if (is_from_file())
+        return file->area;
+      return (is_circle() ? 0.25 * std::acos(-1.) : 1.) * side_length(0) *
+        side_length(1);
+    }
+
+    /// Whether the plate mirrors in the line x = 0 (d = 0) or y = 0 (d = 1)
+    /// through the impact: what is meshed is then one side of it. A file holds
+    /// the whole mesh, and a plate that twists when bent mirrors in no line.
+    bool
+    is_symmetric(const unsigned int d) const
+    {
+      return !is_from_file() && !twists_when_bent && impact_point[d] == 0.;
+    }
+
+    /// Parts like the one that is meshed in the plate.
+    double
+    n_parts() const
+    {
+      return (is_symmetric(0) ? 2. : 1.) * (is_symmetric(1) ? 2. : 1.);
+    }
+
+    /// Where the part that is meshed begins and ends along an axis, from the
+    /// impact.
+    double
+    begin(const unsigned int d) const
+    {
+      return is_symmetric(d) ? 0. : -0.5 * side_length(d) - impact_point[d];
+    }
+
+    double
+    end(const unsigned int d) const
+    {
+      return 0.5 * side_length(d) - impact_point[d];
+    }
+
+    /// From the impact to the nearer of the edges along an axis; negative for a
+    /// point that is not on the plate.
+    double
+    distance_to_edge(const unsigned int d) const
+    {
+      if (is_from_file())
+        return file->distance_to_edge(impact_point, d);
+      const double half = 0.5 * side_length(d), across = impact_point[1 - d];
+      const double to_edge = is_circle() ?
+        std::sqrt(std::max(0., half * half - across * across)) :
+        half;
+      return to_edge - std::abs(impact_point[d]);
+    }
+
+    double
+    distance_to_edge() const
+    {
+      if (is_from_file())
+        return file->distance_to_edge(impact_point);
+      return is_circle() ?
+        0.5 * side_length(0) - std::hypot(impact_point[0], impact_point[1]) :
+        std::min(distance_to_edge(0), distance_to_edge(1));
+    }
+
+    /// How many of n cells of a rectangle along an axis lie on the negative
+    /// side of the impact, which is a vertex; 0 where it begins the mesh, or
+    /// for one cell.
+    unsigned int
+    cells_before_impact(const unsigned int d, const unsigned int n) const
+    {
+      return is_symmetric(d) || n == 1 ?
+        0 :
+        std::clamp<long>(std::lround(-begin(d) / side_length(d) * n), 1, n - 1);
+    }
   };
 
   struct ImpactorParameters
@@ -62,6 +213,8 @@ namespace PlateImpact
     LoadShape        load_distribution;
     double           patch_radius;
     ForceIntegration integration;
+    UnloadingLaw     unloading;
+    double           critical_indentation;
 
     /// Whether the force spreads over an area that Patch radius measures.
     bool
@@ -98,7 +251,9 @@ namespace PlateImpact
                       local_response,
                       load_distribution,
                       patch_radius,
-                      integration);
+                      integration,
+                      unloading,
+                      critical_indentation);
     }
   };
 
@@ -111,13 +266,17 @@ namespace PlateImpact
 
   struct TimeParameters
   {
-    double         end_time;
+    double         end_time; ///< 0: that of the first contact
     double         time_step;
     double         step_tolerance;
     IntegratorType integrator;
     double         ritz_tolerance;
     double         newmark_beta;
     double         newmark_gamma;
+
+    // what follows from the entries
+    bool   step_is_chosen = false; ///< by the program
+    double horizon = 0.; ///< until when Ritz vectors serve, if after end_time
 
     auto
     members() const
@@ -137,8 +296,10 @@ namespace PlateImpact
     AdaptationStrategy strategy;
     AdaptationGoal     goal;
     ErrorIndicator     indicator;
+    RecoveryPatches    recovery_patches;
     double             target_error;
     double             target_peak_force_error;
+    bool               verify;
     unsigned int       maximum_cycles;
     unsigned int       maximum_cells;
     double             size_exponent;
@@ -177,11 +338,11 @@ namespace PlateImpact
 
   struct ComparisonParameters
   {
-    std::vector<AdaptationStrategy> strategies;
-    std::vector<ElementType>        elements;
-    unsigned int                    maximum_cycles;
-    double                          reference_peak_force;
-    double                          time_budget;
+    std::vector<ComparedStrategy> strategies;
+    std::vector<ElementType>      elements;
+    unsigned int                  maximum_cycles;
+    double                        reference_peak_force;
+    double                        time_budget;
   };
 
   struct SweepParameters

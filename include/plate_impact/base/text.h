@@ -7,9 +7,10 @@
 #include <vector>
 
 /// Numbers and words that a user reads, by one rule everywhere: results have
-/// six significant digits, estimates and advice three; both have the prefix of
-/// their unit that makes them easy to read. What a user may type into a scene
-/// stands as it is typed, in the unit of the entry.
+/// four significant digits, or as many as their error leaves them, estimates
+/// and advice three; both have the prefix of their unit that makes them easy to
+/// read. Columns of numbers to compare have six. What a user may type into a
+/// scene stands as it is typed, in the unit of the entry.
 namespace PlateImpact
 {
   /// A unit with the prefix that makes values easy to read: of 3.43e-5 s it
@@ -44,18 +45,34 @@ namespace PlateImpact
   };
 
 
-  /// A result; a dash when it is not finite.
+  /// A number of six digits; a dash when it is not finite.
   std::string
   number(double value);
+
+  /// A number of some significant digits, without an exponent where six would
+  /// need none: 1310, not 1.31e+03.
+  std::string
+  rounded(double value, int digits = 4);
 
   /// A result with its unit.
   /// @param unit  of SI without prefix
   std::string
   number(double value, const std::string &unit);
 
-  /// A fraction as "5 %".
+  /// A result and how far it may be off, which is rounded up to one digit or,
+  /// of 1 and 2, two: "1390.10 N ± 0.10 N".
+  /// @param unit  of SI without prefix
+  std::string
+  with_error(double value, double error, const std::string &unit);
+
+  /// A result, a fraction, as "5 %".
   std::string
   percentage(double fraction);
+
+  /// How far a value is from another: "+0.56 %", or "12.6 times" where it is
+  /// more than twice it or less than half.
+  std::string
+  deviation(double value, double other);
 
   /// An estimate or advice.
   std::string
@@ -81,7 +98,7 @@ namespace PlateImpact
   std::string
   waiting_time(double seconds);
 
-  /// In the letters that every terminal has: u for µ.
+  /// In the letters that every terminal has: u for µ, +- for ±.
   std::string
   in_ascii(std::string text);
 

@@ -19,6 +19,10 @@ namespace PlateImpact
     /// @param parameters  of a scene with an impactor
     explicit Expectation(const Parameters &parameters);
 
+    /// That of the scene, or of the first contact. [s]
+    double
+    end_time(const Parameters &parameters) const;
+
     ExpectedPeak zener; ///< on the infinite plate
     ExpectedPeak rigid; ///< on a plate that does not move
     BendingWave  wave;  ///< of half the period of Zener's contact
@@ -47,7 +51,7 @@ namespace PlateImpact
   /// What a run costs, from what scenes of prm/ take.
   struct ExpectedCost
   {
-    ExpectedCost(const Parameters &parameters, const BendingWave &wave);
+    ExpectedCost(const Parameters &parameters, const Expectation &known);
 
     /// Of the program and all cycles. [s]
     double

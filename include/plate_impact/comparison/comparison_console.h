@@ -6,6 +6,7 @@
 #include "plate_impact/output/terminal.h"
 #include "plate_impact/scene/scene.h"
 
+#include <chrono>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,10 @@ namespace PlateImpact
     void
     reference(const Reference &reference);
 
+    /// Before a curve: which of how many, and the time that is left.
+    void
+    curve(const ComparedStrategy &strategy, ElementType element);
+
     /// The last mesh of a curve.
     void
     mesh(const ComparisonCurve &curve);
@@ -40,8 +45,12 @@ namespace PlateImpact
     ProgressLine progress;
 
   private:
-    const bool     quiet;
-    const Terminal out;
+    using Clock = std::chrono::steady_clock;
+
+    const bool        quiet;
+    const Terminal    out;
+    std::size_t       n_curves = 0, n_curves_begun = 0;
+    Clock::time_point begin_of_curves;
   };
 } // namespace PlateImpact
 

@@ -9,9 +9,9 @@
 
 namespace PlateImpact
 {
-  /// Goes on to smaller errors: whenever eta meets the target, or the target
-  /// gives no other mesh, it is halved, up to eight times from one mesh to the
-  /// next.
+  /// Goes on to smaller errors: whenever that of the goal meets the target, or
+  /// the target gives no other mesh, it is halved, up to eight times from one
+  /// mesh to the next.
   class HalvedTargets : public AdaptationControl
   {
   public:
@@ -56,19 +56,21 @@ namespace PlateImpact
   class CurveControl : public HalvedTargets
   {
   public:
-    /// @param is_enough  whether nothing can be learned from a smaller eta
+    using IsEnough = std::function<bool(const CycleResult &)>;
+
+    /// @param is_enough  whether nothing can be learned from a smaller error
     /// @param is_spent   whether the time budget is
-    CurveControl(const Parameters                  &parameters,
-                 const std::function<bool(double)> &is_enough,
-                 const std::function<bool()>       &is_spent);
+    CurveControl(const Parameters            &parameters,
+                 const IsEnough              &is_enough,
+                 const std::function<bool()> &is_spent);
 
     std::optional<Outcome>
     check(const CycleResult &result) override;
 
   private:
-    const unsigned int                maximum_cycles;
-    const std::function<bool(double)> is_enough;
-    const std::function<bool()>       is_spent;
+    const unsigned int          maximum_cycles;
+    const IsEnough              is_enough;
+    const std::function<bool()> is_spent;
   };
 } // namespace PlateImpact
 

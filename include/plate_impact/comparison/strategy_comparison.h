@@ -46,7 +46,8 @@ namespace PlateImpact
     unsigned int          cycle, cells, degrees_of_freedom;
     double                eta, peak_force; ///< [N]
     double                peak_force_error;
-    bool                  is_comparable; ///< above the reference's uncertainty
+    std::optional<double> peak_force_bar; ///< none on blind meshes
+    bool                  is_comparable;  ///< above the reference's uncertainty
     std::optional<double> contact_end_error;
     double                seconds, cumulative_seconds;
 
@@ -58,7 +59,7 @@ namespace PlateImpact
   /// What a strategy achieves with an element, mesh by mesh.
   struct ComparisonCurve
   {
-    AdaptationStrategy            strategy;
+    ComparedStrategy              strategy;
     ElementType                   element;
     std::vector<ComparedMesh>     meshes;
     std::string                   end;     ///< why it ends there
@@ -83,6 +84,12 @@ namespace PlateImpact
   };
 
 
+  /// Whether neither is ahead: identical meshes, or times that differ by less
+  /// than a tenth, as they do from run to run.
+  bool
+  are_tied(const Achievement &a, const Achievement &b);
+
+
   /// Who reaches a threshold.
   struct ThresholdRow
   {
@@ -90,7 +97,8 @@ namespace PlateImpact
     double                threshold;
     bool                  is_comparable; ///< above the reference's uncertainty
     /// Curves that reach it and stay below, the fastest first; none where it is
-    /// not comparable.
+    /// not comparable. Of eta, those whose meshes are made for it: by force, a
+    /// plate is watched no longer than its peak takes.
     std::vector<Achievement> achievements;
 
     bool
@@ -139,7 +147,7 @@ namespace PlateImpact
     /// @param listener  told after every mesh
     const ComparisonCurve &
     compute_curve(
-      AdaptationStrategy                                  strategy,
+      const ComparedStrategy                             &strategy,
       ElementType                                         element,
       const std::function<void(const ComparisonCurve &)> &listener = {});
 
@@ -156,11 +164,12 @@ namespace PlateImpact
   private:
     /// Whether there is nothing to learn from a comparison.
     bool
-    is_close_to_reference(double eta) const;
+    is_close_to_reference(const CycleResult          &result,
+                          const AdaptivityParameters &adaptivity) const;
     std::vector<Achievement>
     achievements(double threshold, double ComparedMesh::*error) const;
     Parameters
-    parameters_of(AdaptationStrategy strategy, ElementType element) const;
+    parameters_of(const ComparedStrategy &strategy, ElementType element) const;
     void
     add_meshes(ComparisonCurve                                    &curve,
                const std::function<void(const ComparisonCurve &)> &listener);

@@ -21,11 +21,21 @@ namespace PlateImpact
     double plate_energy          = 0.; ///< [J]
     double contact_energy        = 0.; ///< [J]
     double impactor_energy       = 0.; ///< [J]
+    double dissipated_energy     = 0.; ///< by a contact with memory [J]
+    double permanent_indentation = 0.; ///< that such a one has left [m]
 
     double
     total_energy() const
     {
-      return plate_energy + contact_energy + impactor_energy;
+      return plate_energy + contact_energy + impactor_energy +
+        dissipated_energy;
+    }
+
+    /// Of the bodies that touch, below 0 of those that do not. [m]
+    double
+    overlap() const
+    {
+      return indentation - permanent_indentation;
     }
   };
 
@@ -75,7 +85,8 @@ namespace PlateImpact
     double
     relative_energy_drift() const;
 
-    /// A table of all states, with the names above as its header.
+    /// A table of all states, with the names above as its header; the last two
+    /// of a contact that dissipates energy.
     void
     write(std::ostream &out) const;
 

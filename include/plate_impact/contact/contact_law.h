@@ -4,12 +4,11 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace PlateImpact
 {
-  struct ContactParameters;
   struct Parameters;
-  struct PlateParameters;
 
   /// Force between impactor and plate as a function of the indentation of the
   /// bodies at the contact, zero for negative ones, never decreasing.
@@ -68,6 +67,36 @@ namespace PlateImpact
       return approach;
     }
 
+    /// What the contact gives back from an indentation on; differs from the
+    /// potential for laws that dissipate. [J]
+    virtual double
+    stored_energy(const double indentation) const
+    {
+      return potential(indentation);
+    }
+
+    /// What it has dissipated when it reaches an indentation. [J]
+    virtual double
+    dissipated_energy(double /*indentation*/) const
+    {
+      return 0.;
+    }
+
+    /// Up to which indentation the bodies no longer touch. [m]
+    virtual double
+    permanent_indentation() const
+    {
+      return 0.;
+    }
+
+    /// The law after a step that ended at an indentation; empty where it stays
+    /// what it is, as for all laws without memory.
+    virtual std::unique_ptr<const ContactLaw>
+    after(double /*indentation*/) const
+    {
+      return nullptr;
+    }
+
     /// The force up to which the law holds; beyond it is continued, so that
     /// iterations may pass there. [N]
     virtual double
@@ -82,6 +111,43 @@ namespace PlateImpact
     {
       return {};
     }
+  };
+
+  /// A law that is followed from step to step.
+  class FollowedLaw
+  {
+  public:
+    /// @param law  at first touch; must outlive this
+    explicit FollowedLaw(const ContactLaw &law)
+      : current(&law)
+    {}
+
+    const ContactLaw &
+    operator*() const
+    {
+      return *current;
+    }
+
+    const ContactLaw *
+    operator->() const
+    {
+      return current;
+    }
+
+    /// A step has ended.
+    void
+    follow(const double indentation)
+    {
+      if (auto next = current->after(indentation))
+        {
+          own     = std::move(next);
+          current = own.get();
+        }
+    }
+
+  private:
+    const ContactLaw                 *current;
+    std::unique_ptr<const ContactLaw> own;
   };
 
   /// Hertz's law of two elastic bodies touching at a point, F = k alpha^{3/2}
@@ -233,29 +299,6 @@ namespace PlateImpact
   contact_pressure(const Parameters &parameters,
                    double            force,
                    double            indentation);
-
-  /// The law that the scene names: `line` (eq. 32), `Sun` (eq. 17 as printed:
-  /// 1/E for the plate, after Yang & Sun, NASA CR-165460, 1981) or `Hertz` ((1
-  /// - nu^2)/E for both bodies, Johnson, Contact Mechanics, eq. 4.23), with the
-  /// local response of the layer that the plate is where the scene says so.
-  std::unique_ptr<const ContactLaw>
-  make_contact_law(const Parameters &parameters);
-
-  /// The same where what it takes from the layer is known.
-  /// @param layer_constant  that of the function below
-  std::unique_ptr<const ContactLaw>
-  make_contact_law(const Parameters &parameters, double layer_constant);
-
-  /// Lambda of the layer under a sphere or a line contact, which no impactor
-  /// changes; 0 for a half-space.
-  double
-  layer_constant(const PlateParameters   &plate,
-                 const ContactParameters &contact);
-
-  /// The law without the layer, for Zener's equation: the point load on a thin
-  /// plate, which has no thickness, needs none.
-  std::unique_ptr<const ContactLaw>
-  make_half_space_law(const Parameters &parameters);
 } // namespace PlateImpact
 
 #endif

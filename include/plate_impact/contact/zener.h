@@ -7,6 +7,7 @@
 
 namespace PlateImpact
 {
+  struct Parameters;
   struct PlateSection;
   struct TimeParameters;
 
@@ -37,6 +38,16 @@ namespace PlateImpact
              const Impactor     &impactor,
              const PlateSection &section,
              double              time_step);
+
+  /// That of a scene's impactor, law without the layer, and plate.
+  ExpectedPeak
+  zener_peak(const Parameters &parameters);
+
+  /// The same on a plate that does not move.
+  ExpectedPeak
+  rigid_plate_peak(const ContactLaw   &law,
+                   const Impactor     &impactor,
+                   const PlateSection &section);
 
   /// The whole solution: up to the end of the contact, or to a time when that
   /// comes first; a plate that gives way at once is never left. The plate's
@@ -87,6 +98,10 @@ namespace PlateImpact
   /// group speed twice that (Graff, Wave Motion in Elastic Solids, sec. 4.2).
   BendingWave
   contact_wave(const PlateSection &section, double contact_time);
+
+  /// That of the contact which Zener's equation expects of a scene.
+  BendingWave
+  contact_wave(const Parameters &parameters);
 } // namespace PlateImpact
 
 #endif

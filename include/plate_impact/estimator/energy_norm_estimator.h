@@ -90,7 +90,7 @@ namespace PlateImpact
     double          last_time = 0.;
     Norms           norm_integrals, last_norms;
     Eigen::VectorXd relative_integral, last_relative; ///< ||e||_i by norm
-    double          max_stress = 0.;
+    Eigen::MatrixXd max_stresses;
 
     std::vector<double>          sample_times, sample_errors;
     std::vector<Eigen::VectorXf> kept_element_errors;

@@ -24,9 +24,9 @@ namespace PlateImpact
     /// singular cells.
     std::vector<double> element_errors;
 
-    /// Largest von Mises stress at the faces of the plate over vertices and
-    /// samples, from recovered resultants. [Pa]
-    double max_effective_stress = 0.;
+    /// Largest PlateSection::stresses() over vertices and samples, from
+    /// recovered resultants. [Pa]
+    Eigen::MatrixXd max_stresses;
 
     /// Relative error ||e|| / (||u||^2 + ||e||^2)^{1/2} at the samples, without
     /// singular cells; eta is its mean with the denominator as weight.

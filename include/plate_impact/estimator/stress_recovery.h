@@ -81,8 +81,9 @@ namespace PlateImpact
     /// outlive
     ///                  this object
     /// @param is_rough  whether no polynomial fits across a point, as under a
-    ///                  line load, where the shear force jumps: vertices there
-    ///                  use their neighbours as on an edge
+    ///                  line load, where the shear force jumps, or no patch is
+    ///                  wanted: vertices there use their neighbours as on an
+    ///                  edge
     explicit StressRecovery(
       const dealii::Triangulation<2>                      &mesh,
       const std::function<bool(const dealii::Point<2> &)> &is_rough = {});

@@ -6,6 +6,7 @@
 #include "plate_impact/base/text.h"
 #include "plate_impact/output/progress_line.h"
 #include "plate_impact/output/terminal.h"
+#include "plate_impact/output/verdict.h"
 #include "plate_impact/scene/scene.h"
 
 #include <string>
@@ -18,7 +19,7 @@ namespace PlateImpact
   class Console
   {
   public:
-    /// @param quiet  only warnings and errors
+    /// @param quiet  only warnings, errors and a line for scripts
     explicit Console(bool quiet);
 
     void
@@ -31,6 +32,7 @@ namespace PlateImpact
     void
     end(Outcome                         outcome,
         const CycleResult              &last,
+        const Verdict                  &verdict,
         const std::vector<std::string> &warnings,
         const std::string              &results);
 
@@ -38,6 +40,12 @@ namespace PlateImpact
     ProgressLine progress;
 
   private:
+    /// For scripts: peak force [N], bar relative to it, outcome, trust.
+    void
+    print_line(Outcome            outcome,
+               const CycleResult &last,
+               const Verdict     &verdict) const;
+
     const bool           quiet;
     const Terminal       out;
     AdaptivityParameters adaptivity = {};

@@ -27,6 +27,11 @@ namespace PlateImpact
                    const Axis                   &y,
                    double                        factor = 1.);
 
+  /// eta and the error bar of the peak force against the time since the
+  /// beginning, with the slope of errors that halve when the time doubles.
+  Plot
+  errors_against_seconds(const nlohmann::ordered_json &cycles);
+
   /// Wall time as stacked bars, one per cycle.
   Plot
   seconds_by_stage(const nlohmann::ordered_json &cycles);

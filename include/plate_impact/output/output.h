@@ -7,6 +7,7 @@
 #include "plate_impact/analysis/outcome.h"
 #include "plate_impact/output/report.h"
 #include "plate_impact/output/result_directory.h"
+#include "plate_impact/output/verdict.h"
 #include "plate_impact/scene/scene.h"
 
 #include <nlohmann/json.hpp>
@@ -38,6 +39,7 @@ namespace PlateImpact
     void
     finish(Outcome                         outcome,
            const std::vector<std::string> &warnings,
+           const Verdict                  &verdict,
            Cycle                          &last);
 
     /// summary.json of a run that failed, with the cycles before.
@@ -50,6 +52,11 @@ namespace PlateImpact
     write_file(const std::string                         &name,
                const std::function<void(std::ostream &)> &write);
 
+    /// Where the files are and of how many cycles, for a user whose run ends
+    /// early.
+    std::string
+    kept() const;
+
     /// The files to look at first, for the user.
     std::string
     main_files() const;
@@ -61,7 +68,8 @@ namespace PlateImpact
     write_fields(const Cycle &cycle);
     nlohmann::ordered_json
     write_summary(const std::string              &outcome,
-                  const std::vector<std::string> &warnings);
+                  const std::vector<std::string> &warnings,
+                  const Verdict                  &verdict);
 
     const Scene           &scene;
     const ResultDirectory  directory;

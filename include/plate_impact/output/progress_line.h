@@ -17,6 +17,10 @@ namespace PlateImpact
 
     ~ProgressLine();
 
+    /// What is done now, until the next call.
+    void
+    show(unsigned int cycle, const std::string &stage);
+
     void
     show(unsigned int cycle, unsigned int step, unsigned int n_steps);
 

@@ -41,6 +41,14 @@ namespace PlateImpact
         impactor_energy, total_energy;
     };
 
+    /// Columns by the names of their curves.
+    using Quantities = std::vector<
+      std::pair<std::string, std::vector<double> PlottedHistory::*>>;
+
+    /// What an axis shows: 0 and the quantities of one history.
+    static std::pair<double, double>
+    extent_of(const PlottedHistory &history, const Quantities &quantities);
+
     static PlottedHistory
     plotted(const CycleResult &result);
 

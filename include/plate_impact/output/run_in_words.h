@@ -3,6 +3,7 @@
 
 #include "plate_impact/base/parameters.h"
 #include "plate_impact/page/page.h"
+#include "plate_impact/plate/plate_section.h"
 
 #include <nlohmann/json.hpp>
 
@@ -19,6 +20,10 @@ namespace PlateImpact
   /// that fits. For scenes with an impactor.
   std::string
   local_response_in_words(const Parameters &parameters);
+
+  /// The stresses of a section with what they are, as in its stress_names().
+  std::vector<std::string>
+  stresses_in_words(const PlateSection &section);
 
   /// What a reader looks for first: peak force, Zener's beside it, contact,
   /// rebound, error, outcome.

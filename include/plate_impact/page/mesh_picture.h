@@ -3,6 +3,8 @@
 
 #include <deal.II/grid/tria.h>
 
+#include "plate_impact/base/parameters.h"
+
 #include <iosfwd>
 #include <string>
 #include <vector>
@@ -19,12 +21,20 @@ namespace PlateImpact
                  const std::string              &caption,
                  const std::vector<double>      &errors);
 
-  /// The same without caption and scale, for pages.
+  /// The same without caption and scale, for pages, with the load patch and
+  /// what the scripts need to show it alone: data-unit, the length of a metre,
+  /// and data-x, -y, -r of the patch.
   /// @param label  for those who do not see it
   std::string
   mesh_picture(const dealii::Triangulation<2> &mesh,
+               const Parameters               &parameters,
                const std::string              &label,
                const std::vector<double>      &errors);
+
+  /// Which part of the plate the meshes of a scene are, and where the impact
+  /// is.
+  std::string
+  meshed_part_in_words(const PlateParameters &plate);
 } // namespace PlateImpact
 
 #endif

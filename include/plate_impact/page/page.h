@@ -27,6 +27,9 @@ namespace PlateImpact
     std::vector<double> x, y; ///< y alone in a bar plot; not finite: a gap
     unsigned int        colour = 0;
     Style               style  = Style::line;
+
+    std::string marker = {}; ///< those of one name have points of one shape
+    std::vector<std::vector<double>> more_x = {}; ///< over those of Plot
   };
 
   /// What an axis or a scale of colours shows at least; not finite: its values.
@@ -41,6 +44,7 @@ namespace PlateImpact
     std::string title; ///< with its unit in brackets
     bool        logarithmic = false;
     Range       range       = {};
+    Range       limits      = {}; ///< beyond which it shows nothing
   };
 
   struct Plot
@@ -51,6 +55,16 @@ namespace PlateImpact
 
     /// When given: stacked horizontal bars, one for each category.
     std::vector<std::string> categories;
+
+    std::vector<Axis> more_x = {}; ///< that a reader may choose in place of x
+  };
+
+  /// Of plots beside each other.
+  enum class PlotSize
+  {
+    small, ///< for many
+    medium,
+    large
   };
 
   struct Table
@@ -58,6 +72,7 @@ namespace PlateImpact
     std::vector<std::string>              columns; ///< with units
     std::vector<std::vector<std::string>> rows;    ///< the first cell is a name
     bool                                  has_words = false; ///< not numbers
+    bool is_sortable = false; ///< by a click on a column
   };
 
   /// A number that a reader looks for first.
@@ -89,7 +104,8 @@ namespace PlateImpact
     Axis                x, y;
     std::vector<double> x_values, y_values;
     std::vector<double> values; ///< row by row, x fastest; not finite: empty
-    Range               range = {}; ///< of the scale
+    Range               range  = {}; ///< of the scale
+    std::vector<double> marked = {}; ///< places among the values to look at
   };
 
 
@@ -131,15 +147,24 @@ namespace PlateImpact
     void
     notice(const std::string &text);
 
+    /// What a reader must know first, in a colour and with a sign of its own.
+    /// @param trust    `good`, `doubtful` or `none`
+    /// @param reasons  why not good
+    void
+    verdict(const std::string              &trust,
+            const std::string              &text,
+            const std::vector<std::string> &reasons);
+
     void
     facts(const std::vector<Fact> &facts);
 
     void
     table(const Table &table);
 
-    /// Plots beside each other where there is room; `small` ones for many.
+    /// Plots beside each other where there is room. Those whose series have
+    /// markers share one legend, by colours and by shapes, and the choice of x.
     void
-    plots(const std::vector<Plot> &plots, bool small = false);
+    plots(const std::vector<Plot> &plots, PlotSize size = PlotSize::medium);
 
     /// Maps beside each other where there is room; `small` ones for many.
     void

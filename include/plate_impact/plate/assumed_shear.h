@@ -3,6 +3,7 @@
 
 #include <deal.II/base/point.h>
 #include <deal.II/base/quadrature.h>
+#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 
 #include <Eigen/Core>
@@ -43,14 +44,15 @@ namespace PlateImpact
   };
 
 
-  /// Tied at the 2x2 Gauss points, Cartesian components interpolated
-  /// bilinearly: the same as integrating the shear energy with these points
-  /// only (Malkus & Hughes, Comput Methods Appl Mech Engng 15, 1978, 63-81),
-  /// since 2x2 points integrate the square of a bilinear strain exactly.
-  class ReducedShear : public AssumedShear
+  /// Tied at n x n Gauss points, Cartesian components interpolated by
+  /// polynomials of degree n - 1 in each direction: the same as integrating the
+  /// shear energy with these points only (Malkus & Hughes, Comput Methods Appl
+  /// Mech Engng 15, 1978, 63-81), since they integrate the square of such a
+  /// strain exactly on parallelograms.
+  class ShearAtGaussPoints : public AssumedShear
   {
   public:
-    ReducedShear();
+    explicit ShearAtGaussPoints(unsigned int n);
     const dealii::Quadrature<2> &
     tying_points() const override;
     CellOperator
@@ -59,7 +61,24 @@ namespace PlateImpact
                 const dealii::FEValues<2> &values) const override;
 
   private:
+    const dealii::QGauss<1>     rule;
     const dealii::Quadrature<2> points;
+  };
+
+
+  /// 2x2 points.
+  class ReducedShear : public ShearAtGaussPoints
+  {
+  public:
+    ReducedShear();
+  };
+
+
+  /// 3x3 points, as for the rest of the element: nothing is assumed.
+  class FullShear : public ShearAtGaussPoints
+  {
+  public:
+    FullShear();
   };
 
 

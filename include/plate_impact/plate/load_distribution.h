@@ -9,25 +9,31 @@
 
 namespace PlateImpact
 {
-  /// A point of the plate quadrant and the fraction of the force that acts
-  /// there and at its mirror images.
+  /// A point of the plate, from the impact, and the fraction of the force that
+  /// acts there and at its mirror images.
   struct LoadPoint
   {
     dealii::Point<2> point;
     double           weight;
   };
 
-  /// Quadrature of the scene's load distribution over the quadrant; the weights
-  /// sum to one. Independent of any mesh: the points lie where the load needs
-  /// them, in whatever cells they fall. `point`: the origin. `Hertz disc`:
-  /// pressure ~ sqrt(1 - (r/c)^2), `uniform disc`: constant pressure, both
-  /// within the patch radius c. `line`: the contact
-  /// length of a cylinder along x, constant force per length; `strip`: the same
-  /// with pressure ~ sqrt(1 - (y/c)^2) across.
+  /// Quadrature of the scene's load distribution over the quadrant x >= 0, y >=
+  /// 0; the weights sum to one. Independent of any mesh: the points lie where
+  /// the load needs them, in whatever cells they fall. `point`: the origin.
+  /// `Hertz disc`: pressure ~ sqrt(1 - (r/c)^2), `uniform disc`: constant
+  /// pressure, both within the patch radius c. `line`: the contact length of a
+  /// cylinder along x, constant force per length; `strip`: the same with
+  /// pressure ~ sqrt(1 - (y/c)^2) across.
   ///
   /// @param length  of the contact of a cylinder, 2l [m]
   std::vector<LoadPoint>
   make_load_distribution(const ContactParameters &contact, double length);
+
+  /// The same on what is meshed of a plate: points of the quadrant are joined
+  /// by their mirror images in axes that are no planes of symmetry.
+  std::vector<LoadPoint>
+  on_meshed_part(const std::vector<LoadPoint> &of_quadrant,
+                 const PlateParameters        &plate);
 } // namespace PlateImpact
 
 #endif

@@ -10,10 +10,13 @@
 #include "plate_impact/plate/load_distribution.h"
 #include "plate_impact/plate/plate_element.h"
 #include "plate_impact/plate/plate_section.h"
+#include "plate_impact/plate/support.h"
 
 #include <Eigen/Core>
 #include <Epetra_CrsMatrix.h>
 
+#include <array>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -36,8 +39,13 @@ namespace PlateImpact
     /// Numbers the unknowns; the mesh must outlive the discretization.
     PlateDiscretization(const dealii::Triangulation<2> &mesh,
                         const PlateElement             &element,
+                        const PlateParameters          &plate);
+
+    /// The same for a mesh that is not what the plate's symmetry leaves.
+    PlateDiscretization(const dealii::Triangulation<2> &mesh,
+                        const PlateElement             &element,
                         const PlateParameters          &plate,
-                        double                          multiplicity = 4.);
+                        double                          multiplicity);
 
     /// Builds K and M.
     void
@@ -92,6 +100,10 @@ namespace PlateImpact
     double
     n_parts() const;
 
+    /// Whether x = 0, y = 0 is a plane of symmetry that bounds the mesh.
+    std::array<bool, 2>
+    is_symmetric() const;
+
     /// Whether no support holds the deflection, so that the plate can move as
     /// a rigid body.
     bool
@@ -105,7 +117,8 @@ namespace PlateImpact
 
   private:
     void
-    constrain(const PlateParameters &plate);
+    constrain(const std::map<dealii::types::boundary_id, Support> &supports);
+
     void
     find_shapes();
 

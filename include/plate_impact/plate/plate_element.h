@@ -59,6 +59,8 @@ namespace PlateImpact
   ///  - `serendipity`, the paper's: all components constrained, shear
   ///  integrated
   ///    with 2x2 points (ReducedShear);
+  ///  - `serendipity full`: the same with 3x3 points for the shear (FullShear),
+  ///    which locks on plates that are thin for their cells;
   ///  - `heterosis` (Hughes & Cohen, Comput Struct 9, 1978, 445-450): the
   ///    deflection constrained, 2x2 points;
   ///  - `Lagrange`: nothing constrained, 2x2 points; has a spurious zero-energy

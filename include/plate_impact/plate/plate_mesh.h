@@ -1,6 +1,7 @@
 #ifndef plate_impact_plate_plate_mesh_h
 #define plate_impact_plate_plate_mesh_h
 
+#include <deal.II/fe/mapping.h>
 #include <deal.II/grid/tria.h>
 
 #include "plate_impact/base/parameters.h"
@@ -9,22 +10,48 @@
 
 namespace PlateImpact
 {
-  /// Boundary ids of the quadrant 0 <= x <= a/2, 0 <= y <= b/2 with the impact
-  /// at the origin.
+  /// Boundary ids of a mesh, which has the impact at the origin.
   enum PlateBoundary : dealii::types::boundary_id
   {
-    symmetry_x = 0, ///< x = 0
-    edge_x     = 1, ///< x = a/2
-    symmetry_y = 2, ///< y = 0
-    edge_y     = 3  ///< y = b/2
+    symmetry_x = 0, ///< the plane of symmetry x = 0
+    edge_x     = 1, ///< edges of the plate across x
+    symmetry_y = 2, ///< the plane of symmetry y = 0
+    edge_y     = 3, ///< edges across y
+    edge_round = 4, ///< the edge of a circle
+    edge_named = 5  ///< the first edge of a file, followed by the others
   };
 
-  /// The quadrant in equal rectangular cells. Refinement keeps neighbours,
-  /// across vertices too, within one level of each other: patches of the stress
-  /// recovery then mix cells of similar size only.
+  /// Of second order, so that round edges are not polygons, on which a simple
+  /// support is another (Babuska's paradox).
+  const dealii::Mapping<2> &
+  curved_mapping();
+
+  /// curved_mapping() for cells with a curved side, else bilinear.
+  const dealii::Mapping<2> &
+  mapping_of(const dealii::Triangulation<2>::cell_iterator &cell);
+
+  /// curved_mapping() for meshes that have curved sides.
+  const dealii::Mapping<2> &
+  mapping_of(const dealii::Triangulation<2> &mesh);
+
+  /// Cells of the first mesh.
+  double
+  n_initial_cells(const Parameters &parameters);
+
+  /// Longest side of the cells of the first mesh. [m]
+  double
+  initial_cell_size(const Parameters &parameters);
+
+  /// What symmetry leaves of the plate, in rectangular cells, equal in size for
+  /// an impact at the centre; the impact is a vertex, unless a single cell lies
+  /// across an axis. A circle has a few cells, halved until there are as many;
+  /// a file has its own.
+  /// Refinement keeps neighbours, across vertices too, within
+  /// one level of each other: patches of the stress recovery then mix cells of
+  /// similar size only.
   std::unique_ptr<dealii::Triangulation<2>>
-  make_plate_quadrant(const PlateParameters             &plate,
-                      const std::array<unsigned int, 2> &n_cells);
+  make_plate_mesh(const PlateParameters             &plate,
+                  const std::array<unsigned int, 2> &n_cells);
 
   std::unique_ptr<dealii::Triangulation<2>>
   copy_of(const dealii::Triangulation<2> &mesh);

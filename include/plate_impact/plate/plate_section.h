@@ -5,6 +5,9 @@
 
 #include <Eigen/Core>
 
+#include <string>
+#include <vector>
+
 namespace PlateImpact
 {
   /// Stress resultants M_x, M_y, M_xy [N] and Q_x, Q_y [N/m], or the
@@ -12,28 +15,75 @@ namespace PlateImpact
   /// shear strains.
   using Resultants = Eigen::Matrix<double, 5, 1>;
 
-  /// The homogeneous isotropic section of a Reissner-Mindlin plate: what its
-  /// strains cost and what it weighs. The only place of the material. A
-  /// flat plate under transverse load has no membrane response, so the paper's
-  /// in-plane unknowns are left out; stresses are linear through the thickness,
-  /// so that resultants give the energies of its through-thickness Gauss
-  /// points.
+  /// The section of a Reissner-Mindlin plate, homogeneous and isotropic or a
+  /// symmetric laminate (classical lamination theory with first-order shear,
+  /// Reddy, Mechanics of Laminated Composite Plates and Shells, 2nd ed., secs.
+  /// 2.4 and 3.4): what its strains cost and what it weighs. The only place of
+  /// the material. A flat plate under transverse load has no membrane response,
+  /// so the paper's in-plane unknowns are left out; stresses are linear through
+  /// the thickness, or through each ply, so that resultants give the energies
+  /// of its through-thickness Gauss points.
   struct PlateSection
   {
     explicit PlateSection(const PlateParameters &plate);
 
-    /// Moments per curvature, D = E t^3 / (12 (1 - nu^2)) times the plane
-    /// stress matrix. [N m]
+    /// Moments per curvature: of an isotropic plate D = E t^3 / (12 (1 -
+    /// nu^2)) times the plane stress matrix. [N m]
     Eigen::Matrix3d bending_stiffness;
 
-    /// Shear force per shear strain, kappa G t. [N/m]
-    double shear_stiffness;
+    /// Shear forces per shear strains, kappa times the integral of the shear
+    /// moduli. [N/m]
+    Eigen::Matrix2d shear_stiffness;
+
+    /// Membrane forces per curvature, which a symmetric section does not have.
+    /// [N]
+    Eigen::Matrix3d coupling_stiffness;
 
     /// rho t. [kg/m^2]
     double mass;
 
     /// rho t^3 / 12. [kg]
     double rotary_inertia;
+
+    /// Of what the impactor touches, across the thickness: E, of a laminate
+    /// E_2. [Pa]
+    double contact_modulus;
+
+    /// Of a half-space of the same in Hertz's law: (1 - nu^2) / E, of a
+    /// laminate 1 / E_2 (Yang & Sun, NASA CR-165460, 1981). [1/Pa]
+    double half_space_compliance;
+
+    /// Shear modulus of an isotropic plate. [Pa]
+    double shear_modulus;
+
+    /// D of the isotropic plate that resists a point load as this one:
+    /// sqrt(D_11 D_22 (1 + eta) / 2), eta = (D_12 + 2 D_66) / sqrt(D_11 D_22)
+    /// (Olsson, AIAA J. 30, 1992, p. 1587). [N m]
+    /// With D_16 or D_26 the mean over directions of D^{-1/2}, to the power -2.
+    double
+    mean_bending_stiffness() const;
+
+    /// Moment per curvature of cylindrical bending along a direction. [N m]
+    /// @param angle  to x
+    double
+    bending_stiffness_along(double angle) const;
+
+    /// Of all directions. [N/m]
+    double
+    mean_shear_stiffness() const;
+
+    /// Speed of the fastest wave, of bending at infinite frequency. [m/s]
+    double
+    fastest_wave() const;
+
+    /// Whether bending is coupled with twisting, so that the plate mirrors in
+    /// no line.
+    bool
+    twists_when_bent() const;
+
+    /// Whether bending stretches the middle surface.
+    bool
+    is_unsymmetric() const;
 
     /// Twice the strain energy density of resultants, sigma^T D^-1 sigma, of
     /// the norms in Table 1 of the paper. [J/m^2]
@@ -48,14 +98,27 @@ namespace PlateImpact
     Eigen::Matrix<double, 5, 5>
     root_of_compliance() const;
 
-    /// Von Mises stress at the faces of the plate, the paper's effective
-    /// stress: sigma = 6 M / t^2, no transverse shear. [Pa]
-    double
-    surface_von_mises_stress(double m_x, double m_y, double m_xy) const;
+    /// Names of the stresses that moments cause at the faces: the paper's
+    /// effective stress, von Mises; of a ply those along and across its fibres
+    /// and the shear stress between.
+    const std::vector<std::string> &
+    stress_names() const;
+
+    /// Their magnitudes, the larger of both faces of each ply: a row a ply, or
+    /// one row, and a column a name. No transverse shear. [Pa]
+    Eigen::MatrixXd
+    stresses(double m_x, double m_y, double m_xy) const;
 
   private:
-    double          thickness;
-    Eigen::Matrix3d bending_compliance;
+    void
+    set_isotropic(const PlateParameters &plate);
+    void
+    set_laminate(const PlateParameters &plate);
+
+    double                       thickness;
+    Eigen::Matrix3d              bending_compliance;
+    Eigen::Matrix2d              shear_compliance;
+    std::vector<Eigen::Matrix3d> stress_of_ply; ///< per moment [1/m^2]
   };
 } // namespace PlateImpact
 

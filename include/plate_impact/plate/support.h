@@ -1,9 +1,12 @@
 #ifndef plate_impact_plate_support_h
 #define plate_impact_plate_support_h
 
+#include <deal.II/base/types.h>
 #include <deal.II/fe/component_mask.h>
 
-#include "plate_impact/base/choices.h"
+#include "plate_impact/base/parameters.h"
+
+#include <map>
 
 
 namespace PlateImpact
@@ -24,6 +27,10 @@ namespace PlateImpact
 
   const Support &
   find_support(EdgeSupport name);
+
+  /// Those of the edges of a plate by their boundary ids.
+  std::map<dealii::types::boundary_id, Support>
+  supports_of(const PlateParameters &plate);
 
   /// What a plane of symmetry holds: it mirrors the plate.
   const Support &

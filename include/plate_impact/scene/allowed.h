@@ -3,7 +3,7 @@
 
 #include <deal.II/base/patterns.h>
 
-#include "plate_impact/base/choices.h"
+#include "plate_impact/base/parameters.h"
 
 #include <array>
 #include <functional>
@@ -31,6 +31,8 @@ namespace PlateImpact
     clone() const override;
 
     static Allowed
+    any_number();
+    static Allowed
     number_above(double bound);
     static Allowed
     number_from(double first);
@@ -49,6 +51,18 @@ namespace PlateImpact
     {
       return one_of(words_for<Choice>());
     }
+
+    /// Of a plate: a word, or the name of a file.
+    static Allowed
+    outline();
+
+    /// Angles of plies, symmetric with an s at the end; or nothing.
+    static Allowed
+    layup();
+
+    /// One or two words, or pairs of an edge of a file and a word.
+    static Allowed
+    supports();
 
     static Allowed
     truth();
@@ -76,6 +90,13 @@ namespace PlateImpact
   convert(const std::string &text, std::string &value);
   void
   convert(const std::string &text, std::vector<std::string> &words);
+
+  void
+  convert(const std::string &text, Outline &outline);
+  void
+  convert(const std::string &text, Layup &layup);
+  void
+  convert(const std::string &text, std::vector<EdgeSupports> &supports);
 
   template <typename Choice>
   std::enable_if_t<std::is_enum_v<Choice>>

@@ -3,6 +3,7 @@
 
 #include "plate_impact/base/parameters.h"
 #include "plate_impact/contact/zener.h"
+#include "plate_impact/scene/scene_mistakes.h"
 #include "plate_impact/scene/scene_schema.h"
 
 #include <optional>
@@ -40,18 +41,12 @@ namespace PlateImpact
     const Parameters &
     parameters() const;
 
-    std::vector<std::string> mistakes;
+    SceneMistakes mistakes;
 
     /// By Zener's equation; empty without an impactor or before complete().
     std::optional<ExpectedPeak> expected_peak;
 
   private:
-    /// Adds a mistake in the value of the first entry, unless one of those
-    /// involved is swept or has been refused before. Its place is that of the
-    /// first of them which the scene sets.
-    void
-    refuse(const std::vector<std::string> &involved, const std::string &text);
-
     /// Fills an entry in.
     /// @param variable  of the scene that holds its value
     void
@@ -73,7 +68,7 @@ namespace PlateImpact
     choose_contact();
 
     void
-    check_plate();
+    check_unloading();
     void
     check_contact();
     void
@@ -94,9 +89,8 @@ namespace PlateImpact
     void
     complete_mesh();
 
-    SceneSchema                &schema;
-    Parameters                  scene;
-    const std::set<std::string> swept;
+    SceneSchema &schema;
+    Parameters   scene;
   };
 } // namespace PlateImpact
 

@@ -24,6 +24,10 @@ namespace PlateImpact
 
     SceneReader(const SceneReader &) = delete;
 
+    /// A file that an entry names is looked for beside the scene first.
+    void
+    locate(Assignment &assignment) const;
+
     void
     add_mistakes(const std::vector<std::string> &more);
 

@@ -50,7 +50,7 @@ namespace PlateImpact
     struct Computed
     {
       Impact                   impact;
-      std::optional<double>    discretization_error;
+      std::optional<double>    discretization_error, peak_force_bar;
       std::vector<std::string> warnings;
     };
 

@@ -80,6 +80,15 @@ namespace PlateImpact
     void
     write_figures(Page &page) const;
     /// As maps, or as families of curves.
+    /// Points whose impacts have warnings, as dots of their own.
+    void
+    mark_warnings(const Quantity                              &quantity,
+                  const Scale                                 &x,
+                  const std::vector<std::vector<std::size_t>> &points,
+                  Plot                                        &plot) const;
+    /// The smallest and the largest force, and where.
+    std::vector<Fact>
+    range_of_force() const;
     void
     write_panels(Page                     &page,
                  const std::vector<Panel> &panels,

@@ -60,7 +60,7 @@ namespace PlateImpact
     require_finite(double value, const char *quantity) const;
 
     const NewmarkScheme       scheme;
-    const ContactLaw         &law;
+    FollowedLaw               law;
     const ContactIntegration &integration;
     Impactor                  impactor;
     ContactState              current;

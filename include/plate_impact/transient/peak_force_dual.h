@@ -26,7 +26,8 @@ namespace PlateImpact
   ///   d delta_n = -dw_n - sum_{k <= n} (R + R_m)_{n-k} d phi_k,
   ///   d phi_k   = a_k d delta_{k-1} + b_k d delta_k,
   /// with the impactor's own response R_m, transposed and solved backwards. A
-  /// shift of the peak in time is of second order.
+  /// shift of the peak in time is of second order. Of a law with memory the
+  /// curve that a step runs on is held fixed.
   /// @param response  of the plate, by a scheme that conserves energy
   /// @return mu_1 ... mu_p [N/m]
   Eigen::VectorXd

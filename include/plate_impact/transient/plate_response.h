@@ -36,9 +36,12 @@ namespace PlateImpact
     double
     displacement(unsigned int j) const;
 
+    /// @param n_steps  at most those of the response
     /// @throws ComputationError naming step and quantity
     Impact
-    impact(const ContactLaw &law, const Impactor &impactor) const;
+    impact(const ContactLaw &law,
+           const Impactor   &impactor,
+           unsigned int      n_steps) const;
 
   private:
     const NewmarkScheme       scheme;

@@ -50,7 +50,7 @@ namespace PlateImpact
   {
   public:
     /// Numbers the unknowns.
-    /// @param mesh  of the quadrant
+    /// @param mesh  of the part of the plate that symmetry leaves
     StruckPlate(const PlateParameters                    &plate,
                 const DiscretizationParameters           &discretization,
                 std::unique_ptr<dealii::Triangulation<2>> mesh);
@@ -60,6 +60,13 @@ namespace PlateImpact
     ///         that the scheme keeps has changed
     Impact
     strike(const Parameters &parameters);
+
+    /// The same where there is an end time; where there is none, until the
+    /// first contact ends. It ends by the time that an impactor takes to be
+    /// thrown back by a massless plate and the contact, twice over; beyond it,
+    /// or 2^18 steps, nobody waits.
+    Parameters
+    until_contact_ends(const Parameters &parameters);
 
     /// The same impact in steps, up to round-off.
     Impact
@@ -85,9 +92,9 @@ namespace PlateImpact
       const SemidiscreteSystem *system;
     };
 
-    /// Empty for schemes that do not conserve energy, without a force, with
-    /// more than 20000 steps to the peak, and on the mesh unless it is the
-    /// goal.
+    /// In Ritz vectors wherever they are fewer than the steps, even if the mesh
+    /// itself was stepped. Empty for schemes that do not conserve energy,
+    /// without a force, and with more than 20000 steps to the peak.
     /// @param history  of the impact
     std::optional<PeakForceProblem>
     peak_force_problem(const Parameters     &parameters,
@@ -117,8 +124,8 @@ namespace PlateImpact
 
   private:
     /// What makes the load and the steps of an impact: of the contact all but
-    /// the law, of the impactor shape and length, the time, and whether there
-    /// is an estimator.
+    /// the law, of the impactor shape and length, the time up to the horizon,
+    /// and whether there is an estimator.
     using LoadKey = std::
       tuple<ContactParameters, ImpactorShape, double, TimeParameters, bool>;
 
@@ -132,6 +139,7 @@ namespace PlateImpact
       double                                    layer_constant = 0.;
       std::unique_ptr<const ContactIntegration> integration;
       std::unique_ptr<Integrator>               integrator;
+      std::unique_ptr<Integrator> for_estimate; ///< of a stepped mesh
     };
 
     /// Assembled when it is first needed.
@@ -140,6 +148,15 @@ namespace PlateImpact
     /// The load of an impact, now that of the plate as well.
     Load &
     prepare(const Parameters &parameters);
+    bool
+    is_stepped_on_the_mesh(const Parameters &parameters);
+    /// Time at which the first contact ends, on the mesh by steps four times as
+    /// long; empty when it lasts to the end time. [s]
+    std::optional<double>
+    contact_end(const Parameters &parameters);
+    /// Longest first contact that is waited for. [s]
+    double
+    longest_contact(const Parameters &parameters);
     /// Makes room for another one.
     void
     forget_loads();

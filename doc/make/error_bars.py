@@ -1,0 +1,222 @@
+"""Holds the error bars of peak forces against forces known far better.
+
+    doc/make/error_bars.py PROGRAM [--scenes FIRST:LAST] [--output FILE]
+
+Every scene, which its number determines, is run to several targets; every mesh on the way
+gives a bar. The true force is that of a run with the goal `peak force` to a far smaller
+target, confirmed on its mesh with every cell halved. Bars count that are at least 30 times
+the bar of the true force, and at most 10 %.
+"""
+import argparse
+import concurrent.futures
+import json
+import math
+import os
+import random
+import statistics
+import subprocess
+import tempfile
+
+SCENE = os.path.join(os.path.dirname(__file__), "..", "..", "prm", "sphere-on-steel-plate.prm")
+# Young's modulus [Pa], Poisson's ratio, density [kg/m^3]
+MATERIALS = {"steel": (2.1e11, 0.30, 7800), "aluminium": (7.0e10, 0.33, 2700),
+             "glass": (6.4e10, 0.20, 2500), "acrylic": (3.3e9, 0.37, 1190),
+             "alumina": (3.7e11, 0.22, 3900), "polyamide": (2.5e9, 0.40, 1140)}
+TRUE_TARGETS = ["3e-6", "3e-5"]
+SECONDS = 60
+SMALLER = 30.0
+LARGEST = 0.1
+
+
+def contact_time(plate, ball, radius, mass, velocity, length):
+    """On a half-space. [s]"""
+    modulus = 1 / ((1 - plate[1]**2) / plate[0] + (1 - ball[1]**2) / ball[0])
+    if length:
+        return 4 * math.sqrt(mass / (modulus * length))
+    return 2.87 * (mass**2 / (modulus**2 * radius * velocity))**0.2
+
+
+def random_scene(number):
+    """Entries by path: from thin to thick, soft to hard, short to long."""
+    choose = random.Random(number)
+
+    def between(low, high):
+        return math.exp(choose.uniform(math.log(low), math.log(high)))
+
+    thickness = between(2e-4, 2e-2)
+    side = thickness * between(12, 400)
+    plate, ball = (MATERIALS[choose.choice(sorted(MATERIALS))] for _ in range(2))
+    radius = min(thickness * between(0.5, 10), 0.2 * side)
+    is_cylinder = choose.random() < 0.1
+    length = min(side, radius * between(1, 4)) if is_cylinder else 0
+    mass = ball[2] * (math.pi * radius**2 * length or 4 / 3 * math.pi * radius**3)
+    if choose.random() < 0.3:
+        mass *= between(0.3, 30)
+    velocity = between(0.1, 5)
+    time = contact_time(plate, ball, radius, mass, velocity, length)
+    entries = {
+        "Plate/Side lengths": f"{side:.5g}, {side * choose.choice([1, 1, 1.5, 0.7]):.5g}",
+        "Plate/Thickness": f"{thickness:.5g}",
+        "Plate/Young's modulus": plate[0],
+        "Plate/Poisson's ratio": plate[1],
+        "Plate/Density": plate[2],
+        "Plate/Support": choose.choice(["clamped", "simply supported", "free, clamped",
+                                        "soft simply supported"]),
+        "Impactor/Shape": "cylinder" if is_cylinder else "sphere",
+        "Impactor/Radius": f"{radius:.5g}",
+        "Impactor/Mass": f"{mass:.5g}",
+        "Impactor/Young's modulus": ball[0],
+        "Impactor/Poisson's ratio": ball[1],
+        "Impactor/Velocity": f"{velocity:.4g}",
+        "Time/End time": choose.choice(["0", f"{time * between(0.8, 6):.5g}"]),
+        "Time/Time step": "0",
+        "Time/Integrator": choose.choice(["Ritz vectors", "Ritz vectors", "Newmark"]),
+        "Discretization/Element": choose.choice(["MITC9", "MITC9", "serendipity",
+                                                 "heterosis", "Lagrange"]),
+        "Adaptivity/Maximum cycles": "12"}
+    if is_cylinder:
+        entries["Impactor/Length"] = f"{length:.5g}"
+    else:
+        entries["Contact/Load distribution"] = choose.choice(["Hertz disc", "Hertz disc",
+                                                              "uniform disc"])
+        if choose.random() < 0.2:
+            entries["Contact/Local response"] = "half-space"
+            entries["Contact/Law"] = choose.choice(["Sun", "Hertz"])
+    return entries
+
+
+def run(program, entries, seconds=SECONDS):
+    """The summary of a run; None where it fails or takes too long."""
+    with tempfile.TemporaryDirectory() as directory:
+        command = [program, "run", SCENE, "--quiet", "--output", directory]
+        for path, value in entries.items():
+            command += ["--set", f"{path}={value}"]
+        try:
+            done = subprocess.run(command, capture_output=True, text=True, timeout=seconds,
+                                  check=False)
+        except subprocess.TimeoutExpired:
+            return None, "more than %g s" % seconds
+        if done.returncode != 0:
+            return None, done.stderr.strip()
+        with open(os.path.join(directory, "summary.json")) as file:
+            return json.load(file), done.stderr.strip()
+
+
+def true_force(program, entries):
+    """The force, its bar, and why there is none."""
+    why = []
+    for target in TRUE_TARGETS:
+        summary, text = run(program, {**entries, "Adaptivity/Goal": "peak force",
+                                      "Adaptivity/Target peak force error": target,
+                                      "Adaptivity/Maximum cycles": "40",
+                                      "Adaptivity/Verify": "true"})
+        if summary is None:
+            why.append(text)
+            continue
+        last = summary["cycles"][-1]
+        bar = last.get("peak_force_error_bar")
+        if bar is None or bar > 10 * float(target):
+            why.append(f"{target} not reached")
+            continue
+        if abs(last["verification"]["relative_change"]) > bar:
+            return None, None, f"not confirmed: {last['verification']}, bar {bar}"
+        return last["peak_force"], bar, ""
+    return None, None, "; ".join(why)
+
+
+def bars_of_scene(program, number, known=None):
+    """Every bar with its true error, which may be `known` from an earlier result."""
+    entries = random_scene(number)
+    if known:
+        force, true_bar, why = (known[key] for key in ("force", "bar of the force", "why"))
+    else:
+        force, true_bar, why = true_force(program, entries)
+    result = {"scene": number, "force": force, "bar of the force": true_bar, "why": why,
+              "meshes": []}
+    if force is None:
+        return result
+    goal = {"Adaptivity/Goal": "peak force"}
+    target = "Adaptivity/Target peak force error"
+    for name, more in (("0.1 %", {**goal, target: "1e-3"}), ("2 %", {**goal, target: "0.02"}),
+                       ("fixed fraction", {**goal, target: "3e-3",
+                                           "Adaptivity/Strategy": "fixed fraction"}),
+                       ("eta", {"Adaptivity/Target error": "0.1"})):
+        summary, text = run(program, {**entries, **more})
+        if summary is None:
+            result["meshes"].append({"run": name, "failure": text})
+            continue
+        for cycle in summary["cycles"]:
+            bar = cycle.get("peak_force_error_bar")
+            error = abs(cycle["peak_force"] / force - 1)
+            is_last = cycle is summary["cycles"][-1]
+            # on the way to a goal a mesh is watched only as long as its peak takes
+            if bar is None or SMALLER * true_bar <= bar <= LARGEST:
+                result["meshes"].append(
+                    {"run": name, "cells": cycle["cells"], "bar": bar, "error": error,
+                     "space": cycle.get("peak_force_error_space"),
+                     "time": cycle.get("peak_force_error_time"), "last": is_last,
+                     "outcome": summary["outcome"] if is_last else ""})
+    return result
+
+
+def judged(meshes):
+    """How many bars hold, and how wide they are beside the true errors."""
+    ratios = [mesh["bar"] / max(mesh["error"], 1e-12) for mesh in meshes]
+    return {"bars": len(ratios), "held": sum(ratio >= 1 for ratio in ratios),
+            "median": statistics.median(ratios) if ratios else None}
+
+
+def summary(scenes):
+    """What theory.md shows."""
+    meshes = [mesh for scene in scenes for mesh in scene["meshes"]]
+    with_bar = [mesh for mesh in meshes if mesh.get("bar")]
+    decades = [(1e-4, 1e-3), (1e-3, 1e-2), (1e-2, 1e-1)]
+    return {"scenes": len(scenes),
+            "known": sum(scene["force"] is not None for scene in scenes),
+            "failed": sum("failure" in mesh for mesh in meshes),
+            "blind": sum("failure" not in mesh and mesh["bar"] is None for mesh in meshes),
+            "all": judged(with_bar),
+            "ends": judged([mesh for mesh in with_bar if mesh["last"]]),
+            "decades": [{"from": low, "to": high,
+                         **judged([mesh for mesh in with_bar if low <= mesh["bar"] < high])}
+                        for low, high in decades],
+            "outside": [{"scene": scene["scene"], "run": mesh["run"], "bar": mesh["bar"],
+                         "error": mesh["error"], "last": mesh["last"]}
+                        for scene in scenes for mesh in scene["meshes"]
+                        if mesh.get("bar") and mesh["error"] > mesh["bar"]]}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("program")
+    parser.add_argument("--scenes", default="0:100")
+    parser.add_argument("--output")
+    parser.add_argument("--known", help="an earlier output, whose true forces are taken")
+    parser.add_argument("--jobs", type=int, default=2)
+    arguments = parser.parse_args()
+    first, last = (int(part) for part in arguments.scenes.split(":"))
+    known = {}
+    if arguments.known:
+        with open(arguments.known) as file:
+            known = {scene["scene"]: scene for scene in json.load(file)}
+    scenes = []
+    with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
+        for scene in pool.map(lambda number: bars_of_scene(arguments.program, number,
+                                                             known.get(number)),
+                              range(first, last)):
+            scenes.append(scene)
+            if arguments.output:
+                with open(arguments.output, "w") as file:
+                    json.dump(scenes, file, indent=1)
+            print(scene["scene"], scene["force"], scene["why"],
+                  [f"{mesh['run']} {mesh.get('cells')} bar {mesh.get('bar')} "
+                   f"error {mesh.get('error')} {mesh.get('failure', '')}"
+                   for mesh in scene["meshes"]
+                   if "failure" in mesh or mesh["bar"] and mesh["error"] > mesh["bar"]],
+                  flush=True)
+    print(summary(scenes))
+    return scenes
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,58 @@
+// ---------------------------------------------------------------- zoom
+
+/** Lets wheel, two fingers and the keys + - 0 change the size of a picture. The wheel
+    moves the page until the picture has been clicked, or with Ctrl.
+    @param zoom   called with a factor and the event, whose place stays where it is
+    @param reset  called for the whole picture again
+    @returns a function that tells how many fingers there are */
+function makeZoomable(element, zoom, reset) {
+  element.setAttribute('tabindex', 0);
+  element.addEventListener('wheel', (event) => {
+    if (!event.ctrlKey && document.activeElement !== element) return;
+    event.preventDefault();
+    zoom(2 ** (-Math.sign(event.deltaY) * Math.min(Math.abs(event.deltaY), 150) / 300), event);
+  }, { passive: false });
+
+  const fingers = new Map();
+  const spread = () => {
+    const [a, b] = fingers.values();
+    return Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY);
+  };
+  element.addEventListener('pointerdown', (event) => {
+    if (event.pointerType === 'touch') fingers.set(event.pointerId, event);
+  });
+  for (const end of ['pointerup', 'pointercancel', 'pointerleave'])
+    element.addEventListener(end, (event) => fingers.delete(event.pointerId));
+  element.addEventListener('pointermove', (event) => {
+    if (!fingers.has(event.pointerId)) return;
+    const before = fingers.size === 2 ? spread() : 0;
+    fingers.set(event.pointerId, event);
+    if (before > 0) zoom(spread() / before, event);
+  });
+
+  element.addEventListener('keydown', (event) => {
+    if (event.key === '0') reset();
+    else if (event.key === '+' || event.key === '=') zoom(1.4);
+    else if (event.key === '-') zoom(1 / 1.4);
+    else return;
+    event.preventDefault();
+  });
+  return () => fingers.size;
+}
+
+/** Buttons for those without wheel and keys. */
+function addZoomButtons(controls, zoom, reset, contact) {
+  for (const [text, title, act] of [['−', 'Smaller', () => zoom(1 / 1.4)], ['+', 'Larger', () => zoom(1.4)],
+    ['contact', 'The contact and what is around it', contact], ['whole', 'All of it', reset]]) {
+    const button = Object.assign(document.createElement('button'), { type: 'button', textContent: text, title });
+    button.addEventListener('click', act);
+    button.className = 'zoom';
+    controls.append(button);
+  }
+}
+
+/** The largest of 1, 2, 5, 10 ... that is at most a length. */
+function roundBelow(length) {
+  const decade = 10 ** Math.floor(Math.log10(length));
+  return decade * [5, 2, 1].find((lead) => lead * decade <= length * (1 + 1e-9));
+}

@@ -1,0 +1,367 @@
+// Plates struck off their centre: what symmetry leaves is meshed.
+#include "plate_impact/plate/load_distribution.h"
+#include "plate_impact/plate/plate_mesh.h"
+#include "plate_impact/transient/struck_plate.h"
+#include "program_fixture.h"
+#include "test_plate.h"
+
+#include <cmath>
+
+namespace PlateImpact
+{
+  using namespace dealii;
+
+  namespace
+  {
+    class ImpactPoint : public Program
+    {
+    protected:
+      nlohmann::json
+      last_with(const std::string &sets)
+      {
+        EXPECT_EQ(run(main_scene, sets), 0) << err;
+        return last_cycle();
+      }
+    };
+
+
+
+    PlateParameters
+    struck_at(const double x, const double y)
+    {
+      PlateParameters plate = unit_plate(EdgeSupport::clamped, 0.05);
+      plate.impact_point    = {{x, y}};
+      return plate;
+    }
+
+
+
+    TEST_F(ImpactPoint, DecidesWhatIsMeshed)
+    {
+      struct Case
+      {
+        double       x, y, parts;
+        unsigned int n_symmetric;
+      };
+      for (const Case &c : {Case{0., 0., 4., 2},
+                            Case{0.2, 0., 2., 1},
+                            Case{0., -0.3, 2., 1},
+                            Case{0.2, 0.1, 1., 0}})
+        {
+          const PlateParameters plate = struck_at(c.x, c.y);
+          const auto            mesh  = make_plate_mesh(plate, {{5, 4}});
+          const PlateElement    element(ElementType::MITC9);
+          PlateDiscretization   model(*mesh, element, plate);
+          EXPECT_EQ(model.n_parts(), c.parts);
+          EXPECT_EQ(model.is_symmetric()[0] + model.is_symmetric()[1],
+                    c.n_symmetric);
+          double area                 = 0.;
+          bool   has_vertex_at_impact = false;
+          for (const auto &cell : mesh->active_cell_iterators())
+            {
+              area += cell->measure();
+              for (const unsigned int v : cell->vertex_indices())
+                has_vertex_at_impact =
+                  has_vertex_at_impact || cell->vertex(v).norm() < 1e-12;
+            }
+          EXPECT_NEAR(area * c.parts, 1., 1e-12);
+          EXPECT_TRUE(has_vertex_at_impact);
+
+          // the whole force, wherever its points lie
+          ContactParameters contact = {};
+          contact.load_distribution = LoadShape::Hertz_disc;
+          contact.patch_radius      = 0.1;
+          double weight             = 0.;
+          for (const LoadPoint &point :
+               on_meshed_part(make_load_distribution(contact, 0.), plate))
+            weight += point.weight;
+          EXPECT_NEAR(weight, 1., 1e-12);
+        }
+    }
+
+
+
+    TEST_F(ImpactPoint, MassIsThatOfTheWholePlate)
+    {
+      const PlateElement element(ElementType::MITC9);
+      for (const auto &[x, y] :
+           {std::pair{0., 0.}, std::pair{0.2, 0.}, std::pair{0.2, -0.1}})
+        {
+          PlateParameters plate    = struck_at(x, y);
+          plate.supports           = {{"", EdgeSupport::free}};
+          const auto          mesh = make_plate_mesh(plate, {{3, 3}});
+          PlateDiscretization model(*mesh, element, plate);
+          model.assemble();
+          const Eigen::VectorXd rigid =
+            model.interpolate(Field([](const Point<2> &) -> Field::Values {
+              return {{1., 0., 0.}};
+            }));
+          EXPECT_NEAR(rigid.dot(multiply(model.mass(), rigid)),
+                      model.section().mass,
+                      1e-12);
+        }
+    }
+
+
+
+    TEST_F(ImpactPoint, AgreesWithTheSeriesOffTheCentre)
+    {
+      const auto entry = reference("domain_cases.json")[0];
+      ASSERT_EQ(entry["name"], "square_steel_off_centre");
+      const std::string scene =
+        "--set 'Plate/Support=simply supported' --set Plate/Thickness=0.004 "
+        "--set 'Plate/Impact point=0.05, 0.03' --set 'Contact/Local "
+        "response=half-space' --set 'Contact/Patch radius=0.001' --set "
+        "'Time/Time step=2e-7' --set 'Time/End time=4e-4' --set "
+        "'Output/Natural frequencies=1' ";
+      const auto last = last_with(scene);
+      expect_near(last["peak_force"], entry["contacts"][0]["peak_force"], 3e-3);
+      expect_near(last["first_contact_end"], entry["contacts"][0]["end"], 1e-2);
+      expect_near(last["impulse"], entry["contacts"][0]["impulse"], 1e-2);
+      EXPECT_EQ(last["number_of_contacts"], entry["contacts"].size());
+      expect_near(last["natural_frequencies"][0],
+                  entry["first_frequency_hz"],
+                  1e-3);
+    }
+
+
+
+    TEST_F(ImpactPoint, SceneOffTheCentre)
+    {
+      ASSERT_EQ(run(SCENES "/off-centre.prm"), 0) << err;
+      EXPECT_EQ(summary()["outcome"], "target reached");
+      const auto last = last_cycle();
+      EXPECT_LT(last["peak_force_error_bar"], 1e-3);
+      expect_near(last["peak_force"], 854.34, 1e-3);
+      // watched until the ball leaves
+      EXPECT_EQ(last["number_of_contacts"], 1);
+    }
+
+
+
+    TEST_F(ImpactPoint, ImagesHaveTheSameForce)
+    {
+      const std::string at  = "--set 'Plate/Impact point=";
+      const double      one = last_with(at + "0.05, 0.03'")["peak_force"];
+      for (const std::string point : {"-0.05, 0.03'", "0.03, -0.05'"})
+        expect_near(last_with(at + point)["peak_force"], one, 1e-6);
+      // before the edges are felt, the place does not matter
+      expect_near(last_with(at + "0.02, 0'")["peak_force"], one, 1e-4);
+      // the same by every way of making meshes
+      for (const std::string way : {"--set Adaptivity/Strategy=remeshing",
+                                    "--set Adaptivity/Strategy=graded",
+                                    "--set 'Adaptivity/Goal=peak force'",
+                                    "--set 'Time/Integrator=Newmark'"})
+        expect_near(last_with(at + "0.05, 0.03' " + way)["peak_force"],
+                    one,
+                    5e-4);
+    }
+
+
+
+    TEST_F(ImpactPoint, CylindersStrikeOffTheCentre)
+    {
+      const std::string cylinder =
+        "--set Impactor/Shape=cylinder --set Impactor/Length=0.03 ";
+      const double centre = last_with(cylinder)["peak_force"];
+      expect_near(last_with(
+                    cylinder +
+                    "--set 'Plate/Impact point=0.01, 0.01'")["peak_force"],
+                  centre,
+                  2e-3);
+    }
+
+
+
+    TEST_F(ImpactPoint, NearAnEdgeTheLayerIsNoMoreThatOfAWholePlate)
+    {
+      last_with("--set 'Plate/Impact point=0.09, 0'");
+      EXPECT_NE(err.find("from an edge"), std::string::npos) << err;
+      last_with("--set 'Plate/Impact point=0.05, 0'");
+      EXPECT_EQ(err.find("from an edge"), std::string::npos) << err;
+    }
+
+
+
+    TEST_F(ImpactPoint, FieldsAreThoseOfTheWholePlate)
+    {
+      const std::string fields     = "--set 'Output/Field samples=1' --set "
+                                     "'Adaptivity/Maximum cycles=1' ";
+      const auto        n_cells_of = [this] {
+        const std::string vtu  = text(results() / "fields_0.vtu");
+        const auto        from = vtu.find("NumberOfCells=\"") + 15;
+        return std::stoi(vtu.substr(from));
+      };
+      // nine cells with four quadrilaterals each
+      last_with(fields);
+      EXPECT_EQ(n_cells_of(), 4 * 4 * 9);
+      last_with(fields + "--set 'Plate/Impact point=0, 0.02'");
+      EXPECT_EQ(n_cells_of(), 2 * 4 * 9);
+      last_with(fields + "--set 'Plate/Impact point=0.02, 0.02'");
+      EXPECT_EQ(n_cells_of(), 4 * 9);
+    }
+
+
+
+    const std::string circle = "--set Plate/Outline=circle ";
+
+    TEST_F(ImpactPoint, ClampedCircleAgreesWithRadialElements)
+    {
+      const auto entry = reference("domain_cases.json")[1];
+      ASSERT_EQ(entry["name"], "circle_steel_clamped");
+      const auto last =
+        last_with(circle +
+                  "--set Plate/Thickness=0.004 --set 'Contact/Local "
+                  "response=half-space' --set 'Contact/Patch radius=0.001' "
+                  "--set 'Time/Time step=2e-7' --set 'Time/End time=6e-4' "
+                  "--set 'Output/Natural frequencies=1'");
+      expect_near(last["peak_force"], entry["contacts"][0]["peak_force"], 1e-3);
+      expect_near(last["first_contact_end"], entry["contacts"][0]["end"], 1e-3);
+      expect_near(last["impulse"], entry["contacts"][0]["impulse"], 1e-3);
+      expect_near(last["final_impactor_velocity"],
+                  entry["velocity_at_end"],
+                  1e-3);
+      expect_near(last["natural_frequencies"][0],
+                  entry["first_frequency_hz"],
+                  2e-4);
+    }
+
+
+
+    /// Lambda^2 of a round thin plate with n nodal diameters, the root of its
+    /// characteristic equation near a guess (Leissa 1969, Vibration of Plates,
+    /// NASA SP-160, eqs. 2.2 and 2.5).
+    double
+    characteristic(const EdgeSupport  support,
+                   const double       poissons_ratio,
+                   const unsigned int n,
+                   const double       guess)
+    {
+      const auto residual = [&](const double l) {
+        const double J = std::cyl_bessel_j(n, l), I = std::cyl_bessel_i(n, l),
+                     J1      = std::cyl_bessel_j(n + 1, l),
+                     I1      = std::cyl_bessel_i(n + 1, l);
+        const double clamped = J1 * I + I1 * J;
+        return support == EdgeSupport::clamped ?
+          clamped :
+          clamped - 2. * l / (1. - poissons_ratio) * J * I;
+      };
+      double low = 0.97 * std::sqrt(guess), high = 1.03 * std::sqrt(guess);
+      EXPECT_LT(residual(low) * residual(high), 0.);
+      for (unsigned int i = 0; i < 60; ++i)
+        {
+          const double middle = 0.5 * (low + high);
+          (residual(low) * residual(middle) <= 0. ? high : low) = middle;
+        }
+      return low * low;
+    }
+
+
+
+    TEST_F(ImpactPoint, RoundEdgesAreNoPolygons)
+    {
+      // the lowest of motions that mirror in both planes of symmetry: without
+      // and with two nodal diameters
+      for (const EdgeSupport support :
+           {EdgeSupport::clamped, EdgeSupport::simply_supported})
+        {
+          PlateParameters plate = unit_plate(support, 0.002);
+          plate.outline.shape   = PlateOutline::circle;
+          plate.side_lengths    = {{2., 2.}};
+          plate.poissons_ratio  = 0.3;
+          StruckPlate         struck(plate,
+                             {ElementType::MITC9,
+                                      {{8, 8}},
+                                      SolverType::CHOLMOD},
+                             make_plate_mesh(plate, {{8, 8}}));
+          const PlateSection &section = struck.discretization().section();
+          const double        unit =
+            std::sqrt(section.bending_stiffness(0, 0) / section.mass) /
+            (2. * numbers::PI);
+          const auto frequencies = struck.natural_frequencies(2);
+          ASSERT_EQ(frequencies.size(), 2u);
+          for (const unsigned int mode : {0, 1})
+            {
+              const double exact = characteristic(support,
+                                                  plate.poissons_ratio,
+                                                  2 * mode,
+                                                  frequencies[mode] / unit);
+              EXPECT_NEAR(frequencies[mode] / unit / exact, 1., 1e-3)
+                << int(support) << ' ' << mode;
+            }
+        }
+    }
+
+
+
+    TEST_F(ImpactPoint, SceneOfARoundPlate)
+    {
+      ASSERT_EQ(run(SCENES "/round-plate.prm"), 0) << err;
+      EXPECT_EQ(summary()["outcome"], "target reached");
+      EXPECT_LT(last_cycle()["peak_force_error_bar"], 1e-3);
+      // before the edges are felt, that of any plate so thin
+      expect_near(last_cycle()["peak_force"], 854.34, 1e-3);
+    }
+
+
+
+    TEST_F(ImpactPoint, CirclesAreStruckAnywhere)
+    {
+      const double one =
+        last_with(circle + "--set 'Plate/Impact point=0.05, 0'")["peak_force"];
+      EXPECT_LT(last_cycle()["discretization_error"], 0.05);
+      // turned, it is the same plate
+      expect_near(last_with(
+                    circle +
+                    "--set 'Plate/Impact point=0.03, -0.04'")["peak_force"],
+                  one,
+                  1e-9);
+      for (const std::string way :
+           {"--set 'Plate/Impact point=0.03, 0.04' --set 'Adaptivity/Goal=peak "
+            "force'",
+            "--set 'Plate/Impact point=0.03, 0.04' --set 'Plate/Support=simply "
+            "supported' --set Adaptivity/Strategy=graded",
+            "--set 'Plate/Support=free'"})
+        expect_near(last_with(circle + way)["peak_force"], one, 5e-4);
+      // a cylinder cannot be turned with the plate
+      const std::string cylinder =
+        "--set Impactor/Shape=cylinder --set Impactor/Length=0.03 ";
+      expect_near(last_with(
+                    circle + cylinder +
+                    "--set 'Plate/Impact point=0.02, 0.02'")["peak_force"],
+                  last_with(circle + cylinder)["peak_force"],
+                  2e-3);
+    }
+
+
+
+    TEST_F(ImpactPoint, StrategiesAreComparedOnCircles)
+    {
+      ASSERT_EQ(execute("compare '" + main_scene + "' --output '" +
+                        results().string() +
+                        "' --set Plate/Outline=circle --set "
+                        "Comparison/Elements=MITC9 --set "
+                        "'Comparison/Maximum cycles=2' --set "
+                        "'Comparison/Strategies=uniform, hanging nodes, "
+                        "remeshing'"),
+                0)
+        << err;
+      const auto comparison =
+        nlohmann::json::parse(text(results() / "comparison.json"));
+      EXPECT_EQ(comparison["curves"].size(), 3u);
+      for (const auto &curve : comparison["curves"])
+        {
+          const bool is_made_anew = curve["strategy"] == "remeshing";
+          EXPECT_EQ(curve["end"].get<std::string>().find("rectangles only") !=
+                      std::string::npos,
+                    is_made_anew);
+          if (is_made_anew)
+            continue;
+          ASSERT_EQ(curve["meshes"].size(), 2u);
+          const double effectivity = curve["meshes"].back()["effectivity"];
+          EXPECT_GT(effectivity, 0.5);
+          EXPECT_LT(effectivity, 2.);
+        }
+    }
+  } // namespace
+} // namespace PlateImpact

@@ -1,0 +1,180 @@
+#include "program_fixture.h"
+
+#include <cmath>
+#include <string>
+
+namespace PlateImpact
+{
+  namespace
+  {
+    /// The way to a peak force: window, steps and meshes.
+    class PeakForceGoal : public Program
+    {
+    protected:
+      /// Time of the last state of contact_history.csv. [s]
+      double
+      end_of_history() const
+      {
+        const std::string table = text(results() / "contact_history.csv");
+        const std::size_t line  = table.rfind('\n', table.size() - 2);
+        return std::stod(table.substr(line + 1));
+      }
+
+      /// A steel ball on a clamped steel plate, 200 times as wide as thick.
+      std::string
+      thin_plate()
+      {
+        return write_scene("subsection Plate\n"
+                           "set Side lengths = 0.2, 0.2\n"
+                           "set Thickness = 1e-3\n"
+                           "set Young's modulus = 2.06e11\n"
+                           "set Poisson's ratio = 0.28\n"
+                           "set Density = 7833\n"
+                           "set Support = clamped\n"
+                           "end\n"
+                           "subsection Impactor\n"
+                           "set Radius = 5e-3\n"
+                           "set Density = 7833\n"
+                           "set Young's modulus = 2.06e11\n"
+                           "set Poisson's ratio = 0.28\n"
+                           "set Velocity = 1\n"
+                           "end\n"
+                           "subsection Adaptivity\n"
+                           "set Goal = peak force\n"
+                           "end\n"
+                           "subsection Time\n"
+                           "set End time = 1e-4\n"
+                           "set Time step = 0\n"
+                           "end\n");
+      }
+    };
+
+    const std::string goal = " --set 'Adaptivity/Goal=peak force' ",
+                      to_end_of_contact = " --set 'Time/End time=0' ",
+                      newmark           = " --set Time/Integrator=Newmark ";
+
+
+
+    TEST_F(PeakForceGoal, EndTimeZeroIsTheEndOfTheFirstContact)
+    {
+      ASSERT_EQ(run(main_scene), 0) << err;
+      const auto known = last_cycle();
+      for (const std::string &integrator : {std::string(), newmark})
+        {
+          ASSERT_EQ(run(main_scene, to_end_of_contact + integrator), 0) << err;
+          EXPECT_EQ(err, "");
+          expect_near(last_cycle()["peak_force"], known["peak_force"], 2e-5);
+          expect_near(last_cycle()["first_contact_end"],
+                      known["first_contact_end"],
+                      1e-4);
+          const double after =
+            end_of_history() - last_cycle()["first_contact_end"].get<double>();
+          EXPECT_GT(after, 0.);
+          // on the mesh the end is looked for in longer steps
+          EXPECT_LT(after, integrator.empty() ? 1.01e-7 : 2e-6);
+        }
+    }
+
+
+
+    TEST_F(PeakForceGoal, WaitsForTheEndOfLongContacts)
+    {
+      // 20 times the contact on a half-space: the plate gives way as a spring
+      const std::string heavy =
+        " --set Impactor/Mass=20 --set Plate/Thickness=2e-3 --set "
+        "'Time/Time step=2e-6' --set Adaptivity/Strategy=none --set "
+        "'Discretization/Initial cells=6, 6' --set Impactor/Velocity=0.01";
+      ASSERT_EQ(run(main_scene, to_end_of_contact + heavy), 0) << err;
+      const double end = last_cycle()["first_contact_end"];
+      EXPECT_GT(end, 5e-3);
+      EXPECT_LT(end_of_history(), end + 4e-6);
+      EXPECT_GT(last_cycle()["time_of_peak_force"].get<double>(), 1e-3);
+    }
+
+
+
+    TEST_F(PeakForceGoal, WatchesAMeshAsLongAsThePeakTakes)
+    {
+      ASSERT_EQ(run(thin_plate(), ""), 0) << err;
+      EXPECT_EQ(summary()["outcome"], "target reached");
+      const auto cycles = summary()["cycles"];
+      const auto last   = cycles.back();
+      // of meshes far finer: 0.01 % on 297 cells, 0.006 % on 852
+      EXPECT_NEAR(last["peak_force"].get<double>() / 81.59, 1., 1e-3);
+      EXPECT_LE(last["peak_force_error_bar"], 1e-3);
+      EXPECT_LT(last["cells"], 500);
+      EXPECT_NEAR(end_of_history(), 1e-4, 1e-9);
+      for (std::size_t cycle = 0; cycle + 1 < cycles.size(); ++cycle)
+        {
+          EXPECT_LT(cycles[cycle]["end_time"], 5e-5);
+          EXPECT_LT(cycles[cycle]["cumulative_seconds"],
+                    cycles[cycle + 1]["cumulative_seconds"]);
+        }
+      // the step leaves most of the target to the mesh
+      EXPECT_LE(last["peak_force_error_time"], 3e-4);
+      EXPECT_GT(last["time_step"], 5e-8);
+    }
+
+
+
+    TEST_F(PeakForceGoal, TellsAStepThatIsTooCoarse)
+    {
+      const std::string coarse = goal +
+        "--set 'Adaptivity/Target peak force "
+        "error=2e-4' --set 'Time/Time step=";
+      ASSERT_EQ(run(main_scene, coarse + "2e-6'"), 0) << err;
+      EXPECT_EQ(summary()["outcome"], "time step too coarse");
+      const std::string advice = "Time/Time step = 2e-06 s leaves an error";
+      ASSERT_NE(err.find(advice), std::string::npos) << err;
+      const std::size_t at = err.find("choose at most ", err.find(advice));
+      ASSERT_NE(at, std::string::npos) << err;
+      const double wanted = std::stod(err.substr(at + 15));
+      EXPECT_LT(wanted, 1e-6);
+      std::ostringstream step;
+      step << wanted << "'";
+      ASSERT_EQ(run(main_scene, coarse + step.str()), 0) << err;
+      EXPECT_EQ(summary()["outcome"], "target reached");
+      // where the program chooses, it chooses one that is fine enough
+      ASSERT_EQ(run(main_scene, coarse + "0'"), 0) << err;
+      EXPECT_EQ(summary()["outcome"], "target reached");
+    }
+
+
+
+    TEST_F(PeakForceGoal, VerifiesOnTheMeshRefinedOnce)
+    {
+      ASSERT_EQ(run(main_scene, goal + "--set Adaptivity/Verify=true"), 0)
+        << err;
+      const auto last = last_cycle(), again = last["verification"];
+      EXPECT_EQ(again["cells"].get<int>(), 4 * last["cells"].get<int>());
+      EXPECT_LT(std::abs(again["relative_change"].get<double>()),
+                last["peak_force_error_bar"]);
+      EXPECT_NEAR(again["peak_force"].get<double>() /
+                      last["peak_force"].get<double>() -
+                    1.,
+                  again["relative_change"],
+                  1e-12);
+      EXPECT_NE(out.find("Verified    "), std::string::npos) << out;
+      EXPECT_NE(text(results() / "report.html").find("every cell halved"),
+                std::string::npos);
+    }
+
+
+
+    TEST_F(PeakForceGoal, BarsOfSteppedMeshesAreThoseOfVectors)
+    {
+      const std::string few = " --set 'Adaptivity/Maximum cycles=2'";
+      ASSERT_EQ(run(main_scene, few), 0) << err;
+      const auto vectors = last_cycle();
+      ASSERT_EQ(run(main_scene, newmark + few), 0) << err;
+      const auto mesh = last_cycle();
+      expect_near(mesh["peak_force_error_estimate"],
+                  vectors["peak_force_error_estimate"],
+                  0.05);
+      EXPECT_TRUE(mesh.contains("peak_force_error_bar"));
+      // of the vectors for the estimate alone
+      EXPECT_GT(mesh["work"]["ritz_vectors"], 0);
+      EXPECT_LT(mesh["work"]["ritz_vectors"], 60);
+    }
+  } // namespace
+} // namespace PlateImpact

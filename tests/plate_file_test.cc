@@ -1,0 +1,394 @@
+// Plates from files of Gmsh.
+#include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/grid_tools.h>
+#include <deal.II/grid/manifold_lib.h>
+
+#include "plate_impact/base/exceptions.h"
+#include "plate_impact/plate/plate_file_reader.h"
+#include "program_fixture.h"
+#include "test_plate.h"
+
+#include <cmath>
+#include <fstream>
+
+namespace PlateImpact
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// A mesh in version 2.2 of Gmsh's format, with a physical group for every
+    /// boundary id that has a name.
+    std::string
+    msh(const Triangulation<2>                          &mesh,
+        const std::map<types::boundary_id, std::string> &names)
+    {
+      std::ostringstream file;
+      file.precision(16);
+      file << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n"
+           << names.size() + 1 << "\n2 100 \"plate\"\n";
+      for (const auto &[id, name] : names)
+        file << "1 " << id + 1 << " \"" << name << "\"\n";
+      file << "$EndPhysicalNames\n$Nodes\n" << mesh.n_vertices() << '\n';
+      for (unsigned int v = 0; v < mesh.n_vertices(); ++v)
+        file << v + 1 << ' ' << mesh.get_vertices()[v] << " 0\n";
+      std::vector<std::string> elements;
+      for (const auto &face : mesh.active_face_iterators())
+        if (face->at_boundary() && names.count(face->boundary_id()) > 0)
+          {
+            const auto id = std::to_string(face->boundary_id() + 1);
+            elements.push_back("1 2 " + id + ' ' + id + ' ' +
+                               std::to_string(face->vertex_index(0) + 1) + ' ' +
+                               std::to_string(face->vertex_index(1) + 1));
+          }
+      for (const auto &cell : mesh.active_cell_iterators())
+        {
+          std::string element = "3 2 100 100";
+          for (const unsigned int v : {0, 1, 3, 2})
+            element += ' ' + std::to_string(cell->vertex_index(v) + 1);
+          elements.push_back(element);
+        }
+      file << "$EndNodes\n$Elements\n" << elements.size() << '\n';
+      for (std::size_t e = 0; e < elements.size(); ++e)
+        file << e + 1 << ' ' << elements[e] << '\n';
+      file << "$EndElements\n";
+      return file.str();
+    }
+
+
+
+    class PlateFromFile : public Program
+    {
+    protected:
+      /// Writes a file and returns its path.
+      std::string
+      write(const std::string &text, const std::string &name = "plate.msh")
+      {
+        const auto path = directory / name;
+        std::ofstream(path) << text;
+        return path.string();
+      }
+
+      std::string
+      set_file(const std::string &text)
+      {
+        return "--set 'Plate/Outline=" + write(text) + "' ";
+      }
+
+      nlohmann::json
+      last_with(const std::string &sets)
+      {
+        EXPECT_EQ(run(main_scene, sets), 0) << err;
+        return last_cycle();
+      }
+
+      /// The sentence that a file is refused with.
+      std::string
+      refusal(const std::string &text)
+      {
+        try
+          {
+            read_plate_file(write(text));
+          }
+        catch (const InputError &error)
+          {
+            return error.what();
+          }
+        return "";
+      }
+    };
+
+
+
+    /// A square of 0.2 m with its edges numbered.
+    void
+    make_square(Triangulation<2> &mesh, const unsigned int n = 4)
+    {
+      GridGenerator::subdivided_hyper_rectangle(mesh,
+                                                {n, n},
+                                                Point<2>(-0.1, -0.1),
+                                                Point<2>(0.1, 0.1),
+                                                true);
+    }
+
+
+    const std::string to_the_end =
+      "--set Plate/Thickness=0.004 --set 'Time/End time=3e-4' --set "
+      "'Adaptivity/Target error=0.03' ";
+
+
+    TEST_F(PlateFromFile, TurnedAndShiftedIsTheSamePlate)
+    {
+      // edges in no direction of the axes, hard supports that meet at corners
+      // and an edge that is held otherwise
+      const std::string point = "0.03, 0.02";
+      const auto        straight =
+        last_with(to_the_end + "--set 'Plate/Impact point=" + point +
+                  "' --set 'Plate/Support=simply supported, clamped'");
+
+      Triangulation<2> mesh;
+      make_square(mesh);
+      const double angle = 0.5, c = std::cos(angle), s = std::sin(angle);
+      GridTools::rotate(angle, mesh);
+      GridTools::shift(Tensor<1, 2>({3., -1.}), mesh);
+      const auto turned = last_with(
+        to_the_end +
+        set_file(msh(mesh, {{0, "a"}, {1, "b"}, {2, "c"}, {3, "d"}})) +
+        "--set 'Plate/Support=a: simply supported, b: simply supported, c: "
+        "clamped, d: clamped' --set 'Plate/Impact point=" +
+        std::to_string(0.03 * c - 0.02 * s) + ',' +
+        std::to_string(0.03 * s + 0.02 * c) + "'");
+      expect_near(turned["peak_force"], straight["peak_force"], 3e-4);
+      expect_near(turned["impulse"], straight["impulse"], 1e-3);
+      expect_near(turned["final_impactor_velocity"],
+                  straight["final_impactor_velocity"],
+                  3e-3);
+      EXPECT_EQ(turned["number_of_contacts"], straight["number_of_contacts"]);
+    }
+
+
+
+    TEST_F(PlateFromFile, ChordsBecomeTheArcsThatTheyAre)
+    {
+      const std::string sets = to_the_end +
+        "--set 'Plate/Support=simply supported' "
+        "--set 'Output/Natural frequencies=1' ";
+      const auto       known = last_with(sets + "--set Plate/Outline=circle");
+      Triangulation<2> mesh;
+      GridGenerator::hyper_ball_balanced(mesh, Point<2>(), 0.1);
+      mesh.refine_global(1);
+      const std::string file = set_file(msh(mesh, {}));
+      const auto plate = read_plate_file((directory / "plate.msh").string());
+      ASSERT_EQ(plate->arcs.size(), 1u);
+      expect_near(plate->area, 0.01 * numbers::PI, 1e-3);
+      expect_near(plate->distance_to_edge({{0.03, 0.04}}), 0.05, 1e-3);
+      EXPECT_LT(plate->distance_to_edge({{0.08, 0.08}}), 0.);
+      const auto last = last_with(sets + file);
+      for (const std::string key :
+           {"peak_force", "impulse", "final_impactor_velocity"})
+        expect_near(last[key], known[key], 2e-3);
+      // 3 % higher on a polygon of 16 sides
+      expect_near(last["natural_frequencies"][0],
+                  known["natural_frequencies"][0],
+                  1e-3);
+    }
+
+
+
+    TEST_F(PlateFromFile, HolesAndFilletsAreArcs)
+    {
+      Triangulation<2> mesh;
+      GridGenerator::plate_with_a_hole(mesh,
+                                       0.02,
+                                       0.05,
+                                       0.02,
+                                       0.02,
+                                       0.02,
+                                       0.02,
+                                       Point<2>(),
+                                       0,
+                                       1,
+                                       1,
+                                       2,
+                                       false);
+      mesh.refine_global(1);
+      std::map<types::boundary_id, std::string> names;
+      for (const auto &face : mesh.active_face_iterators())
+        if (face->at_boundary())
+          {
+            const bool is_hole = face->center().norm() < 0.025;
+            face->set_boundary_id(is_hole ? 1 : 0);
+          }
+      const auto plate =
+        read_plate_file(write(msh(mesh, {{0, "rim"}, {1, "hole"}})));
+      ASSERT_EQ(plate->arcs.size(), 1u);
+      EXPECT_NEAR(plate->arcs[0].radius, 0.02, 1e-12);
+      for (const auto &side : plate->sides)
+        EXPECT_EQ(side.arc.has_value(), plate->edges[side.edge] == "hole");
+      expect_near(plate->area,
+                  plate->extent[0] * plate->extent[1] -
+                    numbers::PI * 0.02 * 0.02,
+                  1e-5);
+      EXPECT_LT(plate->distance_to_edge({{0., 0.}}), 0.);
+      EXPECT_NEAR(plate->distance_to_edge({{0.03, 0.}}), 0.01, 1e-4);
+      EXPECT_NEAR(plate->distance_to_edge({{0.03, 0.}}, 0), 0.01, 1e-4);
+    }
+
+
+
+    TEST_F(PlateFromFile, IsRefinedAlongItsArcs)
+    {
+      // whatever the time, with the files of the whole plate
+      ASSERT_EQ(run(SCENES "/drilled-plate.prm",
+                    "--set 'Adaptivity/Maximum cycles=1' --set 'Time/End "
+                    "time=1e-5' --set 'Output/Field samples=1'"),
+                0)
+        << err;
+      EXPECT_TRUE(fs::exists(results() / "fields_0.vtu"));
+      EXPECT_GT(last_cycle()["peak_force"], 0.);
+    }
+
+
+
+    TEST_F(PlateFromFile, SweptFilesAreFoundBesideTheScene)
+    {
+      Triangulation<2> mesh;
+      make_square(mesh);
+      write(msh(mesh, {}), "square.msh");
+      const std::string scene =
+        write_scene("subsection Adaptivity\n"
+                    "  set Strategy = none\n"
+                    "end\n"
+                    "subsection Sweep\n"
+                    "  set Entry 1  = Plate/Outline\n"
+                    "  set Values 1 = square.msh, circle\n"
+                    "end\n");
+      ASSERT_EQ(sweep(scene, "--set 'Time/End time=5e-5'"), 0) << err;
+      const auto points = rows();
+      ASSERT_EQ(points.size(), 2u);
+      // before edges are felt
+      for (const auto &point : points)
+        expect_near(std::stod(point.at("peak_force")), 1390., 0.05);
+    }
+
+
+
+    TEST_F(PlateFromFile, Scenes)
+    {
+      // found beside the scene, from wherever the program is called
+      ASSERT_EQ(run(SCENES "/drilled-plate.prm"), 0) << err;
+      EXPECT_EQ(summary()["outcome"], "target reached");
+      // before edges are felt, that of any plate so thin
+      expect_near(last_cycle()["peak_force"], 854.34, 1e-3);
+      EXPECT_EQ(last_cycle()["number_of_contacts"], 1);
+
+      ASSERT_EQ(run(SCENES "/l-plate.prm"), 0) << err;
+      EXPECT_EQ(summary()["outcome"], "target reached");
+      const double force = last_cycle()["peak_force"],
+                   bar   = last_cycle()["peak_force_error_bar"];
+      // of 8960 equal cells, good to 5e-5
+      EXPECT_NEAR(force / 1196.89, 1., bar + 5e-5);
+
+      // what it has written is a scene
+      const std::string again =
+        (fs::temp_directory_path() / ("again-" + std::to_string(getpid())))
+          .string();
+      ASSERT_EQ(execute("run '" + (results() / "scene.prm").string() +
+                        "' --output '" + again + "' --quiet"),
+                0)
+        << err;
+      fs::remove_all(again);
+    }
+
+
+
+    TEST_F(PlateFromFile, CornersOfSeveralCellsHoldBothRotations)
+    {
+      // as those of one cell, at which deal.II sees both normals: five cells at
+      // the middle vertex of a bent edge
+      PlateParameters plate  = unit_plate(EdgeSupport::simply_supported, 0.1);
+      const auto      n_held = [&plate](const unsigned int n) {
+        Triangulation<2> mesh;
+        GridGenerator::hyper_L(mesh, 0., 1.);
+        mesh.refine_global(n);
+        for (const auto &face : mesh.active_face_iterators())
+          if (face->at_boundary())
+            face->set_boundary_id(edge_named);
+        auto file           = std::make_shared<PlateFile>();
+        file->edges         = {"rim"};
+        plate.file          = file;
+        plate.outline.shape = PlateOutline::file;
+        const PlateElement        element(ElementType::MITC9);
+        const PlateDiscretization model(mesh, element, plate, 1.);
+        return model.dofs().n_dofs() - model.n_unknowns();
+      };
+      // on the edge of n vertices and midsides: deflection and one rotation, at
+      // the six corners both
+      for (const unsigned int n : {1, 2, 3})
+        EXPECT_EQ(n_held(n), 2 * 8 * (2u << n) + 6) << n;
+    }
+
+
+
+    TEST_F(PlateFromFile, CompareDoesNotRemeshIt)
+    {
+      ASSERT_EQ(execute(
+                  "compare '" SCENES "/l-plate.prm' --output '" +
+                  results().string() +
+                  "' --set 'Comparison/Strategies=uniform, remeshing' --set "
+                  "Comparison/Elements=MITC9 --set "
+                  "'Comparison/Reference peak force=1197' --set "
+                  "'Comparison/Maximum cycles=2' --set 'Time/End "
+                  "time=1e-5'"),
+                0)
+        << err;
+      EXPECT_NE((out + err).find("rectangles only"), std::string::npos)
+        << out << err;
+    }
+
+
+
+    TEST_F(PlateFromFile, RefusesWhatIsNoPlate)
+    {
+      const std::string nodes =
+        "$Nodes\n11\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 2 0 0\n6 1 0 0\n"
+        "7 2 1 0\n8 3 0 0\n9 4 0 0\n10 4 1 0\n11 3 1 0\n$EndNodes\n";
+      const auto elements = [](const std::string &lines) {
+        return "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n@$Elements\n" + lines +
+          "$EndElements\n";
+      };
+      const std::string square = "1 3 2 1 1 1 2 3 4\n";
+      const std::vector<std::pair<std::string, std::string>> cases = {
+        {"nothing", "is no mesh of Gmsh"},
+        {elements("1\n1 2 2 1 1 1 2 3\n"), "Triangle"},
+        {elements("1\n1 1 2 1 1 1 2\n"), "no quadrilaterals"},
+        {elements("1\n1 3 2 1 1 1 2 4 3\n"), "convex"},
+        {elements("2\n" + square + "2 3 2 1 1 6 5 7 3\n"), "crack"},
+        {elements("2\n" + square + "2 3 2 1 1 8 9 10 11\n"), "do not touch"},
+        {elements("3\n" + square + "2 3 2 1 1 2 5 7 3\n3 1 2 7 7 2 3\n"),
+         "'7' that is no edge"}};
+      for (const auto &[text, words] : cases)
+        {
+          std::string file = text;
+          if (const auto at = file.find('@'); at != std::string::npos)
+            file.replace(at, 1, nodes);
+          EXPECT_NE(refusal(file).find(words), std::string::npos)
+            << words << ": " << refusal(file);
+        }
+      Triangulation<2> mesh;
+      make_square(mesh, 1);
+      EXPECT_EQ(refusal(msh(mesh, {})), "");
+    }
+
+
+
+    TEST_F(PlateFromFile, RefusesScenesThatDoNotFitIt)
+    {
+      Triangulation<2> mesh;
+      make_square(mesh);
+      const std::string file =
+        set_file(msh(mesh, {{0, "left"}, {1, "right"}, {2, "low"}}));
+      const std::vector<std::pair<std::string, std::string>> cases = {
+        {file + "--set 'Plate/Support=left: clamped, right: free'",
+         "names no support for the edge 'low'"},
+        {file + "--set 'Plate/Support=left: clamped, right: free, low: free'",
+         "belong to no physical group"},
+        {file + "--set 'Plate/Support=lift: clamped'", "an edge 'lift'"},
+        {file + "--set 'Plate/Support=left: clamped, left: free'", "twice"},
+        {file + "--set 'Plate/Support=clamped, free'", "two supports"},
+        {file + "--set 'Plate/Support=left: clumped'", "is not allowed"},
+        {file + "--set 'Plate/Impact point=0.11, 0'", "outside of the plate"},
+        {file + "--set Adaptivity/Strategy=remeshing", "rectangles only"},
+        {file + "--set Contact/Patch\\ radius=0.2", "beyond the plate"},
+        {file + "--set 'Plate/Side lengths=200, 200'", "other units"},
+        {"--set Plate/Outline=nowhere.msh", "cannot be read"},
+        {"--set Plate/Outline=ring", "is not allowed"},
+        {"--set 'Plate/Support=left: clamped'", "only an outline from a file"}};
+      for (const auto &[sets, words] : cases)
+        {
+          EXPECT_EQ(run(main_scene, sets), 1) << sets;
+          EXPECT_NE(err.find(words), std::string::npos) << sets << '\n' << err;
+        }
+    }
+  } // namespace
+} // namespace PlateImpact
