@@ -176,11 +176,11 @@ def make(name, build, checks):
         page = root / name
         old = page.read_text() if page.exists() else ""
         new = renewed(text, old)
+        wrong = typed.complaints(name, (templates / name).read_text()) + typed.text_in_tables(name, new)
         if checks:
-            return (typed.complaints(name, (templates / name).read_text())
-                    + typed.text_in_tables(name, new) + drift(name, old, new) + "".join(pictures.drifted))
+            return wrong + drift(name, old, new) + "".join(pictures.drifted)
         page.write_text(new)
-        return ""
+        return wrong
     except (runs.Failed, jinja2.TemplateError) as problem:
         lines = [frame.lineno for frame in traceback.extract_tb(problem.__traceback__)
                  if frame.filename.endswith(name)]
