@@ -1,8 +1,10 @@
 """Measurements that take minutes: kept in doc/measured with the version that they
 were made by, and put into their pages by documents.py."""
 
+import datetime
 import functools
 import json
+import re
 import subprocess
 
 from runs import root
@@ -15,12 +17,11 @@ def stored(name):
 
 
 def version():
-    """The commit of the sources, and whether they were changed since."""
-    def git(*words):
-        return subprocess.run(["git", *words], cwd=root, check=True, capture_output=True,
-                              text=True).stdout.strip()
-    changed = git("status", "--porcelain", "--", "source", "include", "prm")
-    return git("log", "-1", "--format=%h of %cs") + (", changed" if changed else "")
+    """The program's version and the day, and whether the sources are committed."""
+    changed = subprocess.run(["git", "status", "--porcelain", "--", "source", "include", "prm"],
+                             cwd=root, check=True, capture_output=True, text=True).stdout.strip()
+    number = re.search(r"VERSION (\d+\.\d+\.\d+) LANG", (root / "CMakeLists.txt").read_text())[1]
+    return f"{number} of {datetime.date.today()}" + (", changed" if changed else "")
 
 
 def processor():

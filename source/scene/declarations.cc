@@ -166,7 +166,8 @@ namespace PlateImpact
         "layer: what an elastic layer of the plate's thickness does. "
         "half-space: what Hertz's law says, as usual and in the paper, which "
         "counts the shortest waves twice; where no response is given, that "
-        "of the law Sun and of point and line loads.");
+        "of the law Sun, of point and line loads, of laminates and of "
+        "unloading by Yang-Sun.");
       schema.declare("Unloading",
                      "elastic",
                      Allowed::word_for<UnloadingLaw>(),
@@ -445,8 +446,8 @@ namespace PlateImpact
                      Allowed::whole_number(0, 100),
                      output.natural_frequencies,
                      "How many of the lowest summary.json has, of the last "
-                     "mesh: of motions that mirror in both planes of symmetry, "
-                     "which alone the impact excites.");
+                     "mesh: of motions with the symmetry of the part that is "
+                     "meshed, which alone the impact excites.");
     }
 
 

@@ -95,12 +95,17 @@ namespace PlateImpact
          n *= 2.)
       {
         result.time.horizon = result.time.end_time = n * dt;
-        const std::optional<double> end            = contact_end(result);
+        if (is_stepped_on_the_mesh(result))
+          {
+            // more steps take more vectors
+            result.time.integrator = IntegratorType::Newmark;
+            result.time.end_time   = end_by_steps(result);
+            return result;
+          }
+        const std::optional<double> end =
+          strike(result).history.first_contact_end();
         if (end)
           result.time.end_time = dt * std::ceil(*end / dt);
-        // more steps take more vectors
-        else if (is_stepped_on_the_mesh(result))
-          result.time.integrator = IntegratorType::Newmark;
         if (end || n >= most_steps_of_contact ||
             n * dt >= longest_contact(parameters))
           return result;
@@ -118,14 +123,17 @@ namespace PlateImpact
 
 
 
-  std::optional<double>
-  StruckPlate::contact_end(const Parameters &parameters)
+  double
+  StruckPlate::end_by_steps(const Parameters &parameters)
   {
-    if (!is_stepped_on_the_mesh(parameters))
-      return strike(parameters).history.first_contact_end();
+    const double dt = parameters.time.time_step;
     // few digits are needed, but every step counts
     TimeParameters coarse = parameters.time;
     coarse.time_step *= 4.;
+    coarse.end_time = dt *
+      std::ceil(std::min(
+        most_steps_of_contact,
+        std::max(parameters.time.end_time, longest_contact(parameters)) / dt));
     Load       &load = prepare(parameters);
     const auto  law  = make_contact_law(parameters, load.layer_constant);
     TimeStepper stepper(coarse,
@@ -139,10 +147,10 @@ namespace PlateImpact
         stepper.advance();
         const ContactState &state = stepper.state();
         if (is_touching && state.force == 0.)
-          return 1.01 * state.time;
+          return dt * std::ceil(1.01 * state.time / dt);
         is_touching = is_touching || state.force > 0.;
       }
-    return {};
+    return coarse.end_time;
   }
 
 

@@ -150,10 +150,10 @@ namespace PlateImpact
     prepare(const Parameters &parameters);
     bool
     is_stepped_on_the_mesh(const Parameters &parameters);
-    /// Time at which the first contact ends, on the mesh by steps four times as
-    /// long; empty when it lasts to the end time. [s]
-    std::optional<double>
-    contact_end(const Parameters &parameters);
+    /// A little after the end of the first contact, on the mesh by steps four
+    /// times as long, or as long as anybody waits. [s]
+    double
+    end_by_steps(const Parameters &parameters);
     /// Longest first contact that is waited for. [s]
     double
     longest_contact(const Parameters &parameters);
