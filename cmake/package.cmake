@@ -32,6 +32,7 @@ set(CPACK_PACKAGE_DESCRIPTION
  parameter files; those of the course and of the paper are in the documentation.")
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON) # libraries and their versions, by dpkg
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS libopenblas0-serial) # else the slower reference BLAS
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_STRIP_FILES ON)
 include(CPack)

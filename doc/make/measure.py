@@ -2,7 +2,7 @@
 """Measures what takes minutes and keeps it in doc/measured, from where documents.py puts
 it into the pages.
 
-    measure.py BUILD_DIRECTORY [comparison|error_bars|performance|report|sweeps]...
+    measure.py BUILD_DIRECTORY [comparison|error_bars|performance|portable|report|sweeps]...
 
 Without a name all are measured. Seconds are those of a machine that does nothing else.
 """
@@ -14,7 +14,7 @@ import json
 import measured
 import runs
 
-NAMES = ("comparison", "error_bars", "performance", "report", "sweeps")
+NAMES = ("comparison", "error_bars", "performance", "portable", "report", "sweeps")
 
 
 def rounded(value):

@@ -8,8 +8,8 @@
 
 namespace PlateImpact
 {
-  /// The lowest natural frequencies of a plate, of motions that mirror in both
-  /// planes of symmetry, as all that an impact at the centre excites:
+  /// The lowest natural frequencies of a plate, of motions with the
+  /// symmetry of the part that is meshed, as all that the impact excites:
   ///   K x = omega^2 M x,
   /// by Trilinos' Anasazi, block Krylov-Schur (Stewart 2002,
   /// doi:10.1137/S0895479800371529) with (K + c M)^{-1} M in the inner product
