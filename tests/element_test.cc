@@ -296,6 +296,40 @@ namespace PlateImpact
 
 
 
+    TEST(LoadDistribution, EveryCellGetsItsShare)
+    {
+      // On fewer points than cells, a line is a row of point loads.
+      ContactParameters contact;
+      contact.patch_radius           = 1e-6;
+      const double       half_length = 0.3;
+      const unsigned int n_cells     = 1000;
+      for (const LoadShape shape : {LoadShape::line, LoadShape::strip})
+        {
+          contact.load_distribution = shape;
+          std::vector<double> shares(n_cells, 0.);
+          for (const LoadPoint &p :
+               make_load_distribution(contact,
+                                      2. * half_length,
+                                      half_length / n_cells))
+            shares.at(p.point[0] / half_length * n_cells) += p.weight;
+          for (const double share : shares)
+            EXPECT_NEAR(share, 1. / n_cells, 1e-9);
+        }
+
+      // rings of one cell, by area
+      contact.load_distribution   = LoadShape::uniform_disc;
+      const unsigned int  n_rings = 40;
+      std::vector<double> shares(n_rings, 0.);
+      for (const LoadPoint &p :
+           make_load_distribution(contact, 0., contact.patch_radius / n_rings))
+        shares.at(p.point.norm() / contact.patch_radius * n_rings) += p.weight;
+      for (unsigned int i = 0; i < n_rings; ++i)
+        EXPECT_NEAR(shares[i] / ((2. * i + 1.) / (n_rings * n_rings)), 1., 0.2)
+          << i;
+    }
+
+
+
     TEST(LoadDistribution, WorkDoesNotDependOnTheMesh)
     {
       // on any mesh the load does the work of its moments on a quadratic

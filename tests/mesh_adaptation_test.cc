@@ -19,6 +19,7 @@ namespace PlateImpact
       parameters.size_exponent            = 0.5;
       parameters.minimum_cell_size        = minimum_size;
       parameters.maximum_cell_size        = 0.5;
+      parameters.maximum_cells            = 100000;
       parameters.target_error             = 0.05;
       parameters.refined_share_of_error   = 0.7;
       parameters.coarsened_share_of_error = 0.01;
@@ -268,6 +269,21 @@ namespace PlateImpact
                 }
             }
         }
+    }
+
+
+
+    TEST(MeshAdaptation, GradedKeepsToTheMaximumOfCells)
+    {
+      // a million cells of the smallest size lie along the line
+      const auto mesh          = unit_square(4);
+      auto       parameters    = adaptivity(AdaptationStrategy::graded);
+      parameters.maximum_cells = 500;
+      const ErrorOverLimit none;
+      EXPECT_TRUE(adapt(parameters, *mesh, none, 0.5));
+      EXPECT_LE(mesh->n_active_cells(), 500u);
+      EXPECT_GT(mesh->n_active_cells(), 200u);
+      EXPECT_FALSE(adapt(parameters, *mesh, none, 0.5));
     }
 
 

@@ -9,6 +9,30 @@ namespace PlateImpact
 {
   using namespace dealii;
 
+  namespace
+  {
+    /// Cells of a first mesh towards a load, at most: along a line that is much
+    /// longer than wide they are too many.
+    constexpr unsigned int most_cells_at_first = 5000;
+
+
+
+    /// Whether the mesh has at most so many cells after the flagged ones, and
+    /// those that hanging nodes ask for, are halved.
+    bool
+    may_be_refined(Triangulation<2> &mesh, const unsigned int most_cells)
+    {
+      mesh.prepare_coarsening_and_refinement();
+      unsigned int n = mesh.n_active_cells();
+      for (const auto &cell : mesh.active_cell_iterators())
+        if (cell->refine_flag_set())
+          n += 3;
+      return n <= most_cells;
+    }
+  } // namespace
+
+
+
   GradedRefinement::GradedRefinement(const AdaptivityParameters &adaptivity,
                                      const double contact_half_length)
     : adaptivity(adaptivity)
@@ -34,6 +58,12 @@ namespace PlateImpact
             cell->set_refine_flag();
             is_refined = true;
           }
+      }
+    if (is_refined && !may_be_refined(mesh, adaptivity.maximum_cells))
+      {
+        for (const auto &cell : mesh.active_cell_iterators())
+          cell->clear_refine_flag();
+        return false;
       }
     if (is_refined)
       mesh.execute_coarsening_and_refinement();
@@ -70,10 +100,11 @@ namespace PlateImpact
     grading.minimum_cell_size = 0.5 *
       (parameters.contact.has_patch() ? parameters.contact.patch_radius :
                                         parameters.plate.thickness);
-    const GradedRefinement refinement(grading,
-                                      parameters.impactor.is_cylinder() ?
-                                        0.5 * parameters.impactor.length :
-                                        0.);
+    grading.maximum_cells =
+      std::min(grading.maximum_cells, most_cells_at_first);
+    const GradedRefinement refinement(
+      grading,
+      parameters.impactor.contact_half_length());
     while (refinement.refine(mesh, 1.))
       ;
   }

@@ -22,6 +22,9 @@ namespace PlateImpact
     result.cells              = mesh().n_active_cells();
     result.degrees_of_freedom = discretization().n_unknowns();
     result.min_cell_size      = smallest_cell_size(mesh());
+    result.cell_size_at_load =
+      cell_sizes_near_load(mesh(), parameters.impactor.contact_half_length())
+        .second;
   }
 
 

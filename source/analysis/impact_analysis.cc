@@ -48,10 +48,9 @@ namespace PlateImpact
   ImpactAnalysis::ImpactAnalysis(const Parameters                 &parameters,
                                  std::unique_ptr<Triangulation<2>> first_mesh)
     : parameters(parameters)
-    , adaptation(make_mesh_adaptation(parameters.adaptivity,
-                                      parameters.impactor.is_cylinder() ?
-                                        0.5 * parameters.impactor.length :
-                                        0.))
+    , adaptation(
+        make_mesh_adaptation(parameters.adaptivity,
+                             parameters.impactor.contact_half_length()))
     , mesh(std::move(first_mesh))
     , time_control(parameters)
     , last_struck(parameters)
@@ -84,7 +83,7 @@ namespace PlateImpact
         if (!outcome)
           outcome = adapt(control, listener); // the next mesh
         if (outcome)
-          watch_to_the_end(listener);
+          outcome = watch_to_the_end(*outcome, control, listener);
         listener.cycle(*current); // tell
         if (outcome)
           return *outcome;
@@ -103,13 +102,19 @@ namespace PlateImpact
 
 
 
-  void
-  ImpactAnalysis::watch_to_the_end(AnalysisListener &listener)
+  Outcome
+  ImpactAnalysis::watch_to_the_end(const Outcome      before,
+                                   AdaptationControl &control,
+                                   AnalysisListener  &listener)
   {
     if (!time_control.watch_to_the_end())
-      return;
+      return before;
     strike(listener);
     estimate(listener);
+    // a bar that is smaller over the whole history
+    return control.check(current->result) == Outcome::target_reached ?
+      Outcome::target_reached :
+      before;
   }
 
 
@@ -296,12 +301,12 @@ namespace PlateImpact
     // nor does a change of the force tell anything where no mesh sees the waves
     // that the contact sends out
     const double                wave = std::max(contact_wave_length, 2. * load);
-    const std::optional<double> space = result.min_cell_size > 0.5 * wave ?
+    const std::optional<double> space = result.cell_size_at_load > 0.5 * wave ?
       std::nullopt :
       peak_force_error_by_mesh(estimate,
                                peak,
                                peak_before,
-                               result.min_cell_size <= load);
+                               result.cell_size_at_load <= load);
     peak_here                         = PeakOnMesh{peak, space};
     result.peak_force_bar.reset();
     if (space && result.time_error)

@@ -3,6 +3,7 @@
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/quadrature_lib.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <stdexcept>
@@ -14,27 +15,42 @@ namespace PlateImpact
 
   namespace
   {
+    /// Points along a length, so many on each of the cells there: on fewer, a
+    /// load is a row of point loads under which nothing converges.
+    unsigned int
+    n_points(const double       length,
+             const double       finest_cell,
+             const unsigned int least,
+             const double       most)
+    {
+      return std::max<double>(least,
+                              std::min(most,
+                                       std::ceil(8. * length / finest_cell)));
+    }
+
+
+
     /// Quadrature of a load on a disc. Gauss points s in [0,1] for the radius,
     /// whose radius and density (of the force, integrating to one) are given;
     /// equidistant angles, which integrate smooth functions with the mirror
     /// symmetries of the plate to high order.
     std::vector<LoadPoint>
-    disc(const std::function<double(double)> &radius,
+    disc(const unsigned int                   n,
+         const std::function<double(double)> &radius,
          const std::function<double(double)> &density)
     {
       // Shape functions have kinks at cell sides: many points, not a high order
-      const unsigned int     n_radii = 40, n_angles = 40;
-      const QGauss<1>        radial(n_radii);
+      const QGauss<1>        radial(n);
       std::vector<LoadPoint> points;
-      points.reserve(n_radii * n_angles);
-      for (unsigned int i = 0; i < n_radii; ++i)
-        for (unsigned int j = 0; j < n_angles; ++j)
+      points.reserve(n * n);
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
           {
             const double s     = radial.point(i)[0];
-            const double angle = (j + 0.5) / n_angles * numbers::PI_2;
+            const double angle = (j + 0.5) / n * numbers::PI_2;
             points.push_back(
               {radius(s) * Point<2>(std::cos(angle), std::sin(angle)),
-               radial.weight(i) * density(s) / n_angles});
+               radial.weight(i) * density(s) / n});
           }
       return points;
     }
@@ -45,9 +61,9 @@ namespace PlateImpact
     /// with weights that sum to one.
     std::vector<LoadPoint>
     strip(const double                                  half_length,
+          const unsigned int                            n_intervals,
           const std::vector<std::pair<double, double>> &across)
     {
-      const unsigned int     n_intervals = 200;
       const QIterated<1>     along(QGauss<1>(2), n_intervals);
       std::vector<LoadPoint> points;
       for (unsigned int i = 0; i < along.size(); ++i)
@@ -62,9 +78,9 @@ namespace PlateImpact
     /// Half of the Hertz pressure of a line contact: y = c sin(phi), so that p
     /// dy is cos^2(phi) dphi 4 / pi for phi in [0, pi/2].
     std::vector<std::pair<double, double>>
-    hertz_pressure_across(const double half_width)
+    hertz_pressure_across(const double half_width, const unsigned int n)
     {
-      const QGauss<1>                        rule(24);
+      const QGauss<1>                        rule(n);
       std::vector<std::pair<double, double>> across;
       for (unsigned int i = 0; i < rule.size(); ++i)
         {
@@ -80,25 +96,37 @@ namespace PlateImpact
 
 
   std::vector<LoadPoint>
-  make_load_distribution(const ContactParameters &contact, const double length)
+  make_load_distribution(const ContactParameters &contact,
+                         const double             length,
+                         const double             finest_cell)
   {
-    const double c = contact.patch_radius;
+    const double       c = contact.patch_radius;
+    const unsigned int n_along =
+      n_points(0.5 * length, finest_cell, 400, 1e6) / 2;
+    const unsigned int n_on_disc = n_points(c, finest_cell, 40, 400);
     switch (contact.load_distribution)
       {
         case LoadShape::point:
           return {{Point<2>(), 1.}};
         case LoadShape::Hertz_disc:
           // s = sqrt(1 - (r/c)^2): p r dr is 3 s^2 ds
-          return disc([c](const double s) { return c * std::sqrt(1. - s * s); },
-                      [](const double s) { return 3. * s * s; });
+          return disc(
+            n_on_disc,
+            [c](const double s) { return c * std::sqrt(1. - s * s); },
+            [](const double s) { return 3. * s * s; });
         case LoadShape::uniform_disc:
           // s = (r/c)^2: p r dr is ds
-          return disc([c](const double s) { return c * std::sqrt(s); },
-                      [](const double) { return 1.; });
+          return disc(
+            n_on_disc,
+            [c](const double s) { return c * std::sqrt(s); },
+            [](const double) { return 1.; });
         case LoadShape::line:
-          return strip(0.5 * length, {{0., 1.}});
+          return strip(0.5 * length, n_along, {{0., 1.}});
         case LoadShape::strip:
-          return strip(0.5 * length, hertz_pressure_across(c));
+          return strip(
+            0.5 * length,
+            n_along,
+            hertz_pressure_across(c, n_points(c, finest_cell, 24, 400)));
       }
     throw std::logic_error("no such load distribution");
   }

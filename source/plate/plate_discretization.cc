@@ -261,13 +261,16 @@ namespace PlateImpact
 
 
   Eigen::VectorXd
-  PlateDiscretization::load(const std::vector<LoadPoint> &points,
-                            const double                  rotation_factor) const
+  PlateDiscretization::load(std::vector<LoadPoint> points,
+                            const double           rotation_factor) const
   {
-    Eigen::VectorXd    u  = Eigen::VectorXd::Zero(n_unknowns());
-    const FESystem<2> &fe = plate_element.finite_element();
-    std::vector<bool>  is_found(points.size(), false);
-    unsigned int       n_found = 0;
+    Eigen::VectorXd u       = Eigen::VectorXd::Zero(n_unknowns());
+    const auto      is_left = [](const LoadPoint &p, const LoadPoint &q) {
+      return p.point[0] < q.point[0];
+    };
+    std::sort(points.begin(), points.end(), is_left);
+    std::vector<bool> is_found(points.size(), false);
+    std::size_t       n_found = 0;
 
     for (const auto &cell : mesh().active_cell_iterators())
       {
@@ -275,35 +278,47 @@ namespace PlateImpact
         // a curved cell reaches beyond the box of its corners, by a part of it
         const double beyond =
           &mapping_of(cell) == &curved_mapping() ? 0.25 : 1e-9;
-        for (std::size_t p = 0; p < points.size(); ++p)
+        const double left = box.lower_bound(0), right = box.upper_bound(0),
+                     margin = beyond * (right - left);
+        const LoadPoint leftmost{Point<2>(left - margin, 0.), 0.};
+        for (std::size_t p = std::lower_bound(points.begin(),
+                                              points.end(),
+                                              leftmost,
+                                              is_left) -
+               points.begin();
+             p < points.size() && points[p].point[0] <= right + margin;
+             ++p)
           if (!is_found[p] && box.point_inside(points[p].point, beyond))
-            {
-              const std::optional<Point<2>> unit =
-                position_in(cell, points[p].point);
-              if (!unit)
-                continue;
-              is_found[p] = true;
-              ++n_found;
-              for (int node = 0; node < n_cell_dofs / int(n_components); ++node)
-                {
-                  const int i = fe.component_to_system_index(deflection, node);
-                  const double value =
-                    fe.base_element(0).shape_value(node, *unit);
-                  unknowns.add_force(cell->active_cell_index(),
-                                     i,
-                                     points[p].weight * value,
-                                     u);
-                }
-              if (rotation_factor != 0.)
-                add_divergence(cell,
-                               *unit,
-                               points[p].weight * rotation_factor,
-                               u);
-            }
+            if (const auto unit = position_in(cell, points[p].point))
+              {
+                is_found[p] = true;
+                ++n_found;
+                add_load(cell, *unit, points[p].weight, rotation_factor, u);
+              }
         if (n_found == points.size())
           return u;
       }
     throw ComputationError("the load distribution reaches beyond the mesh");
+  }
+
+
+
+  void
+  PlateDiscretization::add_load(
+    const Triangulation<2>::active_cell_iterator &cell,
+    const Point<2>                               &unit,
+    const double                                  weight,
+    const double                                  rotation_factor,
+    Eigen::VectorXd                              &u) const
+  {
+    const FESystem<2> &fe = plate_element.finite_element();
+    for (int node = 0; node < n_cell_dofs / int(n_components); ++node)
+      unknowns.add_force(cell->active_cell_index(),
+                         fe.component_to_system_index(deflection, node),
+                         weight * fe.base_element(0).shape_value(node, unit),
+                         u);
+    if (rotation_factor != 0.)
+      add_divergence(cell, unit, weight * rotation_factor, u);
   }
 
 

@@ -276,4 +276,28 @@ namespace PlateImpact
       smallest = std::min(smallest, cell_size(cell));
     return smallest;
   }
+
+
+
+  std::pair<double, double>
+  cell_sizes_near_load(const Triangulation<2> &mesh,
+                       const double            half_length,
+                       const double            distance)
+  {
+    double smallest = std::numeric_limits<double>::infinity(), largest = 0.;
+    for (const auto &cell : mesh.active_cell_iterators())
+      {
+        const auto [low, high] = cell->bounding_box().get_boundary_points();
+        const double size      = cell_size(cell);
+        const double dx        = std::max(
+                       {0., low[0] - half_length, -half_length - high[0]}),
+                     dy = std::max({0., low[1], -high[1]});
+        if (std::hypot(dx, dy) <= distance + 1e-9 * size)
+          {
+            smallest = std::min(smallest, size);
+            largest  = std::max(largest, size);
+          }
+      }
+    return {smallest, largest};
+  }
 } // namespace PlateImpact

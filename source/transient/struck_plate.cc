@@ -7,6 +7,7 @@
 #include "plate_impact/contact/zener.h"
 #include "plate_impact/plate/layer_response.h"
 #include "plate_impact/plate/load_distribution.h"
+#include "plate_impact/plate/plate_mesh.h"
 #include "plate_impact/transient/linear_solver.h"
 #include "plate_impact/transient/make_integrator.h"
 #include "plate_impact/transient/natural_frequencies.h"
@@ -324,6 +325,20 @@ namespace PlateImpact
 
 
 
+  double
+  StruckPlate::finest_cell_under_load(const Parameters &parameters) const
+  {
+    const ContactParameters &contact = parameters.contact;
+    return cell_sizes_near_load(*mesh,
+                                contact.load_has_length() ?
+                                  parameters.impactor.contact_half_length() :
+                                  0.,
+                                contact.has_patch() ? contact.patch_radius : 0.)
+      .first;
+  }
+
+
+
   StruckPlate::Load &
   StruckPlate::prepare(const Parameters &parameters)
   {
@@ -337,7 +352,9 @@ namespace PlateImpact
         Load load;
         load.u = plate.load(
           on_meshed_part(make_load_distribution(parameters.contact,
-                                                parameters.impactor.length),
+                                                parameters.impactor.length,
+                                                finest_cell_under_load(
+                                                  parameters)),
                          parameters.plate),
           load_rotation_factor(parameters.plate, parameters.contact));
         load.layer_constant =

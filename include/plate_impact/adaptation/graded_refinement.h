@@ -21,8 +21,9 @@ namespace PlateImpact
           const ErrorOverLimit     &error,
           std::vector<std::string> &warnings) const override;
 
-    /// Refines cells larger than theta r once.
-    /// @return whether there are any
+    /// Refines cells larger than theta r once, unless the mesh had more than
+    /// the maximum of cells then.
+    /// @return whether the mesh is refined
     bool
     refine(dealii::Triangulation<2> &mesh, double theta) const;
 
@@ -33,7 +34,8 @@ namespace PlateImpact
 
 
   /// Halves cells until those at the load are no larger than its patch, or the
-  /// thickness, and others no larger than their distance from it.
+  /// thickness, and others no larger than their distance from it, or 5000 cells
+  /// are too few for it.
   void
   refine_towards_load(dealii::Triangulation<2> &mesh,
                       const Parameters         &parameters);

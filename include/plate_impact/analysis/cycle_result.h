@@ -50,7 +50,8 @@ namespace PlateImpact
   {
     unsigned int cycle = 0; ///< from 1
     unsigned int cells = 0, degrees_of_freedom = 0;
-    double       min_cell_size = 0.; ///< [m]
+    double       min_cell_size     = 0.; ///< [m]
+    double       cell_size_at_load = 0.; ///< of the largest that it touches [m]
 
     std::optional<ErrorEstimate>  error;
     std::optional<ErrorOverLimit> over_limit; ///< of the scene's target

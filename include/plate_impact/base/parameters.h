@@ -192,6 +192,13 @@ namespace PlateImpact
       return shape == ImpactorShape::cylinder;
     }
 
+    /// Of the contact along x; 0 of a sphere. [m]
+    double
+    contact_half_length() const
+    {
+      return is_cylinder() ? 0.5 * length : 0.;
+    }
+
     auto
     members() const
     {

@@ -5,6 +5,7 @@
 
 #include "plate_impact/base/parameters.h"
 
+#include <limits>
 #include <vector>
 
 namespace PlateImpact
@@ -18,16 +19,21 @@ namespace PlateImpact
   };
 
   /// Quadrature of the scene's load distribution over the quadrant x >= 0, y >=
-  /// 0; the weights sum to one. Independent of any mesh: the points lie where
-  /// the load needs them, in whatever cells they fall. `point`: the origin.
+  /// 0; the weights sum to one. The points lie where the load needs them, in
+  /// whatever cells they fall, and are dense enough for each of these to have
+  /// several. `point`: the origin.
   /// `Hertz disc`: pressure ~ sqrt(1 - (r/c)^2), `uniform disc`: constant
   /// pressure, both within the patch radius c. `line`: the contact length of a
   /// cylinder along x, constant force per length; `strip`: the same with
   /// pressure ~ sqrt(1 - (y/c)^2) across.
   ///
-  /// @param length  of the contact of a cylinder, 2l [m]
+  /// @param length       of the contact of a cylinder, 2l [m]
+  /// @param finest_cell  size of the smallest that the load falls on [m]
   std::vector<LoadPoint>
-  make_load_distribution(const ContactParameters &contact, double length);
+  make_load_distribution(
+    const ContactParameters &contact,
+    double                   length,
+    double finest_cell = std::numeric_limits<double>::infinity());
 
   /// The same on what is meshed of a plate: points of the quadrant are joined
   /// by their mirror images in axes that are no planes of symmetry.

@@ -67,8 +67,7 @@ namespace PlateImpact
     /// @param rotation_factor  beta [m^2]
     /// @throws ComputationError when a point lies outside of the mesh
     Eigen::VectorXd
-    load(const std::vector<LoadPoint> &points,
-         double                        rotation_factor = 0.) const;
+    load(std::vector<LoadPoint> points, double rotation_factor = 0.) const;
 
     /// The unknowns of a given field of deflection and rotations.
     Eigen::VectorXd
@@ -127,6 +126,14 @@ namespace PlateImpact
     add_cell_matrix(unsigned int      cell,
                     const CellMatrix &matrix,
                     Epetra_CrsMatrix &sum) const;
+
+    /// Adds a force at a point of a cell.
+    void
+    add_load(const dealii::Triangulation<2>::active_cell_iterator &cell,
+             const dealii::Point<2>                               &unit,
+             double                                                weight,
+             double           rotation_factor,
+             Eigen::VectorXd &u) const;
 
     /// Adds a factor times the divergence of the rotations at a point of a
     /// cell.

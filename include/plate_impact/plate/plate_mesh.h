@@ -63,6 +63,15 @@ namespace PlateImpact
   /// That of the smallest active cell. [m]
   double
   smallest_cell_size(const dealii::Triangulation<2> &mesh);
+
+  /// Those of the smallest and the largest active cell within a distance of
+  /// the load, or that touch it at distance 0. [m]
+  /// @param half_length  of a line load along x through the impact point; 0
+  ///                     around a point [m]
+  std::pair<double, double>
+  cell_sizes_near_load(const dealii::Triangulation<2> &mesh,
+                       double                          half_length,
+                       double                          distance = 0.);
 } // namespace PlateImpact
 
 #endif

@@ -148,6 +148,9 @@ namespace PlateImpact
     /// The load of an impact, now that of the plate as well.
     Load &
     prepare(const Parameters &parameters);
+    /// Size of the smallest cell that the load falls on. [m]
+    double
+    finest_cell_under_load(const Parameters &parameters) const;
     bool
     is_stepped_on_the_mesh(const Parameters &parameters);
     /// A little after the end of the first contact, on the mesh by steps four
