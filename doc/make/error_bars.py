@@ -48,7 +48,7 @@ def random_scene(number):
     plate, ball = (MATERIALS[choose.choice(sorted(MATERIALS))] for _ in range(2))
     radius = min(thickness * between(0.5, 10), 0.2 * side)
     is_cylinder = choose.random() < 0.1
-    length = min(side, radius * between(1, 4)) if is_cylinder else 0
+    length = min(side, radius * between(1, 30)) if is_cylinder else 0
     mass = ball[2] * (math.pi * radius**2 * length or 4 / 3 * math.pi * radius**3)
     if choose.random() < 0.3:
         mass *= between(0.3, 30)
@@ -76,6 +76,8 @@ def random_scene(number):
         "Adaptivity/Maximum cycles": "12"}
     if is_cylinder:
         entries["Impactor/Length"] = f"{length:.5g}"
+        if choose.random() < 0.5:
+            entries["Contact/Local response"] = "half-space"
     else:
         entries["Contact/Load distribution"] = choose.choice(["Hertz disc", "Hertz disc",
                                                               "uniform disc"])
