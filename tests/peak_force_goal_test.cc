@@ -77,6 +77,25 @@ namespace PlateImpact
 
 
 
+    TEST_F(PeakForceGoal, AFirstMeshWithoutALineHasNoBar)
+    {
+      // Cells as fine as the strip along all of its length are too many. Two
+      // histories on one mesh, a short and a whole one, do not make a change
+      // from mesh to mesh.
+      ASSERT_EQ(run(thin_plate(),
+                    "--set Impactor/Shape=cylinder --set Impactor/Length=0.1 "
+                    "--set 'Contact/Local response=half-space' "
+                    "--set 'Adaptivity/Maximum cells=300'"),
+                0)
+        << err;
+      EXPECT_EQ(summary()["cycles"].size(), 1u);
+      EXPECT_LE(last_cycle()["cells"], 300);
+      EXPECT_GT(last_cycle()["cells"], 100);
+      EXPECT_FALSE(last_cycle().contains("peak_force_error_bar"));
+    }
+
+
+
     TEST_F(PeakForceGoal, WaitsForTheEndOfLongContacts)
     {
       // 20 times the contact on a half-space: the plate gives way as a spring

@@ -83,7 +83,7 @@ namespace PlateImpact
         if (!outcome)
           outcome = adapt(control, listener); // the next mesh
         if (outcome)
-          outcome = watch_to_the_end(*outcome, control, listener);
+          watch_to_the_end(listener);
         listener.cycle(*current); // tell
         if (outcome)
           return *outcome;
@@ -102,19 +102,13 @@ namespace PlateImpact
 
 
 
-  Outcome
-  ImpactAnalysis::watch_to_the_end(const Outcome      before,
-                                   AdaptationControl &control,
-                                   AnalysisListener  &listener)
+  void
+  ImpactAnalysis::watch_to_the_end(AnalysisListener &listener)
   {
     if (!time_control.watch_to_the_end())
-      return before;
+      return;
     strike(listener);
     estimate(listener);
-    // a bar that is smaller over the whole history
-    return control.check(current->result) == Outcome::target_reached ?
-      Outcome::target_reached :
-      before;
   }
 
 
@@ -126,6 +120,8 @@ namespace PlateImpact
     StageClock clock;
     if (mesh == nullptr) // the present one again
       mesh = copy_of(current->mesh());
+    else
+      peak_before = peak_here;
     const double seconds_before =
       current != nullptr ? current->result.cumulative_seconds() : 0.;
     current.reset();
@@ -147,6 +143,8 @@ namespace PlateImpact
     do
       {
         StageClock clock;
+        if (parameters.time.end_time == 0.)
+          listener.stage(result.cycle, "end of the contact");
         last_struck = time_control.next(current->plate);
         if (vectors_are_too_many(last_struck))
           last_struck.time.integrator = IntegratorType::Newmark;
@@ -157,7 +155,6 @@ namespace PlateImpact
       result.time_error,
       result.peak_force_error ? bar_of_mesh(*result.peak_force_error) : 0.,
       meets_force_target(result, parameters.adaptivity)));
-    peak_before = peak_here;
     note_work(current->plate.work());
   }
 

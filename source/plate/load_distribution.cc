@@ -102,7 +102,7 @@ namespace PlateImpact
   {
     const double       c = contact.patch_radius;
     const unsigned int n_along =
-      n_points(0.5 * length, finest_cell, 400, 1e6) / 2;
+      n_points(0.5 * length, finest_cell, 400, 4e5) / 2;
     const unsigned int n_on_disc = n_points(c, finest_cell, 40, 400);
     switch (contact.load_distribution)
       {

@@ -95,11 +95,8 @@ namespace PlateImpact
     void
     strike(const Parameters &on_mesh, AnalysisListener &listener);
     /// The last mesh again, if it was watched on the way to the peak only.
-    /// @return the outcome with it
-    Outcome
-    watch_to_the_end(Outcome            before,
-                     AdaptationControl &control,
-                     AnalysisListener  &listener);
+    void
+    watch_to_the_end(AnalysisListener &listener);
     /// Of the peak force.
     void
     estimate_errors(const Parameters &on_mesh, const ContactHistory &history);
