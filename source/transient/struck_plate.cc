@@ -330,9 +330,7 @@ namespace PlateImpact
   {
     const ContactParameters &contact = parameters.contact;
     return cell_sizes_near_load(*mesh,
-                                contact.load_has_length() ?
-                                  parameters.impactor.contact_half_length() :
-                                  0.,
+                                parameters.impactor.contact_half_length(),
                                 contact.has_patch() ? contact.patch_radius : 0.)
       .first;
   }

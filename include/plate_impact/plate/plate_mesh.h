@@ -7,6 +7,7 @@
 #include "plate_impact/base/parameters.h"
 
 #include <memory>
+#include <utility>
 
 namespace PlateImpact
 {

@@ -1,0 +1,200 @@
+// Wrong input, wrong command lines and failures: exit statuses and what is
+// left.
+#include "program_fixture.h"
+#include "test_plate.h"
+
+namespace PlateImpact
+{
+  namespace
+  {
+    TEST_F(Program, WrongInputLeavesNothingBehind)
+    {
+      const std::string scene = write_scene("subsection Plate\n"
+                                            "  set Thicknes = 1\n"
+                                            "  set Density  = -1\n"
+                                            "end\n");
+      EXPECT_EQ(run(scene), 1);
+      EXPECT_EQ(
+        err,
+        "plate-impact: " + scene +
+          ":2: there is no entry 'Thicknes' in section Plate; did you "
+          "mean 'Thickness'?\n"
+          "plate-impact: " +
+          scene +
+          ":3: Plate/Density = -1 is not allowed; expected a number above "
+          "0\n");
+      EXPECT_FALSE(fs::exists(results()));
+    }
+
+
+
+    TEST_F(Program, SceneIsNotReplacedByItsResults)
+    {
+      const std::string scene = write_scene("# mine\n");
+      EXPECT_EQ(execute("run '" + scene + "' --output '" + directory.string() +
+                        "'"),
+                1);
+      EXPECT_NE(err.find("holds the scene itself"), std::string::npos) << err;
+      EXPECT_EQ(text(scene), "# mine\n");
+    }
+
+
+
+    TEST_F(Program, CoarseStepsAreWarnedOfAndAbsurdOnesRefused)
+    {
+      EXPECT_EQ(run(main_scene,
+                    "--set 'Time/Time step=20e-6' --set 'Contact/Patch "
+                    "radius=0.0005'"),
+                0)
+        << err;
+      EXPECT_NE(err.find("coarsely"), std::string::npos) << err;
+      EXPECT_LT(last_cycle()["relative_energy_drift"], 1e-10);
+      EXPECT_EQ(run(main_scene,
+                    "--set 'Time/Time step=1' --set 'Time/End time=10'"),
+                1);
+      EXPECT_NE(err.find("25 times as long as the contact"), std::string::npos)
+        << err;
+    }
+
+
+
+    TEST_F(Program, EstimatorTakesEnoughSamplesWhateverTheInterval)
+    {
+      ASSERT_EQ(run(main_scene), 0) << err;
+      const double expected = summary()["cycles"][0]["discretization_error"];
+      ASSERT_EQ(run(main_scene, "--set 'Adaptivity/Sampling interval=100000'"),
+                0)
+        << err;
+      expect_near(summary()["cycles"][0]["discretization_error"],
+                  expected,
+                  5e-3);
+    }
+
+
+
+    TEST_F(Program, WrongCommandLinesExitWithOne)
+    {
+      EXPECT_EQ(execute(""), 1);
+      EXPECT_EQ(execute("fly"), 1);
+      EXPECT_EQ(execute("run"), 1);
+      EXPECT_EQ(execute("sweep '" + main_scene + "'"), 1);
+      EXPECT_EQ(err,
+                "plate-impact: " + main_scene +
+                  ": nothing is swept; expected Sweep/Entry 1 and Values 1, "
+                  "for example Impactor/Velocity and 1, 2, 5\n");
+      EXPECT_EQ(execute("check '" + main_scene + "' --set Plate/Density=-1"),
+                1);
+      EXPECT_EQ(WEXITSTATUS(std::system(
+                  ("'" PROGRAM "' defaults > /dev/full 2> /dev/null"))),
+                2);
+      EXPECT_EQ(run(main_scene, "--set foo --set Plate/Densty=1 --set x#=1"),
+                1);
+      EXPECT_EQ(std::count(err.begin(), err.end(), '\n'), 3) << err;
+      EXPECT_EQ(run(main_scene, "--set Plate/Thickness = 0.01"), 1);
+      EXPECT_EQ(err,
+                "plate-impact: '=' stands alone: a change is one word, --set "
+                "'Section/Entry=value'\n");
+      EXPECT_EQ(run("no-such-scene.prm"), 1);
+      EXPECT_EQ(err,
+                "plate-impact: no-such-scene.prm: the scene cannot be read\n");
+      EXPECT_EQ(run(main_scene, "--set 'Time/Endtime=1'"), 1);
+      EXPECT_EQ(err,
+                "plate-impact: --set: there is no entry 'Endtime' in section "
+                "Time; did you mean 'End time'?\n");
+      EXPECT_EQ(execute("--help"), 0);
+      EXPECT_EQ(execute("--version"), 0);
+      const std::string version = out.substr(out.find_last_of(' ') + 1);
+      EXPECT_NE(
+        text(TEST_DATA "/../CITATION.cff").find("\nversion: " + version),
+        std::string::npos)
+        << version;
+      EXPECT_NE(text(TEST_DATA "/../CHANGELOG.md")
+                  .find("\n## " + version.substr(0, version.find('\n')) +
+                        ", 20"),
+                std::string::npos)
+        << version;
+      EXPECT_EQ(out.substr(0, 13), "plate-impact ");
+    }
+
+
+
+    TEST_F(Program, OutputThatCannotBeWrittenExitsWithTwo)
+    {
+      std::ofstream(directory / "results") << "a file in the way";
+      EXPECT_EQ(run(main_scene), 2);
+      EXPECT_NE(err.find("cannot be created"), std::string::npos) << err;
+      EXPECT_EQ(err.find("Stacktrace"), std::string::npos);
+    }
+
+
+
+    TEST_F(Program, PathsThatAreNoFilesAreRefused)
+    {
+      EXPECT_EQ(run(directory.string()), 1);
+      EXPECT_EQ(err,
+                "plate-impact: " + directory.string() +
+                  ": the scene cannot be read\n");
+      EXPECT_EQ(execute("run '" + main_scene + "' --output /proc/results"), 2);
+      EXPECT_NE(err.find("/proc/results cannot be created"), std::string::npos)
+        << err;
+    }
+
+
+
+    TEST_F(Program, FullDiskLeavesValidFiles)
+    {
+      // a file system of 200 KB in a name space of its own: room for the files
+      // of the first cycle and not for those of the second
+      const std::string name_space =
+        std::system("unshare --mount true 2> /dev/null") == 0 ?
+        "unshare --mount" :
+        "unshare --map-root-user --mount";
+      if (std::system((name_space + " true 2> /dev/null").c_str()) != 0)
+        GTEST_SKIP() << "file systems cannot be mounted here";
+      fs::create_directories(directory / "disk");
+      const std::string script = "cd '" + directory.string() +
+        "' && mount -t tmpfs -o size=200k none disk && "
+        "{ '" PROGRAM "' run '" +
+        main_scene + "' --output disk/results 2> err > out; " +
+        "echo $? > status; cp -r disk/results results; }";
+      std::ofstream(directory / "script") << script;
+      ASSERT_EQ(std::system(
+                  (name_space + " sh '" + (directory / "script").string() + "'")
+                    .c_str()),
+                0);
+      EXPECT_EQ(text(directory / "status"), "2\n");
+      EXPECT_NE(text(directory / "err")
+                  .find("contact_history.csv cannot be "
+                        "written"),
+                std::string::npos)
+        << text(directory / "err");
+      bool has_first_cycle = false;
+      for (const auto &entry : fs::directory_iterator(results()))
+        {
+          EXPECT_NE(entry.path().extension(), ".incomplete") << entry;
+          has_first_cycle |= entry.path().filename() == "mesh_cycle_1.svg";
+          const bool is_summary = entry.path().filename() == "summary.json";
+          EXPECT_TRUE(!is_summary ||
+                      summary()["outcome"].get<std::string>().substr(0, 6) ==
+                        "failed");
+        }
+      EXPECT_TRUE(has_first_cycle);
+    }
+
+
+
+    TEST_F(Program, FailedComputationNamesTheStepAndLeavesValidFiles)
+    {
+      // a plate so heavy that its matrices overflow
+      EXPECT_EQ(run(main_scene,
+                    "--set Plate/Density=1e300 --set Time/Integrator=Newmark "
+                    "--set 'Contact/Patch "
+                    "radius=0.001'"),
+                2)
+        << out << err;
+      EXPECT_NE(err.find("step 1"), std::string::npos) << err;
+      EXPECT_EQ(summary()["outcome"].get<std::string>().substr(0, 6), "failed");
+      EXPECT_TRUE(fs::exists(results() / "scene.prm"));
+    }
+  } // namespace
+} // namespace PlateImpact
