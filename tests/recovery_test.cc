@@ -1,11 +1,13 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/mapping_q1.h>
+#include <deal.II/grid/grid_tools.h>
 
 #include "plate_impact/estimator/error_estimator.h"
 #include "plate_impact/estimator/error_over_limit.h"
 #include "plate_impact/estimator/recovered_field.h"
 #include "test_plate.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace PlateImpact
@@ -16,10 +18,10 @@ namespace PlateImpact
   {
     using ResultantField = std::function<Resultants(const Point<2> &)>;
 
-    /// Largest error of the recovery of a field over corners, midsides and
-    /// inner points of all cells, relative to the largest value there.
-    double
-    recovery_error(const Triangulation<2> &mesh, const ResultantField &field)
+    /// Largest errors of the recovery of a field over corners, midsides and
+    /// inner points of the cells, relative to the largest value anywhere.
+    std::vector<double>
+    recovery_errors(const Triangulation<2> &mesh, const ResultantField &field)
     {
       const MappingQ1<2>          mapping;
       const QGauss<2>             gauss(2);
@@ -38,8 +40,9 @@ namespace PlateImpact
       for (const double x : {0., 0.3, 0.5, 1.})
         for (const double y : {0., 0.5, 0.8, 1.})
           unit_points.emplace_back(x, y);
-      double         error = 0., largest = 0.;
-      RowMajorMatrix values;
+      std::vector<double> errors(mesh.n_active_cells());
+      double              largest = 0.;
+      RowMajorMatrix      values;
       for (const auto &cell : mesh.active_cell_iterators())
         {
           std::vector<Point<2>> points;
@@ -53,13 +56,25 @@ namespace PlateImpact
           for (unsigned int q = 0; q < points.size(); ++q)
             {
               const Resultants exact = field(points[q]);
+              double          &error = errors[cell->active_cell_index()];
               error                  = std::max(
                 error,
                 (values.row(q).transpose() - exact).cwiseAbs().maxCoeff());
               largest = std::max(largest, exact.cwiseAbs().maxCoeff());
             }
         }
-      return error / largest;
+      for (double &error : errors)
+        error /= largest;
+      return errors;
+    }
+
+
+
+    double
+    recovery_error(const Triangulation<2> &mesh, const ResultantField &field)
+    {
+      const std::vector<double> errors = recovery_errors(mesh, field);
+      return *std::max_element(errors.begin(), errors.end());
     }
 
 
@@ -126,6 +141,33 @@ namespace PlateImpact
                                    full_basis(length)),
                     1e-9);
         }
+    }
+
+
+
+    TEST(StressRecovery, LargeCellsAtAnEdgeTakeNoPolynomialsOfSmallOnesBeside)
+    {
+      // a row of cells of each size from y = 0 on, all up to the edge x = 1
+      auto mesh = unit_square(4);
+      for (unsigned int n = 0; n < 3; ++n)
+        {
+          const double row = std::pow(0.5, n + 2);
+          for (const auto &cell : mesh->active_cell_iterators())
+            if (cell->center()[1] < row)
+              cell->set_refine_flag();
+          mesh->execute_coarsening_and_refinement();
+        }
+      const std::vector<double> errors =
+        recovery_errors(*mesh, [](const Point<2> &p) {
+          return Resultants::Constant(1. / (0.1 + p[1])).eval();
+        });
+      const auto error_at = [&](const Point<2> &p) {
+        return errors[GridTools::find_active_cell_around_point(*mesh, p)
+                        ->active_cell_index()];
+      };
+      // the field is the same along the rows
+      for (const double y : {0.3, 0.2, 0.1})
+        EXPECT_LT(error_at({0.99, y}), 2. * error_at({0.6, y})) << y;
     }
 
 

@@ -3,12 +3,15 @@
 import concurrent.futures
 
 import error_bars
-
-N_SCENES = 100
+import measured
 
 
 def measure(program):
+    forces = measured.stored("true_forces")["forces"]
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
-        scenes = list(pool.map(lambda number: error_bars.bars_of_scene(program.program, number),
-                               range(N_SCENES)))
-    return error_bars.summary(scenes)
+        scenes = list(pool.map(error_bars.bars_of_scene, [program.program] * len(forces),
+                               range(len(forces)), forces))
+    half = len(scenes) // 2
+    return {**error_bars.summary(scenes),
+            "halves": [error_bars.summary(part)["all"]
+                       for part in (scenes[:half], scenes[half:])]}

@@ -7,10 +7,6 @@ namespace PlateImpact
 {
   namespace
   {
-    /// Of the change of the force from a mesh whose bar did not hold, or that
-    /// had none: covers errors of which a refinement leaves three fifths.
-    constexpr double after_blind = 1.5;
-
     /// Of the force: beyond, a first order estimate on a first mesh says
     /// nothing.
     constexpr double largest_on_first_mesh = 0.05;
@@ -48,7 +44,7 @@ namespace PlateImpact
       return bar;
     const double change    = std::abs(peak - before->force) / peak;
     const bool   was_blind = !before->space || change > *before->space;
-    return std::max(bar, was_blind ? after_blind * change : 0.);
+    return std::max(bar, was_blind ? change : 0.);
   }
 
 

@@ -140,6 +140,14 @@ namespace PlateImpact
 
 
   std::string
+  with_unit(const std::string &title, const std::string &unit)
+  {
+    return unit.empty() || unit == "-" ? title : title + " [" + unit + "]";
+  }
+
+
+
+  std::string
   deviation(const double value, const double other)
   {
     const double ratio = value / other;

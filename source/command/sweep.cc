@@ -112,7 +112,7 @@ namespace PlateImpact
       void
       add(const SweepRow &row, const std::optional<ContactHistory> &history)
       {
-        if (history && histories.size() < SweepPage::max_histories)
+        if (history && histories.size() < SweepPlots::max_histories)
           histories[row.point] = *history;
         if (history)
           directory.write_file("contact_history_point_" +

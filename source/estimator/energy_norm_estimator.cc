@@ -174,7 +174,7 @@ namespace PlateImpact
     RowMajorMatrix recovered;
     for (const unsigned int v : cell->vertex_indices())
       {
-        // all cells recover the same there
+        // all cells recover the same there, or at an edge nearly so
         if (vertex_is_done[cell->vertex_index(v)])
           continue;
         vertex_is_done[cell->vertex_index(v)] = true;

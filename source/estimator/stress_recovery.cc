@@ -28,6 +28,13 @@ namespace PlateImpact
 
 
 
+    /// Patches below this share of the largest beside them say nothing of cells
+    /// that they are not fitted to. A change of level halves the size; the
+    /// cells of a quadrilateral mesh scatter less.
+    constexpr double smallest_share = 0.75;
+
+
+
     /// Sign of a resultant (M_x, M_y, M_xy, Q_x, Q_y) in a mirror image.
     double
     parity(const unsigned int resultant,
@@ -51,7 +58,7 @@ namespace PlateImpact
     , is_on_symmetry_x(mesh.n_vertices())
     , is_on_symmetry_y(mesh.n_vertices())
     , uses_neighbours(mesh.n_vertices())
-    , patches_of_vertex(mesh.n_vertices())
+    , patches_of_corners(mesh.n_active_cells())
   {
     const QGauss<2> points(2);
     for (const auto &cell : mesh.active_cell_iterators())
@@ -112,8 +119,9 @@ namespace PlateImpact
   void
   StressRecovery::assign_patches()
   {
-    const auto add_patch = [this](const unsigned int vertex) {
-      patches_of_vertex[vertex] = {static_cast<unsigned int>(patches.size())};
+    std::vector<std::vector<unsigned int>> at_vertex(mesh.n_vertices());
+    const auto add_patch = [&](const unsigned int vertex) {
+      at_vertex[vertex] = {static_cast<unsigned int>(patches.size())};
       patches.push_back(make_patch(vertex));
     };
     for (unsigned int vertex = 0; vertex < mesh.n_vertices(); ++vertex)
@@ -127,13 +135,40 @@ namespace PlateImpact
           for (const unsigned int cell : cells_at_vertex[vertex])
             for (const unsigned int neighbour : vertices_of_cell[cell])
               if (!uses_neighbours[neighbour])
-                neighbours.insert(patches_of_vertex[neighbour].front());
+                neighbours.insert(at_vertex[neighbour].front());
           if (neighbours.empty())
             add_patch(vertex);
           else
-            patches_of_vertex[vertex].assign(neighbours.begin(),
-                                             neighbours.end());
+            at_vertex[vertex].assign(neighbours.begin(), neighbours.end());
         }
+
+    for (unsigned int cell = 0; cell < n_cells(); ++cell)
+      for (unsigned int v = 0; v < 4; ++v)
+        patches_of_corners[cell][v] =
+          patches_for(cell, at_vertex[vertices_of_cell[cell][v]]);
+  }
+
+
+
+  std::vector<unsigned int>
+  StressRecovery::patches_for(const unsigned int               cell,
+                              const std::vector<unsigned int> &candidates) const
+  {
+    double largest = 0.;
+    for (const unsigned int patch : candidates)
+      largest = std::max(largest, patches[patch].size);
+    std::vector<unsigned int> result;
+    for (const unsigned int patch : candidates)
+      {
+        const auto &images = patches[patch].images;
+        const bool  has_cell =
+          std::any_of(images.begin(), images.end(), [=](const Image &image) {
+            return image.cell == cell;
+          });
+        if (has_cell || patches[patch].size > smallest_share * largest)
+          result.push_back(patch);
+      }
+    return result;
   }
 
 
@@ -262,7 +297,7 @@ namespace PlateImpact
   StressRecovery::patches_at(const unsigned int cell,
                              const unsigned int corner) const
   {
-    return patches_of_vertex[vertices_of_cell[cell][corner]];
+    return patches_of_corners[cell][corner];
   }
 
 

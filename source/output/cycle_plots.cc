@@ -74,8 +74,7 @@ namespace PlateImpact
             unit   = prefixed.name();
             values = prefixed(values);
           }
-        table.rows.push_back(
-          {quantity.name + (unit.empty() ? "" : " [" + unit + "]")});
+        table.rows.push_back({with_unit(quantity.name, unit)});
         // whole numbers, and what is compared from cycle to cycle
         for (const double value : values)
           table.rows.back().push_back(quantity.key == "peak_force" ||

@@ -150,8 +150,8 @@ namespace PlateImpact
       const PrefixedUnit unit(unit_name, largest);
       Plot               plot{title,
                 "",
-                {"time [" + time.name() + "]"},
-                {title + " [" + unit.name() + "]"},
+                {with_unit("time", time.name())},
+                {with_unit(title, unit.name())},
                 {},
                 {}};
       for (const PlottedHistory &history : histories)

@@ -9,7 +9,7 @@
 namespace PlateImpact
 {
   /// Covers what the cells miss: calibrated on random scenes (doc/theory.md).
-  constexpr double safety_of_bar = 1.5;
+  constexpr double safety_of_bar = 1.55;
 
   /// How far the computed peak force may be from that of the equations, by mesh
   /// and time step, relative to it. The model is another matter.
@@ -22,7 +22,7 @@ namespace PlateImpact
     total() const;
   };
 
-  /// The peak on a mesh, and what the mesh before had.
+  /// The peak on a mesh, for the next one.
   struct PeakOnMesh
   {
     double                force = 0.; ///< [N]
@@ -35,11 +35,10 @@ namespace PlateImpact
   bar_of_mesh(const PeakForceError &estimate);
 
   /// The part of a bar that is the mesh's: bar_of_mesh(). Where the load is not
-  /// resolved, no less than one and a half times the change of the force from
-  /// the mesh before, if that was more than the bar there; and empty on a first
-  /// mesh, as is any estimate above a twentieth of the force there.
-  /// @param resolves_load  whether the smallest cells are no larger than the
-  /// load
+  /// resolved, no less than the change of the force from the mesh before, if
+  /// that was more than the bar there; and empty on a first mesh, as is any
+  /// estimate above a twentieth of the force there.
+  /// @param resolves_load  whether cells at the load are no larger than it
   std::optional<double>
   peak_force_error_by_mesh(const PeakForceError            &estimate,
                            double                           peak,

@@ -65,6 +65,11 @@ namespace PlateImpact
   std::string
   with_error(double value, double error, const std::string &unit);
 
+  /// A title of an axis or a column, with the unit where there is one: "Peak
+  /// force [N]".
+  std::string
+  with_unit(const std::string &title, const std::string &unit);
+
   /// A result, a fraction, as "5 %".
   std::string
   percentage(double fraction);

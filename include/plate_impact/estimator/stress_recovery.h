@@ -47,7 +47,9 @@ namespace PlateImpact
   /// twelve samples of their three cells do determine eight terms, but such a
   /// fit follows the error that it should expose (measured on a simply
   /// supported plate: cells along a change of level then have half of their
-  /// error in the estimate).
+  /// error in the estimate). Where cells of several sizes meet, a cell takes
+  /// none of the smaller patches that it is no part of: a polynomial of small
+  /// cells goes astray in a large one beside them.
   ///
   /// A patch whose samples do not determine the polynomial grows by the cells
   /// around it: decided by rank, since 2x2 points in two cells side by side are
@@ -131,6 +133,10 @@ namespace PlateImpact
       const std::function<bool(const dealii::Point<2> &)> &is_rough);
     void
     assign_patches();
+    /// Without those that are smaller than others and not fitted to the cell.
+    std::vector<unsigned int>
+    patches_for(unsigned int                     cell,
+                const std::vector<unsigned int> &candidates) const;
     std::vector<Image>
     images_around(unsigned int vertex, const Image &seen_from) const;
     std::set<Image>
@@ -150,8 +156,8 @@ namespace PlateImpact
     std::vector<std::array<unsigned int, 4>> vertices_of_cell;
     std::vector<bool> is_on_symmetry_x, is_on_symmetry_y, uses_neighbours;
 
-    std::vector<Patch>                     patches;
-    std::vector<std::vector<unsigned int>> patches_of_vertex;
+    std::vector<Patch>                                    patches;
+    std::vector<std::array<std::vector<unsigned int>, 4>> patches_of_corners;
 
     /// Fits and their ranks, by positions of samples in units of the patch.
     struct Fit

@@ -5,29 +5,24 @@
 #include "plate_impact/page/page.h"
 #include "plate_impact/scene/sweep_scene.h"
 #include "plate_impact/sweep/sweep_computation.h"
+#include "plate_impact/sweep/sweep_plots.h"
 #include "plate_impact/sweep/sweep_table.h"
 
 #include <cstddef>
 #include <iosfwd>
 #include <map>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace PlateImpact
 {
-  /// sweep.html: the figures of the points over the swept values. Curves over
-  /// one entry, or over the first where lists are paired up; coloured maps over
-  /// two, or a curve for each value where one of them has few values or words;
-  /// over three, such a figure for each value of the third, on one scale.
+  /// sweep.html: the range of the force, the scene in words, plots, histories
+  /// and the table.
   class SweepPage
   {
   public:
-    /// More histories than these do not show in one plot.
-    static constexpr std::size_t max_histories = 12;
-
     /// @param rows       of all points; must outlive the page
-    /// @param histories  of some points
+    /// @param histories  of some points; likewise
     SweepPage(const SweepScene                            &scene,
               const std::vector<std::optional<SweepRow>>  &rows,
               const std::map<std::size_t, ContactHistory> &histories);
@@ -36,78 +31,15 @@ namespace PlateImpact
     write(std::ostream &out, const SweepWork &work) const;
 
   private:
-    /// An entry as an axis.
-    struct Scale
-    {
-      std::string              title;
-      bool                     is_numeric;
-      std::vector<std::string> texts;
-      std::vector<double>      values; ///< numbers 1, 2, ... for words
-    };
-
-    /// A figure as a quantity of a plot: its index, title with unit, and factor
-    /// to that unit.
-    struct Quantity
-    {
-      std::size_t index;
-      std::string title;
-      double      factor;
-    };
-
-    Scale
-    scale(const SweptEntry &entry) const;
-    std::vector<Quantity>
-    quantities() const;
-    /// The value of a quantity at a point, NaN where there is none.
-    double
-    value(const Quantity &quantity, std::size_t point) const;
-
-    /// Of its values at all points.
-    Range
-    range(const Quantity &quantity) const;
-
-    /// A quantity over the product of the first two entries.
-    struct Panel
-    {
-      const Quantity *quantity;
-      std::string     title;  ///< what tells it from others of the quantity
-      std::size_t     first;  ///< point
-      std::size_t     stride; ///< to the next value of the second entry
-    };
-
     void
     write_facts(Page &page, const SweepWork &work) const;
     void
-    write_figures(Page &page) const;
-    /// As maps, or as families of curves.
-    /// Points whose impacts have warnings, as dots of their own.
-    void
-    mark_warnings(const Quantity                              &quantity,
-                  const Scale                                 &x,
-                  const std::vector<std::vector<std::size_t>> &points,
-                  Plot                                        &plot) const;
-    /// The smallest and the largest force, and where.
-    std::vector<Fact>
-    range_of_force() const;
-    void
-    write_panels(Page                     &page,
-                 const std::vector<Panel> &panels,
-                 bool                      small) const;
-    Plot
-    curves(const Quantity                              &quantity,
-           const Scale                                 &x,
-           const std::vector<std::string>              &names,
-           const std::vector<std::vector<std::size_t>> &points) const;
-    void
-    write_histories(Page &page) const;
-    void
     write_table(Page &page) const;
 
-    const SweepScene                            &scene;
-    const SweepPlan                             &plan;
-    const std::vector<std::optional<SweepRow>>  &rows;
-    const std::map<std::size_t, ContactHistory> &histories;
-    const std::vector<Quantity>                  shown;
+    const SweepScene                           &scene;
+    const SweepPlan                            &plan;
+    const std::vector<std::optional<SweepRow>> &rows;
+    const SweepPlots                            plots;
   };
 } // namespace PlateImpact
 
