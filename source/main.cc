@@ -2,6 +2,8 @@
 #include <deal.II/base/multithread_info.h>
 
 #include "plate_impact/base/exceptions.h"
+#include "plate_impact/base/interrupt.h"
+#include "plate_impact/base/text.h"
 #include "plate_impact/base/version.h"
 #include "plate_impact/command/check.h"
 #include "plate_impact/command/compare.h"
@@ -29,8 +31,7 @@ namespace
   {
     success          = 0,
     wrong_input      = 1,
-    failed_computing = 2,
-    interrupted      = 130
+    failed_computing = 2
   };
 
 
@@ -82,8 +83,10 @@ namespace
   compute(const std::function<void(const Scene &, bool)> &command,
           const Arguments                                &arguments)
   {
-    command(read_scene(arguments.path, arguments.overrides, arguments.output),
-            arguments.sweep.quiet);
+    const Scene scene =
+      read_scene(arguments.path, arguments.overrides, arguments.output);
+    throw_if_interrupted(); // results of before stay
+    command(scene, arguments.sweep.quiet);
   }
 
 
@@ -129,6 +132,7 @@ namespace
     if (!processes.is_first())
       std::cerr.setstate(std::ios::failbit);
     SweepScene scene(arguments.path, arguments.overrides, arguments.output);
+    throw_if_interrupted();
     run_sweep(scene, arguments.sweep, processes);
   }
 
@@ -164,7 +168,9 @@ namespace
   void
   print(const std::function<void(std::ostream &)> &function)
   {
+    throw_if_interrupted();
     function(std::cout);
+    throw_if_interrupted();
     std::cout.flush();
     if (!std::cout)
       throw ComputationError("the standard output cannot be written");
@@ -179,7 +185,7 @@ namespace
       *app.add_subcommand("check",
                           "Check a scene and say what to expect of it");
     add_scene(command, arguments);
-    command.footer("Takes a fraction of a second and writes nothing.");
+    command.footer("Takes about a second and writes nothing.");
     command.callback([&arguments] {
       const Scene scene = read_scene(arguments.path, arguments.overrides);
       print([&](std::ostream &out) { print_expectation(out, scene); });
@@ -219,7 +225,7 @@ namespace
       "  plate-impact defaults > my.prm\n\n"
       "`plate-impact COMMAND --help` lists the options of a command.\n"
       "Exit status: 0 done, 1 the input is wrong, 2 the computation failed, "
-      "130 Ctrl-C.\n"
+      "130 Ctrl-C, 143 SIGTERM.\n"
       "Colours are left out in pipes and where NO_COLOR is set.");
     Arguments arguments;
     add_run(app, arguments);
@@ -258,7 +264,7 @@ namespace
     std::istringstream lines(message);
     for (std::string line; std::getline(lines, line);)
       std::cerr << terminal.emphasized("plate-impact: ", Emphasis::error)
-                << line << '\n';
+                << printable(line) << '\n';
   }
 } // namespace
 
@@ -277,6 +283,7 @@ main(const int argc, const char *const *argv)
 #endif
   // Nothing here gains from threads; not starting them saves time.
   dealii::MultithreadInfo::set_thread_limit(1);
+  await_interrupt();
   try
     {
       return execute(argc, argv);
@@ -293,7 +300,7 @@ main(const int argc, const char *const *argv)
   catch (const Interruption &interruption)
     {
       print_error(interruption.what());
-      return interrupted;
+      return 128 + interruption.signal;
     }
   catch (const std::bad_alloc &)
     {

@@ -231,7 +231,7 @@ namespace PlateImpact
       EXPECT_FALSE(analysis.last_cycle().result.history);
       EXPECT_FALSE(analysis.last_cycle().result.error);
       EXPECT_EQ(analysis.last_cycle().plate.work().factorizations, 0u);
-      EXPECT_TRUE(analysis.all_warnings().empty());
+      EXPECT_TRUE(analysis.all_warnings().all().empty());
     }
   } // namespace
 } // namespace PlateImpact

@@ -44,6 +44,37 @@ namespace PlateImpact
 
 
 
+    TEST(KellyEstimator, MapsCurvedCellsAsTheyAre)
+    {
+      PlateParameters plate = unit_plate(EdgeSupport::free, 0.1);
+      plate.outline.shape   = PlateOutline::circle;
+      plate.side_lengths    = {{2., 2.}};
+      const auto mesh       = make_plate_mesh(plate, {{8, 8}});
+      unset_symmetry(*mesh);
+      const PlateElement        element(ElementType::MITC9);
+      const PlateDiscretization model(*mesh, element, plate, 1.);
+      // a deflection that is linear but at the middle: what jumps is there
+      const Eigen::MatrixXd field =
+        model.interpolate(Field([](const Point<2> &p) {
+          return Field::Values{
+            {p.norm() < 1e-9 ? 1. : p[0] + 2. * p[1], p[0], p[1]}};
+        }));
+      KellyEstimator estimator(model,
+                               std::make_unique<TenPerCent>(
+                                 mesh->n_active_cells()));
+      estimator.add_samples({1.}, field, Eigen::MatrixXd::Identity(1, 1));
+      const ErrorEstimate estimate = estimator.estimate();
+      for (const auto &cell : mesh->active_cell_iterators())
+        if (cell->center().norm() > 0.6)
+          {
+            EXPECT_NEAR(estimate.element_errors[cell->active_cell_index()],
+                        0.,
+                        1e-7);
+          }
+    }
+
+
+
     TEST(KellyEstimator, SharesOutTheErrorByTheJumps)
     {
       const auto                mesh = unit_square(4);

@@ -159,6 +159,7 @@ namespace PlateImpact
       EXPECT_FALSE(bar(some, {}, false));
       EXPECT_FALSE(bar(much, {}, true));
       EXPECT_TRUE(bar(much, PeakOnMesh{100., {}}, true));
+      record("factor of safety", bar(some, {}, true).value() / 0.01);
     }
 
 

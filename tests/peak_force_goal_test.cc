@@ -55,6 +55,59 @@ namespace PlateImpact
 
 
 
+    TEST_F(PeakForceGoal, CountsOfAMeshThatIsWatchedTwiceAreOfOneEstimate)
+    {
+      ASSERT_EQ(run(main_scene,
+                    goal +
+                      "--set 'Adaptivity/Maximum cycles=1' --set "
+                      "'Time/End time=4e-4'"),
+                0)
+        << err;
+      EXPECT_EQ(last_cycle()["cells"], 18);
+      EXPECT_GT(last_cycle()["cells_above_limit"], 0);
+      EXPECT_LE(last_cycle()["cells_above_limit"], 18);
+    }
+
+
+
+    TEST_F(PeakForceGoal, NoTargetIsReachedWithoutABar)
+    {
+      // the estimate of a first mesh that does not see the waves is small
+      ASSERT_EQ(run(write_scene("subsection Plate\n"
+                                "set Side lengths = 0.128, 0.063\n"
+                                "set Thickness = 0.0015\n"
+                                "set Layup = [30/-30/30]\n"
+                                "set Density = 1600\n"
+                                "set Support = soft simply supported\n"
+                                "set Impact point = 0.01, 0.005\n"
+                                "end\n"
+                                "subsection Impactor\n"
+                                "set Shape = cylinder\n"
+                                "set Radius = 7e-4\n"
+                                "set Length = 0.09\n"
+                                "set Density = 1200\n"
+                                "set Young's modulus = 3e9\n"
+                                "set Velocity = 3\n"
+                                "end\n"
+                                "subsection Time\n"
+                                "set End time = 0\n"
+                                "set Time step = 0\n"
+                                "end\n"
+                                "subsection Adaptivity\n"
+                                "set Goal = peak force\n"
+                                "set Target peak force error = 0.02\n"
+                                "end\n"),
+                    "--set 'Output/Write report=false'"),
+                0)
+        << err;
+      EXPECT_EQ(summary()["outcome"], "target reached");
+      EXPECT_FALSE(summary()["cycles"][0].contains("peak_force_error_bar"));
+      EXPECT_GT(summary()["cycles"].size(), 1u);
+      EXPECT_EQ(summary()["verdict"]["convergence"]["trust"], "good");
+    }
+
+
+
     TEST_F(PeakForceGoal, EndTimeZeroIsTheEndOfTheFirstContact)
     {
       ASSERT_EQ(run(main_scene), 0) << err;

@@ -362,6 +362,21 @@ namespace PlateImpact
 
 
 
+    TEST_F(PlateFromFile, UniformRefinementKeepsToTheSmallestOfAllCells)
+    {
+      ASSERT_EQ(run(SCENES "/drilled-plate.prm",
+                    "--set Adaptivity/Strategy=uniform --set "
+                    "'Adaptivity/Goal=energy norm' --set 'Adaptivity/Minimum "
+                    "cell size=0.008'"),
+                0)
+        << err;
+      // half of the smallest would be below
+      EXPECT_EQ(summary()["cycles"].size(), 1u);
+      EXPECT_GE(last_cycle()["min_cell_size"].get<double>(), 0.008);
+    }
+
+
+
     TEST_F(PlateFromFile, RefusesScenesThatDoNotFitIt)
     {
       Triangulation<2> mesh;

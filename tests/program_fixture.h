@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -63,8 +64,72 @@ namespace PlateImpact
     int
     run(const std::string &scene, const std::string &more = "")
     {
-      return execute("run '" + scene + "' --output '" + results().string() +
-                     "' " + more);
+      const int status = execute("run '" + scene + "' --output '" +
+                                 results().string() + "' " + more);
+      if (status == 0)
+        expect_consistent(summary());
+      return status;
+    }
+
+    /// What holds for every run of every scene.
+    static void
+    expect_consistent(const nlohmann::json &summary)
+    {
+      const auto &inputs = summary["inputs"];
+      const auto  input  = [&inputs](const char *path) {
+        return inputs[path].get<std::string>();
+      };
+      const bool follows_sizes =
+        input("Adaptivity/Strategy") == "hanging nodes" ||
+        input("Adaptivity/Strategy") == "uniform";
+      double before = 0.;
+      for (const auto &cycle : summary["cycles"])
+        {
+          const unsigned int cells = cycle["cells"];
+          EXPECT_LE(cycle.value("cells_above_limit", 0u), cells);
+          EXPECT_LE(cycle.value("cells_at_minimum_size", 0u),
+                    cycle.value("cells_above_limit", 0u));
+          // A first mesh may be finer. Neighbours within one level of a cell
+          // that is refined may be of shorter sides than it is.
+          if (follows_sizes)
+            {
+              EXPECT_GE(
+                cycle["min_cell_size"].get<double>(),
+                0.5 *
+                  std::min(summary["cycles"][0]["min_cell_size"].get<double>(),
+                           std::stod(input("Adaptivity/Minimum cell size"))));
+            }
+          double seconds = 0.;
+          for (const auto &[stage, value] : cycle["seconds"].items())
+            {
+              EXPECT_GE(value.get<double>(), 0.) << stage;
+              seconds += stage == "total" ? 0. : value.get<double>();
+            }
+          EXPECT_NEAR(cycle["seconds"]["total"].get<double>(), seconds, 1e-6);
+          EXPECT_NEAR(cycle["cumulative_seconds"].get<double>(),
+                      before + seconds,
+                      1e-6);
+          before = cycle["cumulative_seconds"];
+          if (cycle.contains("peak_force_error_bar"))
+            {
+              EXPECT_GE(cycle["peak_force_error_bar"].get<double>(),
+                        cycle["peak_force_error_space"].get<double>());
+            }
+        }
+      const auto &last = summary["cycles"].back();
+      if (summary["outcome"] == "target reached" &&
+          input("Adaptivity/Goal") == "peak force")
+        {
+          ASSERT_TRUE(last.contains("peak_force_error_bar"));
+          EXPECT_LE(last["peak_force_error_bar"].get<double>(),
+                    std::stod(input("Adaptivity/Target peak force error")));
+        }
+      if (summary["outcome"] == "target reached" &&
+          input("Adaptivity/Goal") == "energy norm")
+        {
+          EXPECT_LE(last["discretization_error"].get<double>(),
+                    std::stod(input("Adaptivity/Target error")));
+        }
     }
 
     using Row = std::map<std::string, std::string>;

@@ -64,7 +64,8 @@ namespace PlateImpact
       EXPECT_EQ(out,
                 "peak_force=" + last_cycle()["peak_force"].dump() +
                   " bar=" + last_cycle()["peak_force_error_bar"].dump() +
-                  " outcome=\"target reached\" trust=good\n");
+                  " outcome=\"target reached\" trust=good "
+                  "convergence=good model=good\n");
       EXPECT_EQ(summary()["verdict"]["trust"], "good");
       ASSERT_EQ(run(main_scene,
                     "--set Adaptivity/Strategy=none --set 'Output/Write "

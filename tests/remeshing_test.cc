@@ -289,6 +289,24 @@ namespace PlateImpact
 
 
 
+    TEST(Remeshing, KnowsHowManyCellsItWillMake)
+    {
+      // every cell to be half as long, as its error has it
+      const auto      mesh = quadrant();
+      const Remeshing remeshing(adaptivity(), 0.);
+      ErrorOverLimit  error;
+      error.overall = 4.;
+      error.elements.assign(mesh->n_active_cells(), 4.);
+      const double expected = remeshing.n_wanted_cells(*mesh, error);
+      std::vector<std::string> warnings;
+      ASSERT_TRUE(remeshing.adapt(*mesh, error, warnings));
+      // the longest side of a cell, its size, is above the root of its area
+      EXPECT_LT(mesh->n_active_cells() / expected, 1.5);
+      EXPECT_GT(mesh->n_active_cells() / expected, 0.8);
+    }
+
+
+
     TEST(Remeshing, HasVerticesOfThreeAndOfFiveCells)
     {
       // what the tests of elements and recovery on such meshes rely on

@@ -1,7 +1,7 @@
 #include "plate_impact/adaptation/quad_mesher.h"
 
+#include "plate_impact/adaptation/gmsh_session.h"
 #include "plate_impact/base/exceptions.h"
-#include "plate_impact/plate/gmsh_session.h"
 
 #include <gmsh.h>
 

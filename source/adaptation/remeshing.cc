@@ -35,7 +35,7 @@ namespace PlateImpact
 
 
     double
-    rounded(const double size)
+    rounded_size(const double size)
     {
       return std::exp2(std::round(sizes_per_octave * std::log2(size)) /
                        sizes_per_octave);
@@ -189,7 +189,7 @@ namespace PlateImpact
                           std::max(refinement_margin * size,
                    std::min(adaptivity.minimum_cell_size, present)) :
                           std::max(size / coarsening_margin, present);
-        size                 = allowed_size(rounded(size), adaptivity);
+        size                 = allowed_size(rounded_size(size), adaptivity);
       }
     return sizes;
   }
@@ -268,8 +268,6 @@ namespace PlateImpact
   Remeshing::n_wanted_cells(const Triangulation<2> &mesh,
                             const ErrorOverLimit   &error) const
   {
-    return n_cells_of_sizes(mesh,
-                            target_sizes(mesh, error, adaptivity),
-                            adaptivity);
+    return n_cells_of_sizes(mesh, wanted_sizes(mesh, error), adaptivity);
   }
 } // namespace PlateImpact

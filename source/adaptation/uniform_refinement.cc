@@ -15,8 +15,9 @@ namespace PlateImpact
                            const ErrorOverLimit &,
                            std::vector<std::string> &) const
   {
-    if (is_smallest(mesh.begin_active(), adaptivity))
-      return false;
+    for (const auto &cell : mesh.active_cell_iterators())
+      if (is_smallest(cell, adaptivity))
+        return false;
     mesh.refine_global();
     return true;
   }

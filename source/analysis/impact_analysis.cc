@@ -126,6 +126,7 @@ namespace PlateImpact
       current != nullptr ? current->result.cumulative_seconds() : 0.;
     current.reset();
     current = std::make_unique<Cycle>(++n_cycles, parameters, std::move(mesh));
+    noted_work                     = {};
     current->result.seconds.mesh   = seconds_for_mesh;
     current->result.seconds_before = seconds_before;
     clock.charge(current->result.seconds.assembly);
@@ -149,13 +150,13 @@ namespace PlateImpact
         if (vectors_are_too_many(last_struck))
           last_struck.time.integrator = IntegratorType::Newmark;
         clock.charge(result.seconds.stepping);
+        note_work(result.seconds.stepping);
         strike(last_struck, listener);
     } while (time_control.goes_on(
       *result.history,
       result.time_error,
       result.peak_force_error ? bar_of_mesh(*result.peak_force_error) : 0.,
       meets_force_target(result, parameters.adaptivity)));
-    note_work(current->plate.work());
   }
 
 
@@ -173,6 +174,7 @@ namespace PlateImpact
     listener.stage(result.cycle, "factors and vectors");
     Impact impact = current->plate.strike(on_mesh, record);
     record.finish();
+    note_work(result.seconds.stepping);
     note_vectors(before, current->plate.work());
     listener.stage(result.cycle, "error of the force");
     estimate_errors(on_mesh, impact.history);
@@ -183,7 +185,8 @@ namespace PlateImpact
     result.history            = std::move(impact.history);
     clock.charge(result.seconds.stepping);
     if (result.peak_force_error)
-      bound(*result.peak_force_error);
+      bound(*result.peak_force_error,
+            impact.is_reduced ? parameters.time.ritz_tolerance : 0.);
   }
 
 
@@ -197,6 +200,7 @@ namespace PlateImpact
     result.sensitivity = current->plate.sensitivity(on_mesh, history);
     result.time_error  = current->plate.time_error(on_mesh, history);
     clock.charge(result.seconds.stepping);
+    note_work(result.seconds.stepping);
     result.peak_force_error.reset();
     if (parameters.needs_estimator() && !parameters.contact.load_is_singular())
       if (const auto problem =
@@ -215,6 +219,7 @@ namespace PlateImpact
                              "steps to its peak; choose a larger Time/Time "
                              "step, or Adaptivity/Goal = energy norm");
     clock.charge(result.seconds.estimation);
+    note_work(result.seconds.estimation);
   }
 
 
@@ -248,17 +253,20 @@ namespace PlateImpact
 
 
   void
-  ImpactAnalysis::note_work(const StruckPlate::Work &work)
+  ImpactAnalysis::note_work(double &seconds_of_stage)
   {
-    CycleResult &result        = current->result;
-    result.work.factorizations = work.factorizations;
-    result.work.linear_solves  = work.linear_solves;
-    result.work.ritz_vectors   = work.ritz_vectors;
-    // within the steps, when they are first needed
-    result.seconds.stepping -= work.assembly_seconds;
-    result.seconds.stepping -= work.factorization_seconds;
-    result.seconds.assembly += work.assembly_seconds;
-    result.seconds.factorization += work.factorization_seconds;
+    CycleResult            &result = current->result;
+    const StruckPlate::Work work   = current->plate.work();
+    result.work.factorizations     = work.factorizations;
+    result.work.linear_solves      = work.linear_solves;
+    result.work.ritz_vectors       = work.ritz_vectors;
+    const double assembly = work.assembly_seconds - noted_work.assembly_seconds,
+                 factorization = work.factorization_seconds -
+      noted_work.factorization_seconds;
+    seconds_of_stage -= assembly + factorization;
+    result.seconds.assembly += assembly;
+    result.seconds.factorization += factorization;
+    noted_work = work;
   }
 
 
@@ -275,6 +283,7 @@ namespace PlateImpact
     result.work.estimator_samples = result.error->sample_times.size();
     result.over_limit =
       error_over_limit(*result.error, parameters.adaptivity.target_error);
+    result.cells_above_limit = result.cells_at_minimum_size = 0;
     for (const auto &cell : current->mesh().active_cell_iterators())
       if (result.over_limit->elements[cell->active_cell_index()] >= 1.)
         {
@@ -288,7 +297,8 @@ namespace PlateImpact
 
 
   void
-  ImpactAnalysis::bound(const PeakForceError &estimate)
+  ImpactAnalysis::bound(const PeakForceError &estimate,
+                        const double          error_of_vectors)
   {
     CycleResult             &result  = current->result;
     const double             peak    = result.history->peak().force;
@@ -307,11 +317,7 @@ namespace PlateImpact
     peak_here                         = PeakOnMesh{peak, space};
     result.peak_force_bar.reset();
     if (space && result.time_error)
-      result.peak_force_bar = {*space,
-                               *result.time_error,
-                               current->plate.work().ritz_vectors > 0 ?
-                                 parameters.time.ritz_tolerance :
-                                 0.};
+      result.peak_force_bar = {*space, *result.time_error, error_of_vectors};
   }
 
 
@@ -335,7 +341,24 @@ namespace PlateImpact
     if (error.overall < near_target)
       for (double &ratio : error.elements)
         ratio = std::max(ratio, 1. / near_target);
+    if (!result.peak_force_bar && result.time_error)
+      refine_at_load(error);
     return error;
+  }
+
+
+
+  void
+  ImpactAnalysis::refine_at_load(ErrorOverLimit &error) const
+  {
+    const double halving = std::exp2(1. / parameters.adaptivity.size_exponent);
+    for (const auto &cell : current->mesh().active_cell_iterators())
+      if (is_near_load(cell, parameters.impactor.contact_half_length()))
+        {
+          double &ratio = error.elements[cell->active_cell_index()];
+          ratio         = std::max(ratio, halving);
+        }
+    error.overall = std::max(error.overall, halving);
   }
 
 
@@ -367,8 +390,7 @@ namespace PlateImpact
             return {};
           }
     } while (control.tighten());
-    return error.overall <= 1. ? Outcome::target_reached :
-                                 Outcome::mesh_unchanged;
+    return Outcome::mesh_unchanged;
   }
 
 
@@ -440,14 +462,14 @@ namespace PlateImpact
 
 
 
-  std::vector<std::string>
+  Warnings
   ImpactAnalysis::all_warnings() const
   {
-    std::vector<std::string> warnings =
+    Warnings warnings =
       reliability_warnings(last_struck, current->mesh(), current->result);
-    warnings.insert(warnings.end(),
-                    adaptation_warnings.begin(),
-                    adaptation_warnings.end());
+    warnings.numerical.insert(warnings.numerical.end(),
+                              adaptation_warnings.begin(),
+                              adaptation_warnings.end());
     return warnings;
   }
 } // namespace PlateImpact

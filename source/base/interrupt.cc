@@ -3,22 +3,24 @@
 #include "plate_impact/base/exceptions.h"
 
 #include <csignal>
+#include <cstring>
 #include <unistd.h>
 
 namespace PlateImpact
 {
   namespace
   {
-    volatile std::sig_atomic_t is_interrupted = 0;
+    volatile std::sig_atomic_t signal_received = 0;
 
     void
-    note_interrupt(int)
+    note_signal(const int number)
     {
-      is_interrupted = 1;
-      std::signal(SIGINT, SIG_DFL);
-      constexpr char answer[] =
-        "plate-impact: stopping after this step; Ctrl-C again ends at once\n";
-      if (write(STDERR_FILENO, answer, sizeof(answer) - 1) < 0)
+      signal_received = number;
+      std::signal(number, SIG_DFL);
+      const char *const answer = number == SIGINT ?
+        "plate-impact: stopping after this step; Ctrl-C again ends at once\n" :
+        "plate-impact: stopping after this step\n";
+      if (write(STDERR_FILENO, answer, std::strlen(answer)) < 0)
         return; // nobody reads
     }
   } // namespace
@@ -28,9 +30,21 @@ namespace PlateImpact
   void
   await_interrupt()
   {
-    // the shell makes programs in the background deaf to it
-    if (std::signal(SIGINT, note_interrupt) == SIG_IGN)
-      std::signal(SIGINT, SIG_IGN);
+    // the shell makes programs in the background deaf to Ctrl-C
+    for (const int number : {SIGINT, SIGTERM})
+      if (std::signal(number, note_signal) == SIG_IGN)
+        std::signal(number, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
+  }
+
+
+
+  void
+  await_no_interrupt()
+  {
+    for (const int number : {SIGINT, SIGTERM})
+      if (std::signal(number, SIG_DFL) == SIG_IGN)
+        std::signal(number, SIG_IGN);
   }
 
 
@@ -38,7 +52,7 @@ namespace PlateImpact
   void
   throw_if_interrupted()
   {
-    if (is_interrupted != 0)
-      throw Interruption("interrupted");
+    if (signal_received != 0)
+      throw Interruption("interrupted", signal_received);
   }
 } // namespace PlateImpact

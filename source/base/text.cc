@@ -1,6 +1,7 @@
 #include "plate_impact/base/text.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -218,6 +219,17 @@ namespace PlateImpact
     if (seconds < 6000.)
       return fmt::format("{:.0f} min", seconds / 60.);
     return fmt::format("{:.0f} h", seconds / 3600.);
+  }
+
+
+
+  std::string
+  printable(std::string text)
+  {
+    for (char &letter : text)
+      if (std::iscntrl(static_cast<unsigned char>(letter)))
+        letter = '?';
+    return text;
   }
 
 

@@ -114,14 +114,19 @@ namespace PlateImpact
                 format("back at {}; before, the supports do not matter",
                        about(2. * distance_to_edge(parameters) / speed, "s")));
 
-      const double wavelength =
-        contact_wave(PlateSection(plate),
-                     known.contact_end.value_or(2. * known.zener.time))
-          .length;
-      const double h = initial_cell_size(parameters);
+      // the first are those that the warnings of a run speak of
+      const double      wavelength = known.wave.length;
+      const double      h          = initial_cell_size(parameters);
+      const std::string of_contact = known.contact_end ?
+        format(
+          " and {} of the whole contact",
+          about(contact_wave(PlateSection(plate), *known.contact_end).length,
+                "m")) :
+        "";
       text.line("bending wavelength",
-                format("{}; initial cells of {}{}",
+                format("{} as the force rises{}; initial cells of {}{}",
                        about(wavelength, "m"),
+                       of_contact,
                        about(h, "m"),
                        h > 0.5 * wavelength ?
                          " do not resolve it: more than one cycle is needed" :

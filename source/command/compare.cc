@@ -218,17 +218,18 @@ namespace PlateImpact
         {scene.name + ": Impactor/Shape = none has no force to compare"});
     ComparisonConsole console(quiet);
     Output            output(scene);
-    await_interrupt();
     try
       {
         compare(scene, output, console);
       }
     catch (const Interruption &interruption)
       {
-        throw Interruption(std::string(interruption.what()) +
-                           ": the meshes so far are in " + output.main_files() +
-                           "; Comparison/Strategies and Elements name what is "
-                           "left");
+        throw Interruption(
+          std::string(interruption.what()) + ": the meshes so far are in " +
+            output.main_files() +
+            "; Comparison/Strategies and Elements name what is "
+            "left",
+          interruption.signal);
       }
   }
 } // namespace PlateImpact

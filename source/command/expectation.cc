@@ -151,7 +151,7 @@ namespace PlateImpact
     history              = *impact.history;
     impact.min_cell_size = parameters.adaptivity.minimum_cell_size;
     if (!is_bound)
-      warnings = model_warnings(parameters, impact);
+      warnings = model_warnings(parameters, impact).all();
   }
 
 

@@ -89,16 +89,16 @@ namespace PlateImpact
       auto warnings = analysis.all_warnings();
       add_frequencies(scene.parameters.output.natural_frequencies,
                       analysis.last_cycle(),
-                      warnings);
+                      warnings.numerical);
       const Verdict verdict = verdict_of(scene.parameters,
                                          outcome,
                                          analysis.last_cycle().result,
                                          warnings);
-      output.finish(outcome, warnings, verdict, analysis.last_cycle());
+      output.finish(outcome, warnings.all(), verdict, analysis.last_cycle());
       console.end(outcome,
                   analysis.last_cycle().result,
                   verdict,
-                  warnings,
+                  warnings.all(),
                   output.main_files());
     }
   } // namespace
@@ -110,7 +110,6 @@ namespace PlateImpact
   {
     Console console(quiet);
     Output  output(scene);
-    await_interrupt();
     try
       {
         run(scene, output, console);
@@ -124,9 +123,10 @@ namespace PlateImpact
       {
         output.write_failure(interruption.what());
         throw Interruption(std::string(interruption.what()) + ": " +
-                           output.kept() +
-                           "; a larger Target error or a shorter End time "
-                           "takes less");
+                             output.kept() +
+                             "; a larger Target error or a shorter End time "
+                             "takes less",
+                           interruption.signal);
       }
     catch (const std::bad_alloc &)
       {

@@ -87,8 +87,10 @@ namespace PlateImpact
       SweepRecord(SweepScene &scene, const SweepOptions &options)
         : scene(scene)
         , console(options.quiet)
-        , directory(prepare(scene, options))
-        , table(directory, scene.plan(), options.resume)
+        , directory(scene.parameters().output.directory)
+        , table(prepared(directory, scene, options),
+                scene.plan(),
+                options.resume)
       {}
 
       std::vector<std::size_t>
@@ -157,10 +159,12 @@ namespace PlateImpact
       }
 
     private:
-      static ResultDirectory
-      prepare(const SweepScene &scene, const SweepOptions &options)
+      /// Cleared for another sweep, or with the rows of this one.
+      static const ResultDirectory &
+      prepared(const ResultDirectory &directory,
+               const SweepScene      &scene,
+               const SweepOptions    &options)
       {
-        ResultDirectory directory(scene.parameters().output.directory);
         if (options.resume)
           check_scene_to_resume(directory, scene);
         else
@@ -339,6 +343,9 @@ namespace PlateImpact
             const SweepOptions &options,
             Processes          &processes)
   {
+    // mpirun has its own way to end processes
+    if (processes.size() > 1)
+      await_no_interrupt();
     // the first process alone reads and writes results; without any it has
     // nothing to do for the others
     std::unique_ptr<SweepRecord> record;
@@ -372,9 +379,6 @@ namespace PlateImpact
     if (!record)
       return compute_for_first(tasks, computation, processes);
     record->begin(groups.groups().size());
-    // mpirun has its own way to end processes
-    if (processes.size() == 1)
-      await_interrupt();
     try
       {
         record->finish(
@@ -383,7 +387,8 @@ namespace PlateImpact
     catch (const Interruption &interruption)
       {
         throw Interruption(std::string(interruption.what()) + ": " +
-                           record->kept());
+                             record->kept(),
+                           interruption.signal);
       }
   }
 } // namespace PlateImpact

@@ -185,7 +185,8 @@ namespace PlateImpact
   {
     page.section("What is compared");
     page.paragraph(
-      "All curves share the initial mesh, time step, integrator, linear "
+      "All curves share the initial cells, which those by force refine "
+      "towards the load, time step, integrator, linear "
       "solver, load and error estimator. Whenever η meets the target error, "
       "the target is halved, so that every curve goes on to smaller errors. "
       "The cost of a mesh is what a user waits for it: assembly, transient, "

@@ -1,9 +1,10 @@
 #include "plate_impact/estimator/kelly_estimator.h"
 
 #include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/mapping_q1.h>
 #include <deal.II/lac/vector.h>
 #include <deal.II/numerics/error_estimator.h>
+
+#include "plate_impact/plate/plate_mesh.h"
 
 #include <cmath>
 #include <utility>
@@ -29,7 +30,7 @@ namespace PlateImpact
           results.push_back(&jumps[n]);
         }
       KellyErrorEstimator<2>::estimate(
-        MappingQ1<2>(),
+        mapping_of(dof_handler.get_triangulation()),
         dof_handler,
         QGauss<1>(3),
         {},

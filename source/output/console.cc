@@ -9,6 +9,19 @@
 
 namespace PlateImpact
 {
+  namespace
+  {
+    Emphasis
+    emphasis_of(const Verdict::Part &part)
+    {
+      return part.trust == Trust::good ? Emphasis::good :
+        part.trust == Trust::doubtful  ? Emphasis::warning :
+                                         Emphasis::error;
+    }
+  } // namespace
+
+
+
   Console::Console(const bool quiet)
     : progress(quiet)
     , quiet(quiet)
@@ -90,7 +103,9 @@ namespace PlateImpact
                       "none")
                 << ' ';
     std::cout << "outcome=\"" << word_for(outcome)
-              << "\" trust=" << word_for(verdict.trust) << std::endl;
+              << "\" trust=" << word_for(verdict.trust())
+              << " convergence=" << word_for(verdict.convergence.trust)
+              << " model=" << word_for(verdict.model.trust) << std::endl;
   }
 
 
@@ -108,11 +123,7 @@ namespace PlateImpact
       {
         std::cout << "\nOutcome     "
                   << out.emphasized(word_for(outcome),
-                                    verdict.trust == Trust::good ?
-                                      Emphasis::good :
-                                      verdict.trust == Trust::doubtful ?
-                                      Emphasis::warning :
-                                      Emphasis::error);
+                                    emphasis_of(verdict.convergence));
         const bool for_peak = adaptivity.goal == AdaptationGoal::peak_force;
         if (for_peak && last.peak_force_bar)
           std::cout << ", peak force to "
@@ -142,7 +153,8 @@ namespace PlateImpact
                          Emphasis::bold)
                     << " at "
                     << in_ascii(time_unit.text(last.history->peak().time))
-                    << (verdict.trust == Trust::none && !last.peak_force_bar ?
+                    << (verdict.convergence.trust == Trust::none &&
+                            !last.peak_force_bar ?
                           " (error not known)" :
                           "");
         if (last.verification)
@@ -153,6 +165,14 @@ namespace PlateImpact
                       << deviation(force, last.history->peak().force)
                       << " away";
           }
+        if (verdict.model.trust != Trust::good)
+          std::cout << "\nModel       "
+                    << out.emphasized(verdict.model.trust == Trust::none ?
+                                        "far outside" :
+                                        "outside",
+                                      emphasis_of(verdict.model))
+                    << ", see "
+                    << counted(verdict.model.reasons.size(), "warning");
         if (!local_response.empty())
           std::cout << "\nContact     local response of a "
                     << in_ascii(local_response);

@@ -252,9 +252,14 @@ namespace PlateImpact
     summary["scene"]   = scene.name;
     summary["version"] = PLATE_IMPACT_VERSION;
     summary["outcome"] = outcome;
-    summary["verdict"] = {{"trust", word_for(verdict.trust)},
+    const auto part    = [](const Verdict::Part &part) {
+      return nlohmann::ordered_json{{"trust", word_for(part.trust)},
+                                    {"reasons", part.reasons}};
+    };
+    summary["verdict"] = {{"trust", word_for(verdict.trust())},
                           {"text", verdict.text},
-                          {"reasons", verdict.reasons}};
+                          {"convergence", part(verdict.convergence)},
+                          {"model", part(verdict.model)}};
     if (scene.parameters.has_impactor())
       summary["local_response"] =
         word_for(scene.parameters.contact.local_response);
@@ -301,7 +306,9 @@ namespace PlateImpact
       {
         write_summary("failed: " + failure,
                       {},
-                      {Trust::none, "the computation has failed", {failure}});
+                      {"the computation has failed",
+                       {Trust::none, {failure}},
+                       {}});
       }
     catch (const ComputationError &)
       {

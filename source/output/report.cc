@@ -120,10 +120,15 @@ namespace PlateImpact
   Report::add_outcome(Page &page, const Json &summary) const
   {
     page.section("Outcome");
-    const Json &verdict = summary["verdict"];
-    page.verdict(verdict["trust"], verdict["text"], verdict["reasons"]);
-    for (const std::string warning : summary["warnings"])
-      page.notice("Warning: " + warning);
+    const Json &verdict     = summary["verdict"],
+               &convergence = verdict["convergence"], &model = verdict["model"];
+    page.verdict(convergence["trust"], verdict["text"], convergence["reasons"]);
+    if (!histories.empty())
+      page.verdict(model["trust"],
+                   model["trust"] == "good"   ? "Inside of the model" :
+                     model["trust"] == "none" ? "Far outside of the model" :
+                                                "Outside of the model",
+                   model["reasons"]);
     page.facts(facts_of_run(scene.parameters, summary));
     if (histories.empty())
       return;

@@ -3,8 +3,13 @@
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/version.h"
 
+#include <cerrno>
+#include <fcntl.h>
 #include <fstream>
 #include <regex>
+#include <sys/file.h>
+#include <system_error>
+#include <unistd.h>
 
 namespace PlateImpact
 {
@@ -22,14 +27,44 @@ namespace PlateImpact
 
 
 
+  namespace
+  {
+    int
+    create_and_open(const fs::path &directory)
+    {
+      std::error_code error;
+      fs::create_directories(directory, error);
+      if (error == std::errc::not_a_directory ||
+          error == std::errc::file_exists)
+        throw InputError({"the output directory " + directory.string() +
+                          " is a file, or within one; expected a directory"});
+      if (error)
+        throw ComputationError("the output directory " + directory.string() +
+                               " cannot be created: " + error.message());
+      return open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    }
+  } // namespace
+
+
+
   ResultDirectory::ResultDirectory(const std::string &path)
     : directory(path)
+    , descriptor(create_and_open(directory))
   {
-    std::error_code error;
-    fs::create_directories(directory, error);
-    if (error)
-      throw ComputationError("the output directory " + directory.string() +
-                             " cannot be created: " + error.message());
+    // The lock goes with the process, however that ends. A file system that
+    // has no locks is no reason not to compute.
+    if (flock(descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK)
+      return;
+    close(descriptor);
+    throw InputError({"another run writes to the output directory " + path +
+                      "; choose another one by --output, or wait"});
+  }
+
+
+
+  ResultDirectory::~ResultDirectory()
+  {
+    close(descriptor);
   }
 
 
@@ -62,16 +97,23 @@ namespace PlateImpact
     const fs::path path       = directory / name,
                    incomplete = path.string() + ".incomplete";
     std::error_code error;
-    {
-      std::ofstream out(incomplete);
-      write(out);
-      out.close();
-      if (!out)
-        {
-          fs::remove(incomplete, error);
-          throw ComputationError(path.string() + " cannot be written");
-        }
-    }
+    try
+      {
+        // the first write that fails ends the writing, with its reason
+        std::ofstream out;
+        out.exceptions(std::ios::badbit | std::ios::failbit);
+        errno = 0;
+        out.open(incomplete);
+        write(out);
+        out.close();
+      }
+    catch (const std::ios::failure &)
+      {
+        const std::string why =
+          errno != 0 ? ": " + std::generic_category().message(errno) : "";
+        fs::remove(incomplete, error);
+        throw ComputationError(path.string() + " cannot be written" + why);
+      }
     fs::rename(incomplete, path, error);
     if (error)
       throw ComputationError(path.string() +

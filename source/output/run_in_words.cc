@@ -117,11 +117,14 @@ namespace PlateImpact
     const ContactParameters &contact = parameters.contact;
     if (contact.local_response == LocalResponse::layer)
       return "layer, as three-dimensional elasticity has it";
-    std::string text = "half-space, beside the plate's own shear: the shortest "
-                       "waves count twice and the force is too small";
     if (parameters.plate.is_laminate())
       return "half-space, as a laminate has no other; how far it is right is "
              "not known";
+    // the shear of a homogeneous plate has a factor of 5/6
+    if (parameters.plate.shear_correction_factor > 10.)
+      return "half-space, beside a plate without shear";
+    std::string text = "half-space, beside the plate's own shear: the shortest "
+                       "waves count twice and the force is too small";
     if (contact.unloading != UnloadingLaw::elastic)
       text += "; a contact that leaves a dent has no other";
     else if (contact.law == ForceLaw::Sun)
@@ -280,7 +283,9 @@ namespace PlateImpact
          rounded(last["contact_radius_over_thickness"]) + " of the thickness"});
     std::string load_text = word_for(contact.load_distribution);
     if (contact.load_is_singular())
-      load_text += ": the peak force has no limit under refinement";
+      load_text += parameters.plate.shear_correction_factor > 10. ?
+        "; a plate without shear has a limit under it" :
+        ": the peak force has no limit under refinement";
     else if (contact.has_patch())
       load_text +=
         (contact.load_has_length() ? " of half-width " : " of radius ") +

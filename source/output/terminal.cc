@@ -55,6 +55,6 @@ namespace PlateImpact
     const Terminal err(STDERR_FILENO);
     for (const std::string &warning : warnings)
       std::cerr << err.emphasized("warning: ", Emphasis::warning)
-                << in_ascii(warning) << std::endl;
+                << in_ascii(printable(warning)) << std::endl;
   }
 } // namespace PlateImpact

@@ -35,49 +35,93 @@ namespace PlateImpact
 
 
 
-    /// What the mesh has in place of its target.
-    std::string
-    missed_target(const Parameters &parameters, const CycleResult &last)
+    /// Larger bars are told as a doubt, unless the scene asks for no better.
+    /// Relative to the force.
+    constexpr double small_bar = 0.01;
+
+    /// Times a limit of the model beyond which its numbers say nothing: a
+    /// clamped plate that deflects by 0.6 of its thickness is stiffer by a
+    /// sixth.
+    constexpr double far_from_model = 3.;
+
+
+
+    void
+    lower(Verdict::Part &part, const Trust trust, const std::string &why)
     {
-      const AdaptivityParameters &adaptivity = parameters.adaptivity;
-      if (adaptivity.goal == AdaptationGoal::peak_force)
-        return last.peak_force_bar ? "the peak force is known to " +
-            about_percentage(last.peak_force_bar->total()) + ", wanted to " +
-            percentage(adaptivity.target()) :
-                                     "";
-      if (!last.error)
-        return "";
-      if (last.error->eta > adaptivity.target_error)
-        return "eta is " + percentage(last.error->eta) + ", wanted " +
-          percentage(adaptivity.target_error);
-      return "eta is met, but the largest xi' is " +
-        about(last.over_limit->max_element()) + ", wanted below 1";
+      part.trust = std::max(part.trust, trust);
+      part.reasons.push_back(why);
     }
 
 
 
-    bool
-    adapts_in_vain(const Outcome outcome)
+    /// What there is in place of an error bar, or with one that is large.
+    void
+    judge_bar(Verdict::Part              &part,
+              const AdaptivityParameters &adaptivity,
+              const CycleResult          &last)
     {
-      return outcome != Outcome::target_reached &&
-        outcome != Outcome::single_mesh;
+      const double largest = adaptivity.goal == AdaptationGoal::peak_force ?
+        adaptivity.target_peak_force_error :
+        small_bar;
+      if (!last.peak_force_bar)
+        lower(part,
+              last.peak_force_error ? Trust::none : Trust::doubtful,
+              last.peak_force_error ?
+                "the mesh does not see the waves that the contact sends out, "
+                "or not the load, or the step is too coarse to tell its "
+                "error: there is no bar" :
+                "no error was estimated");
+      else if (last.peak_force_bar->total() > largest)
+        lower(part,
+              Trust::doubtful,
+              "the error bar of the force is " +
+                about_percentage(last.peak_force_bar->total()));
+    }
+
+
+
+    Verdict::Part
+    convergence_of(const Parameters               &parameters,
+                   const Outcome                   outcome,
+                   const CycleResult              &last,
+                   const std::vector<std::string> &warnings)
+    {
+      Verdict::Part part;
+      if (!is_success(outcome))
+        part.trust = Trust::doubtful; // a warning says why
+      if (outcome == Outcome::single_mesh &&
+          !parameters.adaptivity.is_adaptive())
+        lower(part, Trust::doubtful, "the mesh was not made for a target");
+      judge_bar(part, parameters.adaptivity, last);
+      const double drift = last.history->relative_energy_drift();
+      if (drift > 0.1)
+        lower(part,
+              Trust::none,
+              "the total energy changes by " + about_percentage(drift));
+      for (const std::string &warning : warnings)
+        lower(part, Trust::doubtful, warning);
+      return part;
     }
   } // namespace
 
 
 
-  Verdict
-  verdict_of(const Parameters               &parameters,
-             const Outcome                   outcome,
-             const CycleResult              &last,
-             const std::vector<std::string> &warnings)
+  Trust
+  Verdict::trust() const
   {
-    Verdict    verdict;
-    const auto lower = [&verdict](const Trust trust, const std::string &why) {
-      verdict.trust = std::max(verdict.trust, trust);
-      if (!why.empty())
-        verdict.reasons.push_back(why);
-    };
+    return std::max(convergence.trust, model.trust);
+  }
+
+
+
+  Verdict
+  verdict_of(const Parameters  &parameters,
+             const Outcome      outcome,
+             const CycleResult &last,
+             const Warnings    &warnings)
+  {
+    Verdict verdict;
     if (!last.history)
       {
         verdict.text = "nothing strikes the plate";
@@ -88,34 +132,16 @@ namespace PlateImpact
       with_error(force,
                  last.peak_force_bar ? last.peak_force_bar->total() * force :
                                        0.,
-                 "N");
-    if (!last.peak_force_bar && !parameters.contact.load_is_singular())
-      verdict.text += ", error not known";
-    verdict.text += ": " + result_in_words(parameters, outcome);
-
-    if (adapts_in_vain(outcome))
-      lower(Trust::doubtful, missed_target(parameters, last));
-    if (outcome == Outcome::single_mesh && !parameters.adaptivity.is_adaptive())
-      lower(Trust::doubtful, "the mesh was not made for a target");
-    if (parameters.contact.load_is_singular())
-      lower(Trust::doubtful,
-            "under a point load the peak force has no limit: it is that of "
-            "the smallest cell");
-    else if (last.peak_force_error && !last.peak_force_bar)
-      lower(Trust::none,
-            "the mesh does not see the waves that the contact sends out, or "
-            "not the load, or the step is too coarse to tell its error: "
-            "there is no bar");
-    else if (!last.peak_force_bar)
-      lower(Trust::doubtful, "no error was estimated");
-    else if (last.peak_force_bar->total() > 0.05)
-      lower(Trust::doubtful, "the error may be more than a twentieth");
-    if (last.history->relative_energy_drift() > 0.1)
-      lower(Trust::none,
-            "the total energy changes by " +
-              about_percentage(last.history->relative_energy_drift()));
-    if (!warnings.empty())
-      lower(Trust::doubtful, "see " + counted(warnings.size(), "warning"));
+                 "N") +
+      (last.peak_force_bar ? ": " : ", error not known: ") +
+      result_in_words(parameters, outcome);
+    verdict.convergence =
+      convergence_of(parameters, outcome, last, warnings.numerical);
+    for (const std::string &warning : warnings.model)
+      lower(verdict.model,
+            warnings.farthest_from_model > far_from_model ? Trust::none :
+                                                            Trust::doubtful,
+            warning);
     return verdict;
   }
 } // namespace PlateImpact

@@ -354,7 +354,10 @@ namespace PlateImpact
   PlateDiscretization::interpolate(const Function<2> &field) const
   {
     Vector<double> values(dof_handler.n_dofs());
-    VectorTools::interpolate(dof_handler, field, values);
+    VectorTools::interpolate(mapping_of(dof_handler.get_triangulation()),
+                             dof_handler,
+                             field,
+                             values);
     return unknowns.of_nodal_values(values);
   }
 

@@ -30,12 +30,6 @@ namespace PlateImpact
       std::vector<bool>           is_used(plate.edges.size(), false);
       for (const auto &[vertices, n] : n_cells)
         {
-          if (n > 2)
-            refuse_file(
-              "has a side of three cells at " +
-              place(plate.vertices[vertices[0]]) +
-              ", or a cell twice; expected every surface in one physical "
-              "group");
           if (n > 1)
             continue;
           const auto   group = group_of_side.find(vertices);

@@ -1,13 +1,12 @@
 #include "plate_impact/plate/plate_file_reader.h"
 
 #include "plate_impact/base/exceptions.h"
-#include "plate_impact/plate/gmsh_session.h"
+#include "plate_impact/plate/msh_file.h"
 #include "plate_impact/plate/plate_file_boundary.h"
+#include "plate_impact/plate/plate_file_overlaps.h"
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
-#include <fmt/format.h>
 #include <fstream>
 #include <limits>
 #include <map>
@@ -17,152 +16,103 @@ namespace PlateImpact
 {
   namespace
   {
-    constexpr int line_type = 1, quadrilateral_type = 3; // of Gmsh
+    bool
+    can_be_named(const std::string &edge)
+    {
+      return std::none_of(edge.begin(), edge.end(), [](const unsigned char c) {
+        return c < ' ' || std::string(",:#\"\x7f").find(c) != std::string::npos;
+      });
+    }
 
 
-    /// What Gmsh knows of the file that is open.
-    class OpenFile
+
+    /// The vertices of a plate among the nodes of its file.
+    class Vertices
     {
     public:
+      Vertices(const MshFile &file, PlateFile &plate)
+        : file(file)
+        , plate(plate)
+      {}
+
       /// Vertices and cells, with the vertices' coordinates of the file.
       void
-      read_cells(PlateFile &plate)
+      read_cells()
       {
-        std::vector<int>                      types;
-        std::vector<std::vector<std::size_t>> tags, nodes;
-        gmsh::model::mesh::getElements(types, tags, nodes, 2);
-        for (const int type : types)
-          if (type != quadrilateral_type)
-            refuse_file(
-              "holds elements of the type " + name_of(type) +
-              "; expected quadrilaterals of four nodes alone (in Gmsh: "
-              "Mesh.RecombineAll = 1, Mesh.SubdivisionAlgorithm = 1, "
-              "Mesh.ElementOrder = 1)");
-        if (types.empty())
-          refuse_file("holds no quadrilaterals; expected a mesh of a plane");
-        if (tags[0].size() > most_cells)
-          refuse_file(fmt::format("has {} cells; expected at most {}",
-                                  tags[0].size(),
-                                  most_cells));
-        read_nodes();
-        plate.cells.resize(tags[0].size());
-        for (std::size_t i = 0; i < nodes[0].size(); ++i)
-          plate.cells[i / 4][i % 4] = vertex(nodes[0][i], plate.vertices);
-      }
-
-      void
-      refuse_unless_flat(const PlateFile &plate) const
-      {
+        for (const auto &nodes : file.cells)
+          {
+            plate.cells.emplace_back();
+            for (unsigned int v = 0; v < 4; ++v)
+              plate.cells.back()[v] = vertex(nodes[v]);
+          }
+        const auto box = box_around(plate.vertices);
+        plate.extent   = {{box[1][0] - box[0][0], box[1][1] - box[0][1]}};
         if (!(highest - lowest <=
               1e-6 * std::max(plate.extent[0], plate.extent[1])))
           refuse_file("does not lie in a plane of constant z; expected a flat "
                       "plate along x and y");
       }
 
-      /// The group of each side that has one; fills in the names of groups.
+      /// The edge of each side that is in a group; fills in the names of edges.
       std::map<VertexPair, unsigned int>
-      read_groups(PlateFile &plate)
+      read_edges()
       {
-        std::map<VertexPair, unsigned int> group_of_side;
-        gmsh::vectorpair                   groups;
-        gmsh::model::getPhysicalGroups(groups, 1);
-        for (const auto &[dimension, tag] : groups)
+        std::map<unsigned int, unsigned int> edge_of_group;
+        for (const auto &[group, name] : file.groups)
           {
-            std::string name;
-            gmsh::model::getPhysicalName(dimension, tag, name);
-            if (name.find_first_of(",:#\"") != std::string::npos)
-              refuse_file(
-                "has a physical group '" + name +
-                "', which no scene can name; expected no comma, colon or "
-                "# in it");
-            const unsigned int edge = plate.edges.size();
-            plate.edges.push_back(name.empty() ? std::to_string(tag) : name);
-            std::vector<int> curves;
-            gmsh::model::getEntitiesForPhysicalGroup(dimension, tag, curves);
-            for (const int curve : curves)
-              add_sides(curve, edge, plate, group_of_side);
+            if (!can_be_named(name))
+              refuse_file("has a physical group '" + name +
+                          "', which no scene can name; expected no comma, "
+                          "colon, # or control character in it");
+            edge_of_group[group] = plate.edges.size();
+            plate.edges.push_back(name);
           }
-        return group_of_side;
+        std::map<VertexPair, unsigned int> edge_of_side;
+        for (const MshFile::Side &side : file.sides)
+          add_side(side, edge_of_group.at(side.group), edge_of_side);
+        return edge_of_side;
       }
 
     private:
-      static constexpr std::size_t most_cells = 250000;
-
-      static std::string
-      name_of(const int type)
-      {
-        std::string         name;
-        int                 dimension, order, n_nodes, n_primary;
-        std::vector<double> local;
-        gmsh::model::mesh::getElementProperties(type,
-                                                name,
-                                                dimension,
-                                                order,
-                                                n_nodes,
-                                                local,
-                                                n_primary);
-        return name;
-      }
-
-      void
-      read_nodes()
-      {
-        std::vector<std::size_t> tags;
-        std::vector<double>      coordinates, parametric;
-        gmsh::model::mesh::getNodes(tags, coordinates, parametric);
-        for (std::size_t i = 0; i < tags.size(); ++i)
-          nodes[tags[i]] = {{coordinates[3 * i],
-                             coordinates[3 * i + 1],
-                             coordinates[3 * i + 2]}};
-      }
-
       /// The number of a node among the vertices of cells.
       unsigned int
-      vertex(const std::size_t node, std::vector<PlanePoint> &vertices)
+      vertex(const MshFile::Node node)
       {
         const auto [number, is_new] =
-          vertex_of_node.insert({node, vertices.size()});
+          vertex_of_node.insert({node, plate.vertices.size()});
         if (is_new)
           {
-            const auto &[x, y, z] = nodes.at(node);
+            const auto &[x, y, z] = file.nodes.at(node);
             lowest                = std::min(lowest, z);
             highest               = std::max(highest, z);
             if (!(std::isfinite(x) && std::isfinite(y)))
               refuse_file("has a vertex whose coordinates are no numbers");
-            vertices.push_back({{x, y}});
+            plate.vertices.push_back({{x, y}});
           }
         return number->second;
       }
 
       void
-      add_sides(const int                           curve,
-                const unsigned int                  edge,
-                const PlateFile                    &plate,
-                std::map<VertexPair, unsigned int> &group_of_side) const
+      add_side(const MshFile::Side                &side,
+               const unsigned int                  edge,
+               std::map<VertexPair, unsigned int> &edge_of_side) const
       {
-        std::vector<int>                      types;
-        std::vector<std::vector<std::size_t>> tags, ends;
-        gmsh::model::mesh::getElements(types, tags, ends, 1, curve);
-        for (std::size_t t = 0; t < types.size(); ++t)
-          for (std::size_t i = 0; types[t] == line_type && i < ends[t].size();
-               i += 2)
-            {
-              const auto a = vertex_of_node.find(ends[t][i]),
-                         b = vertex_of_node.find(ends[t][i + 1]);
-              if (a == vertex_of_node.end() || b == vertex_of_node.end())
-                continue;
-              const auto [side, is_new] =
-                group_of_side.insert({sorted(a->second, b->second), edge});
-              if (!is_new && side->second != edge)
-                refuse_file(
-                  "has a side at " + place(plate.vertices[a->second]) +
-                  " in two physical groups, '" + plate.edges[side->second] +
-                  "' and '" + plate.edges[edge] + "'; expected one");
-            }
+        const auto a = vertex_of_node.find(side.nodes[0]),
+                   b = vertex_of_node.find(side.nodes[1]);
+        if (a == vertex_of_node.end() || b == vertex_of_node.end())
+          return;
+        const auto [known, is_new] =
+          edge_of_side.insert({sorted(a->second, b->second), edge});
+        if (!is_new && known->second != edge)
+          refuse_file("has a side at " + place(plate.vertices[a->second]) +
+                      " in two physical groups, '" +
+                      plate.edges[known->second] + "' and '" +
+                      plate.edges[edge] + "'; expected one");
       }
 
-      std::map<std::size_t, std::array<double, 3>> nodes;
-      std::map<std::size_t, unsigned int>          vertex_of_node;
+      const MshFile                        &file;
+      PlateFile                            &plate;
+      std::map<MshFile::Node, unsigned int> vertex_of_node;
       double lowest  = std::numeric_limits<double>::max(),
              highest = std::numeric_limits<double>::lowest(); // z
     };
@@ -249,25 +199,6 @@ namespace PlateImpact
                       place(plate.vertices[0]) + " and " +
                       place(plate.vertices[v]) + "; expected one plate");
     }
-
-
-
-    void
-    read(PlateFile &plate)
-    {
-      const GmshSession session;
-      gmsh::open(plate.path);
-      OpenFile file;
-      file.read_cells(plate);
-      const auto box = box_around(plate.vertices);
-      plate.extent   = {{box[1][0] - box[0][0], box[1][1] - box[0][1]}};
-      file.refuse_unless_flat(plate);
-      const auto groups = file.read_groups(plate);
-      orient_cells(plate);
-      refuse_cracks(plate);
-      refuse_loose_parts(plate);
-      find_boundary(plate, groups);
-    }
   } // namespace
 
 
@@ -284,31 +215,17 @@ namespace PlateImpact
     if (first_word != "$MeshFormat" && first_word != "$Comments" &&
         first_word != "$PhysicalNames")
       refuse_file("is no mesh of Gmsh, which begins with $MeshFormat");
-    auto plate  = std::make_shared<PlateFile>();
-    plate->path = path;
-    std::string failure;
-    try
-      {
-        read(*plate);
-        return plate;
-      }
-    // Gmsh 4.8 throws strings, later versions exceptions
-    catch (const std::string &error)
-      {
-        failure = error;
-      }
-    catch (const InputError &)
-      {
-        throw;
-      }
-    catch (const std::bad_alloc &)
-      {
-        throw;
-      }
-    catch (const std::exception &error)
-      {
-        failure = error.what();
-      }
-    refuse_file("cannot be read as a mesh of Gmsh: " + failure);
+    auto plate         = std::make_shared<PlateFile>();
+    plate->path        = path;
+    const MshFile file = read_msh_file(path);
+    Vertices      vertices(file, *plate);
+    vertices.read_cells();
+    const auto edges = vertices.read_edges();
+    orient_cells(*plate);
+    refuse_cracks(*plate);
+    refuse_loose_parts(*plate);
+    refuse_overlaps(*plate);
+    find_boundary(*plate, edges);
+    return plate;
   }
 } // namespace PlateImpact

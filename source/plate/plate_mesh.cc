@@ -279,6 +279,20 @@ namespace PlateImpact
 
 
 
+  bool
+  is_near_load(const Triangulation<2>::cell_iterator &cell,
+               const double                           half_length,
+               const double                           distance)
+  {
+    const auto [low, high] = cell->bounding_box().get_boundary_points();
+    const double dx =
+                   std::max({0., low[0] - half_length, -half_length - high[0]}),
+                 dy = std::max({0., low[1], -high[1]});
+    return std::hypot(dx, dy) <= distance + 1e-9 * cell_size(cell);
+  }
+
+
+
   std::pair<double, double>
   cell_sizes_near_load(const Triangulation<2> &mesh,
                        const double            half_length,
@@ -286,18 +300,11 @@ namespace PlateImpact
   {
     double smallest = std::numeric_limits<double>::infinity(), largest = 0.;
     for (const auto &cell : mesh.active_cell_iterators())
-      {
-        const auto [low, high] = cell->bounding_box().get_boundary_points();
-        const double size      = cell_size(cell);
-        const double dx        = std::max(
-                       {0., low[0] - half_length, -half_length - high[0]}),
-                     dy = std::max({0., low[1], -high[1]});
-        if (std::hypot(dx, dy) <= distance + 1e-9 * size)
-          {
-            smallest = std::min(smallest, size);
-            largest  = std::max(largest, size);
-          }
-      }
+      if (is_near_load(cell, half_length, distance))
+        {
+          smallest = std::min(smallest, cell_size(cell));
+          largest  = std::max(largest, cell_size(cell));
+        }
     return {smallest, largest};
   }
 } // namespace PlateImpact

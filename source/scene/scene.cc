@@ -1,5 +1,6 @@
 #include "plate_impact/scene/scene.h"
 
+#include "plate_impact/base/text.h"
 #include "plate_impact/scene/scene_checker.h"
 #include "plate_impact/scene/scene_reader.h"
 #include "plate_impact/scene/sweep_plan.h"
@@ -21,7 +22,7 @@ namespace PlateImpact
     reader.add_mistakes(checker.mistakes.sentences);
     reader.add_mistakes(SweepPlan(reader.schema, given.sweep).mistakes());
     reader.refuse_mistakes();
-    return {path, checker.parameters(), reader.text(), given};
+    return {printable(path), checker.parameters(), reader.text(), given};
   }
 
 

@@ -369,13 +369,51 @@ namespace PlateImpact
 
 
   void
+  SceneChecker::check_layer(const ExpectedPeak &peak,
+                            const bool          radius_is_given)
+  {
+    const double largest = make_contact_law(scene)->largest_force();
+    if (peak.force <= largest)
+      return;
+    const std::string forces = number(largest, "N") +
+      ", and Zener's equation expects " + number(peak.force, "N") +
+      "; expected ";
+    if (radius_is_given)
+      mistakes.refuse({"Contact/Patch radius", "Contact/Local response"},
+                      "m is so small that the local response of a layer holds "
+                      "up to " +
+                        forces +
+                        "0, a larger radius, or Local response = half-space");
+    else
+      mistakes.refuse({"Plate/Young's modulus",
+                       "Impactor/Velocity",
+                       "Impactor/Radius",
+                       "Impactor/Young's modulus",
+                       "Plate/Thickness"},
+                      "makes the contact as wide as the plate is thick: the "
+                      "local response of a layer holds up to " +
+                        forces +
+                        "a stiffer plate, a slower or smaller impactor, or "
+                        "Contact/Local response = half-space");
+  }
+
+
+
+  void
   SceneChecker::complete_contact(const ExpectedPeak &peak)
   {
-    if (!scene.contact.has_patch() || scene.contact.patch_radius > 0.)
+    if (!scene.contact.has_patch())
       return;
+    const bool is_layer = scene.contact.local_response == LocalResponse::layer;
+    if (scene.contact.patch_radius > 0.)
+      {
+        if (is_layer)
+          check_layer(peak, /*radius_is_given=*/true);
+        return;
+      }
     const double thickness = scene.plate.thickness;
     const double to_edge   = scene.plate.distance_to_edge();
-    if (scene.contact.local_response == LocalResponse::layer)
+    if (is_layer)
       {
         // the functional with div theta stands in for radii that are too small
         const double of_layer = thickness *
@@ -390,10 +428,8 @@ namespace PlateImpact
             "m is nearer to an edge, " + number(to_edge) +
               " m, than the load patch of a layer is wide, " +
               number(of_layer) + " m; expected a point farther from it");
-        return choose("Contact",
-                      "Patch radius",
-                      scene.contact.patch_radius,
-                      of_layer);
+        choose("Contact", "Patch radius", scene.contact.patch_radius, of_layer);
+        return check_layer(peak, /*radius_is_given=*/false);
       }
     const double radius = contact_radius(scene, peak.force, peak.indentation);
     if (radius > to_edge)

@@ -3,6 +3,7 @@
 #include "plate_impact/base/text.h"
 
 #include <algorithm>
+#include <cctype>
 #include <sstream>
 
 namespace PlateImpact
@@ -103,6 +104,12 @@ namespace PlateImpact
     if (entry == nullptr)
       return unknown(assignment);
 
+    // scene.prm has a line for an entry
+    for (const char letter : assignment.value)
+      if (letter == '#' ||
+          (letter != '\t' && std::iscntrl(static_cast<unsigned char>(letter))))
+        return assignment.path() + " = " + assignment.value +
+          " holds a character that a scene cannot: '#' or a control character";
     prm.enter_subsection(assignment.section);
     std::string mistake;
     try

@@ -1,6 +1,7 @@
 #include "plate_impact/scene/sweep_scene.h"
 
 #include "plate_impact/base/exceptions.h"
+#include "plate_impact/base/text.h"
 #include "plate_impact/scene/scene_checker.h"
 
 #include <set>
@@ -66,10 +67,10 @@ namespace PlateImpact
 
 
 
-  const std::string &
+  std::string
   SweepScene::name() const
   {
-    return reader.name;
+    return printable(reader.name);
   }
 
 

@@ -164,9 +164,11 @@ namespace PlateImpact
     result.sensitivity = struck_plate->sensitivity(parameters, *result.history);
     result.min_cell_size = min_cell_size;
     // an adapted mesh was judged with the worst point
-    computed.warnings = parameters.adaptivity.is_adaptive() ?
-      impact_warnings(parameters, 2. * point.expected.time, result) :
-      reliability_warnings(parameters, mesh, result);
+    computed.warnings =
+      (parameters.adaptivity.is_adaptive() ?
+         impact_warnings(parameters, 2. * point.expected.time, result) :
+         reliability_warnings(parameters, mesh, result))
+        .all();
     computed.warnings.insert(computed.warnings.end(),
                              mesh_warnings.begin(),
                              mesh_warnings.end());
@@ -254,6 +256,6 @@ namespace PlateImpact
             last.error->eta,
             last.peak_force_bar ? std::optional(last.peak_force_bar->total()) :
                                   std::nullopt,
-            analysis.all_warnings()};
+            analysis.all_warnings().all()};
   }
 } // namespace PlateImpact

@@ -7,8 +7,10 @@
 #include "plate_impact/base/text.h"
 #include "plate_impact/scene/allowed.h"
 
+#include <cerrno>
 #include <map>
 #include <ostream>
+#include <system_error>
 
 namespace PlateImpact
 {
@@ -177,8 +179,9 @@ namespace PlateImpact
   {
     out << line(row) << '\n' << std::flush;
     if (!out)
-      throw ComputationError((directory / file_name).string() +
-                             " cannot be written");
+      throw ComputationError(
+        (directory / file_name).string() +
+        " cannot be written: " + std::generic_category().message(errno));
     found[row.point] = row;
   }
 

@@ -70,13 +70,15 @@ namespace PlateImpact
   Impact
   StruckPlate::strike(const Parameters &parameters)
   {
-    Load        &load = prepare(parameters);
-    const Impact result =
+    Load               &load   = prepare(parameters);
+    SemidiscreteSystem &system = load.integrator->system_for(parameters);
+    Impact              result =
       strike_system(load,
-                    load.integrator->system_for(parameters),
+                    system,
                     parameters.time,
                     *make_contact_law(parameters, load.layer_constant),
                     make_impactor(parameters.impactor));
+    result.is_reduced = &system != full.get();
     require_energy(parameters, result.history);
     return result;
   }
@@ -88,9 +90,10 @@ namespace PlateImpact
   {
     if (parameters.time.end_time > 0.)
       return parameters;
-    Parameters   result   = parameters;
-    const double dt       = parameters.time.time_step;
-    const double expected = 2. * zener_peak(parameters).time;
+    Parameters result         = parameters;
+    result.time.end_is_chosen = true;
+    const double dt           = parameters.time.time_step;
+    const double expected     = 2. * zener_peak(parameters).time;
     // by powers of two, so that impactors share vectors
     for (double n = std::exp2(std::ceil(std::log2(1.5 * expected / dt)));;
          n *= 2.)
@@ -185,9 +188,10 @@ namespace PlateImpact
                         *load.integration,
                         make_impactor(parameters.impactor));
     listener.begin(system, stepper);
-    Impact result = step_to_end(stepper, [&](const unsigned int step) {
+    Impact result     = step_to_end(stepper, [&](const unsigned int step) {
       listener.take_step(step, stepper);
     });
+    result.is_reduced = &system != full.get();
     require_energy(parameters, result.history);
     return result;
   }
@@ -270,9 +274,9 @@ namespace PlateImpact
         for_estimate.time.horizon        = 0.;
         for_estimate.time.time_step      = scheme.dt;
         for_estimate.time.ritz_tolerance = tolerance_of_estimate;
-        load.for_estimate =
+        for_one_estimate =
           make_integrator(for_estimate, *full, *load.integration);
-        integrator = load.for_estimate.get();
+        integrator = for_one_estimate.get();
       }
     SemidiscreteSystem  &system   = integrator->system_for(parameters);
     const PlateResponse &response = integrator->response(system);
@@ -340,6 +344,9 @@ namespace PlateImpact
   StruckPlate::Load &
   StruckPlate::prepare(const Parameters &parameters)
   {
+    if (for_one_estimate != nullptr)
+      n_forgotten_vectors += for_one_estimate->n_vectors();
+    for_one_estimate.reset();
     FullSystem   &system = assembled();
     StageClock    clock;
     const LoadKey key   = load_key(parameters);
@@ -423,11 +430,9 @@ namespace PlateImpact
     work.ritz_vectors     = n_forgotten_vectors;
     work.assembly_seconds = assembly_seconds;
     for (const auto &[key, load] : loads)
-      {
-        work.ritz_vectors += load.integrator->n_vectors();
-        if (load.for_estimate != nullptr)
-          work.ritz_vectors += load.for_estimate->n_vectors();
-      }
+      work.ritz_vectors += load.integrator->n_vectors();
+    if (for_one_estimate != nullptr)
+      work.ritz_vectors += for_one_estimate->n_vectors();
     if (full != nullptr)
       {
         work.factorizations        = full->n_factorizations();

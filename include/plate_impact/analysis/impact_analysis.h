@@ -6,6 +6,7 @@
 #include "plate_impact/adaptation/mesh_adaptation.h"
 #include "plate_impact/analysis/adaptation_control.h"
 #include "plate_impact/analysis/cycle.h"
+#include "plate_impact/analysis/model_warnings.h"
 #include "plate_impact/analysis/outcome.h"
 #include "plate_impact/analysis/time_control.h"
 #include "plate_impact/base/parameters.h"
@@ -83,7 +84,7 @@ namespace PlateImpact
     warnings() const;
 
     /// All that a user should know about the last result, the meshes included.
-    std::vector<std::string>
+    Warnings
     all_warnings() const;
 
   private:
@@ -107,18 +108,24 @@ namespace PlateImpact
     estimate(AnalysisListener &listener);
     /// The error bar of the peak force.
     void
-    bound(const PeakForceError &estimate);
+    bound(const PeakForceError &estimate, double error_of_vectors);
     /// By the goal of the scene.
     ErrorOverLimit
     over_limit(double target) const;
+    /// Where there is no bar the mesh hides the load, or the waves that it
+    /// sends out, from the estimate: one halving, whatever that says.
+    void
+    refine_at_load(ErrorOverLimit &error) const;
     std::optional<Outcome>
     adapt(AdaptationControl &control, AnalysisListener &listener);
     /// Whether vectors were fewer than steps.
     void
     note_vectors(const StruckPlate::Work &before,
                  const StruckPlate::Work &after);
+    /// Matrices and factorizations are made when they are first needed: their
+    /// seconds are taken out of the stage that was charged with them.
     void
-    note_work(const StruckPlate::Work &work);
+    note_work(double &seconds_of_stage);
 
     const Parameters                            parameters;
     const std::unique_ptr<const MeshAdaptation> adaptation;
@@ -131,9 +138,10 @@ namespace PlateImpact
     std::optional<PeakOnMesh> peak_here, peak_before; ///< mesh before
 
     /// Of the bending waves that the contact sends out. [m]
-    double      contact_wave_length = 0.;
-    TimeControl time_control;
-    Parameters  last_struck; ///< with the end time and the step of the cycle
+    double            contact_wave_length = 0.;
+    TimeControl       time_control;
+    StruckPlate::Work noted_work; ///< of the present cycle
+    Parameters last_struck; ///< with the end time and the step of the cycle
     /// Unknowns from which vectors were more than steps, or nearly so, and as
     /// many steps.
     unsigned int unknowns_for_steps = std::numeric_limits<unsigned int>::max(),

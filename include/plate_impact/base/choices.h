@@ -200,6 +200,15 @@ namespace PlateImpact
   template <>
   const std::vector<std::pair<SweepAdaptation, std::string>> &
   choices();
+  template <>
+  const std::vector<std::pair<PlateOutline, std::string>> &
+  choices();
+  template <>
+  const std::vector<std::pair<RecoveryPatches, std::string>> &
+  choices();
+  template <>
+  const std::vector<std::pair<UnloadingLaw, std::string>> &
+  choices();
 
   /// The word for a choice.
   template <typename Choice>

@@ -1,6 +1,8 @@
 #ifndef plate_impact_base_exceptions_h
 #define plate_impact_base_exceptions_h
 
+#include "plate_impact/base/text.h"
+
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -24,7 +26,7 @@ namespace PlateImpact
       constexpr std::size_t most = 20;
       std::string           text;
       for (std::size_t n = 0; n < mistakes.size() && n < most; ++n)
-        text += (text.empty() ? "" : "\n") + shortened(mistakes[n]);
+        text += (text.empty() ? "" : "\n") + shortened(printable(mistakes[n]));
       if (mistakes.size() > most)
         text +=
           "\nand " + std::to_string(mistakes.size() - most) + " more mistakes";
@@ -51,12 +53,18 @@ namespace PlateImpact
     using std::runtime_error::runtime_error;
   };
 
-  /// The user has pressed Ctrl-C: the sentence says what is kept and how to go
-  /// on. The program ends with exit status 130, as shells have it.
+  /// The user has pressed Ctrl-C, or a batch system ends the program: the
+  /// sentence says what is kept and how to go on. The exit status is 128 and
+  /// the number of the signal, as shells have it: 130 or 143.
   class Interruption : public std::runtime_error
   {
   public:
-    using std::runtime_error::runtime_error;
+    Interruption(const std::string &sentence, const int signal)
+      : std::runtime_error(sentence)
+      , signal(signal)
+    {}
+
+    const int signal;
   };
 } // namespace PlateImpact
 

@@ -103,6 +103,11 @@ namespace PlateImpact
   std::string
   waiting_time(double seconds);
 
+  /// On one line and without codes that a terminal obeys: names of files and
+  /// values of entries may hold anything.
+  std::string
+  printable(std::string text);
+
   /// In the letters that every terminal has: u for µ, +- for ±.
   std::string
   in_ascii(std::string text);

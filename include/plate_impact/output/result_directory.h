@@ -8,13 +8,22 @@
 
 namespace PlateImpact
 {
-  /// The directory that the results of a scene go to. All members throw
-  /// ComputationError when it cannot be written.
+  /// The directory that the results of a scene go to, ours alone as long as
+  /// this object lives. All members throw ComputationError when it cannot be
+  /// written.
   class ResultDirectory
   {
   public:
     /// Creates it where it does not exist.
+    /// @throws InputError  where it is no directory, or another run writes to
+    /// it
     explicit ResultDirectory(const std::string &path);
+
+    ~ResultDirectory();
+
+    ResultDirectory(const ResultDirectory &) = delete;
+    ResultDirectory &
+    operator=(const ResultDirectory &) = delete;
 
     /// Removes results of earlier runs, so that they do not stay beside ours:
     /// files that carry the names of results.
@@ -37,6 +46,7 @@ namespace PlateImpact
 
   private:
     const std::filesystem::path directory;
+    const int descriptor; ///< of the directory; carries the lock
   };
 } // namespace PlateImpact
 

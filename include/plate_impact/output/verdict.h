@@ -2,6 +2,7 @@
 #define plate_impact_output_verdict_h
 
 #include "plate_impact/analysis/cycle_result.h"
+#include "plate_impact/analysis/model_warnings.h"
 #include "plate_impact/analysis/outcome.h"
 #include "plate_impact/base/parameters.h"
 
@@ -10,11 +11,11 @@
 
 namespace PlateImpact
 {
-  /// How far the peak force of a run may be taken at its word.
+  /// How far a part of a result may be taken at its word.
   enum class Trust
   {
-    good,     ///< the target is met, nothing to warn of
-    doubtful, ///< a number with a reservation
+    good,     ///< nothing to warn of
+    doubtful, ///< with a reservation
     none      ///< the number says nothing
   };
 
@@ -23,21 +24,35 @@ namespace PlateImpact
   choices();
 
 
-  /// What a reader must know before any other number.
+  /// What a reader must know before any other number, in two parts that have
+  /// nothing to do with each other: a force may be converged and wrong.
   struct Verdict
   {
-    Trust                    trust = Trust::good;
-    std::string              text;    ///< force, error, and whether it is met
-    std::vector<std::string> reasons; ///< why not better, sentences
+    struct Part
+    {
+      Trust                    trust = Trust::good;
+      std::vector<std::string> reasons; ///< why not better, sentences
+    };
+
+    std::string text; ///< force, error, and whether the target is met
+
+    /// Whether mesh and time step leave the force as it is: the bar.
+    Part convergence;
+
+    /// Whether the impact stays inside of the model; none where it passes a
+    /// limit more than three times over.
+    Part model;
+
+    /// The worse of both.
+    Trust
+    trust() const;
   };
 
-  /// The error is the numerical one; the model is another matter.
-  /// @param warnings  that the run gives; any leaves a doubt
   Verdict
-  verdict_of(const Parameters               &parameters,
-             Outcome                         outcome,
-             const CycleResult              &last,
-             const std::vector<std::string> &warnings);
+  verdict_of(const Parameters  &parameters,
+             Outcome            outcome,
+             const CycleResult &last,
+             const Warnings    &warnings);
 } // namespace PlateImpact
 
 #endif

@@ -8,8 +8,8 @@
 
 namespace PlateImpact
 {
-  /// Reads a mesh of quadrilaterals that Gmsh has written (any format of its
-  /// .msh files). Physical groups of curves name the edges. A row of sides of
+  /// Reads a mesh of quadrilaterals that Gmsh has written (read_msh_file()).
+  /// Physical groups of curves name the edges. A row of sides of
   /// one edge whose vertices lie on a circle, nine or more to a full turn, is
   /// taken as the arc that Gmsh has cut into chords: on a polygon a simple
   /// support is another (Babuska's paradox).

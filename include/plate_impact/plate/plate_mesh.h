@@ -65,10 +65,16 @@ namespace PlateImpact
   double
   smallest_cell_size(const dealii::Triangulation<2> &mesh);
 
-  /// Those of the smallest and the largest active cell within a distance of
-  /// the load, or that touch it at distance 0. [m]
+  /// Whether a cell is within a distance of the load, or touches it at
+  /// distance 0.
   /// @param half_length  of a line load along x through the impact point; 0
   ///                     around a point [m]
+  bool
+  is_near_load(const dealii::Triangulation<2>::cell_iterator &cell,
+               double                                         half_length,
+               double                                         distance = 0.);
+
+  /// Sizes of the smallest and the largest active cell near the load. [m]
   std::pair<double, double>
   cell_sizes_near_load(const dealii::Triangulation<2> &mesh,
                        double                          half_length,

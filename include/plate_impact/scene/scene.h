@@ -13,7 +13,7 @@ namespace PlateImpact
   /// A scene that has passed every check.
   struct Scene
   {
-    std::string name; ///< of the file, as given
+    std::string name; ///< of the file, printable
     Parameters  parameters;
     std::string text;  ///< every value used, as a scene that repeats the run
     Parameters  given; ///< with the zeros that let the program choose

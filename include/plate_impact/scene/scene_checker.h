@@ -86,6 +86,9 @@ namespace PlateImpact
     complete_time(const ExpectedPeak &peak);
     void
     complete_contact(const ExpectedPeak &peak);
+    /// Refuses a force that the local response of a layer does not hold.
+    void
+    check_layer(const ExpectedPeak &peak, bool radius_is_given);
     void
     complete_mesh();
 

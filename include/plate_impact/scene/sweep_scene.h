@@ -42,7 +42,7 @@ namespace PlateImpact
     bool
     may_adapt() const;
 
-    const std::string &
+    std::string
     name() const;
 
     /// Every value, as a scene that repeats the sweep.

@@ -13,7 +13,8 @@ namespace PlateImpact
     ContactHistory        history;
     double                impulse         = 0.; ///< [N s]
     unsigned int          n_contact_steps = 0;  ///< with a force other than 0
-    std::optional<double> separation_time;      ///< no contact since [s]
+    bool                  is_reduced      = false; ///< whether in Ritz vectors
+    std::optional<double> separation_time;         ///< no contact since [s]
   };
 } // namespace PlateImpact
 

@@ -139,7 +139,6 @@ namespace PlateImpact
       double                                    layer_constant = 0.;
       std::unique_ptr<const ContactIntegration> integration;
       std::unique_ptr<Integrator>               integrator;
-      std::unique_ptr<Integrator> for_estimate; ///< of a stepped mesh
     };
 
     /// Assembled when it is first needed.
@@ -177,6 +176,10 @@ namespace PlateImpact
 
     std::unique_ptr<FullSystem> full; ///< of assembled()
     std::map<LoadKey, Load>     loads;
+
+    /// Vectors for the estimate of a mesh that was stepped, until the next load
+    /// is prepared.
+    std::unique_ptr<Integrator> for_one_estimate;
     unsigned int                n_loads = 0, n_forgotten_vectors = 0;
     double                      assembly_seconds = 0.;
   };

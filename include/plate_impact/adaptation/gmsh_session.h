@@ -1,5 +1,5 @@
-#ifndef plate_impact_plate_gmsh_session_h
-#define plate_impact_plate_gmsh_session_h
+#ifndef plate_impact_adaptation_gmsh_session_h
+#define plate_impact_adaptation_gmsh_session_h
 
 #include <gmsh.h>
 
