@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <csignal>
+#include <gtest/gtest.h>
 
 namespace PlateImpact
 {

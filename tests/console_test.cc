@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <gtest/gtest.h>
 
 namespace PlateImpact
 {

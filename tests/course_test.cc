@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <regex>
+#include <gtest/gtest.h>
 
 namespace PlateImpact
 {

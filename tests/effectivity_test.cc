@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 
 namespace PlateImpact
 {

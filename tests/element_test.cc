@@ -1,7 +1,10 @@
+#include <deal.II/grid/grid_tools.h>
+
 #include "plate_impact/plate/load_distribution.h"
 #include "test_plate.h"
 
 #include <Eigen/Eigenvalues>
+#include <gtest/gtest.h>
 
 #include <algorithm>
 

@@ -3,6 +3,7 @@
 #include "program_fixture.h"
 
 #include <regex>
+#include <gtest/gtest.h>
 
 namespace PlateImpact
 {

@@ -1,10 +1,13 @@
 // Whole impacts against the histories of series and Ritz solutions of high
 // order (tests/reference), computed through the library.
 #include <deal.II/base/timer.h>
+#include <deal.II/grid/grid_generator.h>
 
 #include "plate_impact/analysis/impact_analysis.h"
 #include "plate_impact/scene/scene.h"
 #include "test_plate.h"
+
+#include <gtest/gtest.h>
 
 namespace PlateImpact
 {
@@ -37,7 +40,7 @@ namespace PlateImpact
 
 
 
-    const std::vector<std::string> coarse = {
+    const std::vector<std::string> coarse_steps = {
       "Time/Time step=1e-6",
       "Contact/Patch radius=0.005",
       "Discretization/Initial cells=4,6"};
@@ -49,7 +52,7 @@ namespace PlateImpact
       for (const std::string support :
            {"clamped", "simply supported, free", "soft simply supported"})
         {
-          std::vector<std::string> overrides = coarse;
+          std::vector<std::string> overrides = coarse_steps;
           overrides.push_back("Plate/Support=" + support);
           overrides.push_back("Plate/Side lengths=0.2,0.15");
           const Parameters parameters = parameters_with(overrides);
@@ -92,7 +95,7 @@ namespace PlateImpact
 
     TEST(Impact, LinearSolversAgree)
     {
-      std::vector<std::string> overrides = coarse;
+      std::vector<std::string> overrides = coarse_steps;
       const Parameters         cholmod   = parameters_with(overrides);
       overrides.push_back("Discretization/Linear solver=KLU");
       const Parameters klu  = parameters_with(overrides);
@@ -110,7 +113,7 @@ namespace PlateImpact
     {
       for (const std::string step : {"1e-7", "1e-6", "20e-6"})
         {
-          std::vector<std::string> overrides = coarse;
+          std::vector<std::string> overrides = coarse_steps;
           overrides[0]                       = "Time/Time step=" + step;
           const Parameters parameters        = parameters_with(overrides);
           const auto       mesh =
@@ -134,7 +137,7 @@ namespace PlateImpact
       std::vector<double> peaks;
       for (const std::string support : {"clamped", "free"})
         {
-          std::vector<std::string> overrides = coarse;
+          std::vector<std::string> overrides = coarse_steps;
           overrides.push_back("Plate/Support=" + support);
           overrides[2]                = "Discretization/Initial cells=16,16";
           const Parameters parameters = parameters_with(overrides);

@@ -3,6 +3,7 @@
 #include "test_plate.h"
 
 #include <cmath>
+#include <gtest/gtest.h>
 
 namespace PlateImpact
 {

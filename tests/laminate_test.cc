@@ -7,6 +7,7 @@
 #include "test_plate.h"
 
 #include <cmath>
+#include <gtest/gtest.h>
 
 namespace PlateImpact
 {

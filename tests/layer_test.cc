@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <gtest/gtest.h>
 
 namespace PlateImpact
 {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
+#include <gtest/gtest.h>
 
 namespace PlateImpact
 {

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <random>
+#include <gtest/gtest.h>
 
 namespace PlateImpact
 {

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <optional>
+#include <gtest/gtest.h>
 
 namespace PlateImpact
 {

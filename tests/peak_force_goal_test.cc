@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <string>
+#include <gtest/gtest.h>
 
 namespace PlateImpact
 {

@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <gtest/gtest.h>
 
 namespace PlateImpact
 {

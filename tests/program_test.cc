@@ -3,6 +3,7 @@
 #include "test_plate.h"
 
 #include <set>
+#include <gtest/gtest.h>
 
 namespace PlateImpact
 {

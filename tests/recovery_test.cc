@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <gtest/gtest.h>
 
 namespace PlateImpact
 {

@@ -6,6 +6,7 @@
 #include "test_plate.h"
 
 #include <Eigen/Eigenvalues>
+#include <gtest/gtest.h>
 
 namespace PlateImpact
 {

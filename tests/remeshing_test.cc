@@ -1,6 +1,10 @@
+#include <deal.II/grid/grid_tools.h>
+
 #include "plate_impact/adaptation/remeshing.h"
 #include "plate_impact/base/exceptions.h"
 #include "test_plate.h"
+
+#include <gtest/gtest.h>
 
 #include <cmath>
 #include <map>

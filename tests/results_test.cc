@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <gtest/gtest.h>
 
 namespace PlateImpact
 {

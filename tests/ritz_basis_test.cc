@@ -9,6 +9,7 @@
 #include <Eigen/Eigenvalues>
 
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 
 namespace PlateImpact
 {

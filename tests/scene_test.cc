@@ -10,6 +10,7 @@
 #include <fstream>
 #include <set>
 #include <sstream>
+#include <gtest/gtest.h>
 
 namespace PlateImpact
 {

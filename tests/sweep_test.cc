@@ -6,6 +6,7 @@
 #include <map>
 #include <regex>
 #include <utility>
+#include <gtest/gtest.h>
 
 namespace PlateImpact
 {

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <gtest/gtest.h>
 
 namespace PlateImpact
 {

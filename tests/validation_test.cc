@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include <cmath>
+#include <gtest/gtest.h>
 
 namespace PlateImpact
 {

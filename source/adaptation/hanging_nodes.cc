@@ -12,7 +12,7 @@ namespace PlateImpact
   namespace
   {
     /// against round-off in sizes that are powers of two apart
-    constexpr double tolerance = 1e-9;
+    constexpr double rounding = 1e-9;
 
 
 
@@ -37,7 +37,7 @@ namespace PlateImpact
     {
       const double h      = cell_size(cell);
       const auto   levels = [](const double ratio) {
-        return std::ceil(std::log2(ratio) - tolerance);
+        return std::ceil(std::log2(ratio) - rounding);
       };
       const double margin     = coarsening_margin(adaptivity.size_exponent);
       const double refinement = levels(h / target_size);
@@ -45,7 +45,7 @@ namespace PlateImpact
       const double most =
         std::max(0.,
                  std::floor(std::log2(h / adaptivity.minimum_cell_size) +
-                            tolerance));
+                            rounding));
       const double least = levels(h / adaptivity.maximum_cell_size);
       const double change =
         std::max(refinement > 0. ? std::min(refinement, most) : coarsening,

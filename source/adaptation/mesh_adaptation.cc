@@ -9,14 +9,6 @@ namespace PlateImpact
 {
   using namespace dealii;
 
-  namespace
-  {
-    /// against round-off in sizes that are powers of two apart
-    constexpr double tolerance = 1e-9;
-  } // namespace
-
-
-
   std::vector<double>
   target_sizes(const Triangulation<2>     &mesh,
                const ErrorOverLimit       &error,
@@ -67,7 +59,7 @@ namespace PlateImpact
               const AdaptivityParameters            &adaptivity)
   {
     return 0.5 * cell_size(cell) <
-      adaptivity.minimum_cell_size * (1. - tolerance);
+      adaptivity.minimum_cell_size * (1. - 1e-9);
   }
 
 

@@ -23,7 +23,7 @@ namespace PlateImpact
   namespace
   {
     /// Numbers in the Ritz vectors of all loads that are kept: 0.8 GB.
-    constexpr double most_numbers = 1e8;
+    constexpr double most_kept_numbers = 1e8;
 
 
 
@@ -387,7 +387,7 @@ namespace PlateImpact
     double numbers = 0.;
     for (const auto &[key, load] : loads)
       numbers += 1. * load.integrator->n_vectors() * load.u.size();
-    if (numbers <= most_numbers)
+    if (numbers <= most_kept_numbers)
       return;
     for (const auto &[key, load] : loads)
       n_forgotten_vectors += load.integrator->n_vectors();
