@@ -58,8 +58,7 @@ namespace PlateImpact
   is_smallest(const Triangulation<2>::cell_iterator &cell,
               const AdaptivityParameters            &adaptivity)
   {
-    return 0.5 * cell_size(cell) <
-      adaptivity.minimum_cell_size * (1. - 1e-9);
+    return 0.5 * cell_size(cell) < adaptivity.minimum_cell_size * (1. - 1e-9);
   }
 
 
@@ -80,7 +79,7 @@ namespace PlateImpact
   MeshAdaptation::n_wanted_cells(const Triangulation<2> &mesh,
                                  const ErrorOverLimit &) const
   {
-    return 4. * mesh.n_active_cells();
+    return mesh.n_active_cells();
   }
 
 

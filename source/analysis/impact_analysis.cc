@@ -3,10 +3,9 @@
 #include "plate_impact/adaptation/graded_refinement.h"
 #include "plate_impact/adaptation/make_mesh_adaptation.h"
 #include "plate_impact/analysis/reliability.h"
-#include "plate_impact/analysis/transient_record.h"
+#include "plate_impact/analysis/stage_charges.h"
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/stage_clock.h"
-#include "plate_impact/contact/zener.h"
 #include "plate_impact/plate/plate_mesh.h"
 #include "plate_impact/transient/newmark_scheme.h"
 
@@ -27,33 +26,27 @@ namespace PlateImpact
 
 
 
-  void
-  AnalysisListener::step(unsigned int, unsigned int, unsigned int)
-  {}
-
-
-
-  void
-  AnalysisListener::stage(const unsigned int, const std::string &)
-  {}
-
-
-
-  void
-  AnalysisListener::cycle(Cycle &)
+  ImpactAnalysis::ImpactAnalysis(const Parameters &parameters)
+    : ImpactAnalysis(parameters, nullptr, wanted_by(parameters))
   {}
 
 
 
   ImpactAnalysis::ImpactAnalysis(const Parameters                 &parameters,
-                                 std::unique_ptr<Triangulation<2>> first_mesh)
+                                 std::unique_ptr<Triangulation<2>> first_mesh,
+                                 const Wanted                     &wanted)
     : parameters(parameters)
+    , wanted(wanted)
     , adaptation(
         make_mesh_adaptation(parameters.adaptivity,
                              parameters.impactor.contact_half_length()))
+    , expected(parameters.has_impactor() ?
+                 std::make_optional<ImpactEstimate>(parameters) :
+                 std::nullopt)
+    , time_control(expected ?
+                     std::make_optional<TimeControl>(parameters, *expected) :
+                     std::nullopt)
     , mesh(std::move(first_mesh))
-    , time_control(parameters)
-    , last_struck(parameters)
   {
     StageClock clock;
     if (mesh == nullptr)
@@ -64,8 +57,8 @@ namespace PlateImpact
             parameters.adaptivity.goal == AdaptationGoal::peak_force)
           refine_towards_load(*mesh, parameters);
       }
-    if (parameters.has_impactor())
-      contact_wave_length = contact_wave(parameters).length;
+    if (time_control)
+      window = time_control->first();
     clock.charge(seconds_for_mesh);
   }
 
@@ -76,14 +69,17 @@ namespace PlateImpact
   {
     while (true)
       {
-        build(listener);                               // unknowns on a mesh
-        strike(listener);                              // K, M, the history
-        estimate(listener);                            // eta and xi'
+        begin_cycle(listener);                         // unknowns on a mesh
+        watch(listener);                               // plan, observe
         auto outcome = control.check(current->result); // decide
         if (!outcome)
           outcome = adapt(control, listener); // the next mesh
-        if (outcome)
-          watch_to_the_end(listener);
+        if (outcome && time_control)
+          if (const auto rest = time_control->rest(window, current->result))
+            {
+              window = *rest;
+              observe(listener);
+            }
         listener.cycle(*current); // tell
         if (outcome)
           return *outcome;
@@ -103,18 +99,7 @@ namespace PlateImpact
 
 
   void
-  ImpactAnalysis::watch_to_the_end(AnalysisListener &listener)
-  {
-    if (!time_control.watch_to_the_end())
-      return;
-    strike(listener);
-    estimate(listener);
-  }
-
-
-
-  void
-  ImpactAnalysis::build(AnalysisListener &listener)
+  ImpactAnalysis::begin_cycle(AnalysisListener &listener)
   {
     listener.stage(n_cycles + 1, "matrices");
     StageClock clock;
@@ -126,7 +111,6 @@ namespace PlateImpact
       current != nullptr ? current->result.cumulative_seconds() : 0.;
     current.reset();
     current = std::make_unique<Cycle>(++n_cycles, parameters, std::move(mesh));
-    noted_work                     = {};
     current->result.seconds.mesh   = seconds_for_mesh;
     current->result.seconds_before = seconds_before;
     clock.charge(current->result.seconds.assembly);
@@ -135,189 +119,111 @@ namespace PlateImpact
 
 
   void
-  ImpactAnalysis::strike(AnalysisListener &listener)
+  ImpactAnalysis::watch(AnalysisListener &listener)
   {
     // a plate at rest stays at rest
-    if (!parameters.has_impactor())
+    if (!time_control)
       return;
-    CycleResult &result = current->result;
-    do
+    observe(listener);
+    while (const auto next = time_control->next(window, current->result))
       {
-        StageClock clock;
-        if (parameters.time.end_time == 0.)
-          listener.stage(result.cycle, "end of the contact");
-        last_struck = time_control.next(current->plate);
-        if (vectors_are_too_many(last_struck))
-          last_struck.time.integrator = IntegratorType::Newmark;
-        clock.charge(result.seconds.stepping);
-        note_work(result.seconds.stepping);
-        strike(last_struck, listener);
-    } while (time_control.goes_on(
-      *result.history,
-      result.time_error,
-      result.peak_force_error ? bar_of_mesh(*result.peak_force_error) : 0.,
-      meets_force_target(result, parameters.adaptivity)));
-  }
-
-
-
-  void
-  ImpactAnalysis::strike(const Parameters &on_mesh, AnalysisListener &listener)
-  {
-    CycleResult            &result = current->result;
-    TransientRecord         record(parameters,
-                           *current,
-                           [&](const auto step, const auto n_steps) {
-                             listener.step(result.cycle, step, n_steps);
-                           });
-    const StruckPlate::Work before = current->plate.work();
-    listener.stage(result.cycle, "factors and vectors");
-    Impact impact = current->plate.strike(on_mesh, record);
-    record.finish();
-    note_work(result.seconds.stepping);
-    note_vectors(before, current->plate.work());
-    listener.stage(result.cycle, "error of the force");
-    estimate_errors(on_mesh, impact.history);
-    StageClock clock;
-    result.impulse            = impact.impulse;
-    result.separation_time    = impact.separation_time;
-    result.work.contact_steps = impact.n_contact_steps;
-    result.history            = std::move(impact.history);
-    clock.charge(result.seconds.stepping);
-    if (result.peak_force_error)
-      bound(*result.peak_force_error,
-            impact.is_reduced ? parameters.time.ritz_tolerance : 0.);
-  }
-
-
-
-  void
-  ImpactAnalysis::estimate_errors(const Parameters     &on_mesh,
-                                  const ContactHistory &history)
-  {
-    CycleResult &result = current->result;
-    StageClock   clock;
-    result.sensitivity = current->plate.sensitivity(on_mesh, history);
-    result.time_error  = current->plate.time_error(on_mesh, history);
-    clock.charge(result.seconds.stepping);
-    note_work(result.seconds.stepping);
-    result.peak_force_error.reset();
-    if (parameters.needs_estimator() && !parameters.contact.load_is_singular())
-      if (const auto problem =
-            current->plate.peak_force_problem(on_mesh, history))
-        result.peak_force_error =
-          estimated_peak_force_error(current->discretization(),
-                                     current->recovery(),
-                                     *problem->system,
-                                     problem->motions,
-                                     history.peak().force);
-    if (parameters.adaptivity.is_adaptive() && !result.peak_force_error &&
-        parameters.adaptivity.goal == AdaptationGoal::peak_force)
-      throw ComputationError("cycle " + std::to_string(result.cycle) +
-                             ": the error of the peak force cannot be "
-                             "estimated, with no force or more than 20000 "
-                             "steps to its peak; choose a larger Time/Time "
-                             "step, or Adaptivity/Goal = energy norm");
-    clock.charge(result.seconds.estimation);
-    note_work(result.seconds.estimation);
-  }
-
-
-
-  bool
-  ImpactAnalysis::vectors_are_too_many(const Parameters &on_mesh) const
-  {
-    // a finer mesh needs more vectors, and one of about this size as many
-    return current->result.degrees_of_freedom >= unknowns_for_steps &&
-      NewmarkScheme(on_mesh.time).n_steps <= steps_for_unknowns;
-  }
-
-
-
-  void
-  ImpactAnalysis::note_vectors(const StruckPlate::Work &before,
-                               const StruckPlate::Work &after)
-  {
-    const CycleResult &result    = current->result;
-    const unsigned int n_vectors = after.ritz_vectors - before.ritz_vectors,
-                       n_solves  = after.linear_solves - before.linear_solves;
-    const bool was_in_vain =
-      n_vectors > 0 && n_solves >= n_vectors + 0.5 * result.steps;
-    if (was_in_vain || n_vectors > 0.7 * result.steps)
-      {
-        unknowns_for_steps = result.degrees_of_freedom / 2;
-        steps_for_unknowns = result.steps;
+        window = *next;
+        observe(listener);
       }
   }
 
 
 
-  void
-  ImpactAnalysis::note_work(double &seconds_of_stage)
+  Parameters
+  ImpactAnalysis::plan(AnalysisListener &listener)
   {
-    CycleResult            &result = current->result;
-    const StruckPlate::Work work   = current->plate.work();
-    result.work.factorizations     = work.factorizations;
-    result.work.linear_solves      = work.linear_solves;
-    result.work.ritz_vectors       = work.ritz_vectors;
-    const double assembly = work.assembly_seconds - noted_work.assembly_seconds,
-                 factorization = work.factorization_seconds -
-      noted_work.factorization_seconds;
-    seconds_of_stage -= assembly + factorization;
-    result.seconds.assembly += assembly;
-    result.seconds.factorization += factorization;
-    noted_work = work;
+    CycleResult &result = current->result;
+    StageCharges charges(current->plate, result.seconds);
+    if (parameters.time.end_time == 0.)
+      listener.stage(result.cycle, "end of the contact");
+    Parameters impact =
+      time_control->impact(window, current->plate, wanted.errors);
+    if (steps_or_vectors.vectors_are_too_many(impact.time,
+                                              result.degrees_of_freedom))
+      impact.time.integrator = IntegratorType::Newmark;
+    if (window.extent == Extent::scouted)
+      result.history =
+        current->plate.under(impact, wanted.errors).strike().history;
+    charges.charge(&Seconds::stepping);
+    return impact;
   }
 
 
 
   void
-  ImpactAnalysis::estimate(AnalysisListener &listener)
+  ImpactAnalysis::observe(AnalysisListener &listener)
   {
-    if (current->estimator == nullptr)
+    const Parameters impact = plan(listener);
+    if (window.extent == Extent::scouted)
       return;
-    listener.stage(n_cycles, "error of the stresses");
-    StageClock   clock;
-    CycleResult &result           = current->result;
-    result.error                  = current->estimator->estimate();
-    result.work.estimator_samples = result.error->sample_times.size();
-    result.over_limit =
-      error_over_limit(*result.error, parameters.adaptivity.target_error);
-    result.cells_above_limit = result.cells_at_minimum_size = 0;
-    for (const auto &cell : current->mesh().active_cell_iterators())
-      if (result.over_limit->elements[cell->active_cell_index()] >= 1.)
-        {
-          ++result.cells_above_limit;
-          if (is_smallest(cell, parameters.adaptivity))
-            ++result.cells_at_minimum_size;
-        }
+    Observation seen = PlateImpact::observe(*current, impact, wanted, listener);
+    StageClock  clock;
+    CycleResult &result = current->result;
+    seen.seconds += result.seconds;
+    static_cast<Observation &>(result) = std::move(seen);
+    static_cast<Judgement &>(result)   = judgement();
+    if (result.peak_force_error)
+      peak_here = PeakOnMesh{result.history->peak().force, mesh_part_of_bar()};
+    steps_or_vectors.note(result);
     clock.charge(result.seconds.estimation);
   }
 
 
 
-  void
-  ImpactAnalysis::bound(const PeakForceError &estimate,
-                        const double          error_of_vectors)
+  Judgement
+  ImpactAnalysis::judgement() const
   {
-    CycleResult             &result  = current->result;
-    const double             peak    = result.history->peak().force;
+    const CycleResult          &result     = current->result;
+    const AdaptivityParameters &adaptivity = parameters.adaptivity;
+    if (adaptivity.is_adaptive() && !result.peak_force_error &&
+        adaptivity.goal == AdaptationGoal::peak_force)
+      throw ComputationError("cycle " + std::to_string(result.cycle) +
+                             ": the error of the peak force cannot be "
+                             "estimated, with no force or more than 20000 "
+                             "steps to its peak; choose a larger Time/Time "
+                             "step, or Adaptivity/Goal = energy norm");
+    Judgement worth;
+    if (const auto space = mesh_part_of_bar(); space && result.time_error)
+      worth.peak_force_bar =
+        PeakForceBar{*space, *result.time_error, result.vector_error};
+    if (!result.error)
+      return worth;
+    worth.over_limit = error_over_limit(*result.error, adaptivity.target_error);
+    for (const auto &cell : current->mesh().active_cell_iterators())
+      if (worth.over_limit->elements[cell->active_cell_index()] >= 1.)
+        {
+          ++worth.cells_above_limit;
+          if (is_smallest(cell, adaptivity))
+            ++worth.cells_at_minimum_size;
+        }
+    return worth;
+  }
+
+
+
+  std::optional<double>
+  ImpactAnalysis::mesh_part_of_bar() const
+  {
+    const CycleResult &result = current->result;
+    if (!result.peak_force_error)
+      return {};
     const ContactParameters &contact = parameters.contact;
     const double load = contact.has_patch() ? 2. * contact.patch_radius :
                                               parameters.plate.thickness;
     // nor does a change of the force tell anything where no mesh sees the waves
     // that the contact sends out
-    const double                wave = std::max(contact_wave_length, 2. * load);
-    const std::optional<double> space = result.cell_size_at_load > 0.5 * wave ?
-      std::nullopt :
-      peak_force_error_by_mesh(estimate,
-                               peak,
-                               peak_before,
-                               result.cell_size_at_load <= load);
-    peak_here                         = PeakOnMesh{peak, space};
-    result.peak_force_bar.reset();
-    if (space && result.time_error)
-      result.peak_force_bar = {*space, *result.time_error, error_of_vectors};
+    if (result.cell_size_at_load >
+        0.5 * std::max(expected->wave.length, 2. * load))
+      return {};
+    return peak_force_error_by_mesh(*result.peak_force_error,
+                                    result.history->peak().force,
+                                    peak_before,
+                                    result.cell_size_at_load <= load);
   }
 
 
@@ -382,8 +288,8 @@ namespace PlateImpact
           {
             if (adapted->n_active_cells() > most_cells)
               return Outcome::maximum_cells;
-            if (current->result.history)
-              time_control.begin_mesh(*current->result.history);
+            if (time_control)
+              window = time_control->on_next_mesh(window, current->result);
             mesh             = std::move(adapted);
             seconds_for_mesh = 0.;
             clock.charge(seconds_for_mesh);
@@ -417,19 +323,17 @@ namespace PlateImpact
     auto       halved = copy_of(current->mesh());
     halved->refine_global();
     // no longer than the peak takes, with nothing but the force
-    Parameters          to_peak = last_struck;
-    const NewmarkScheme scheme(to_peak.time);
+    Parameters          to_peak = parameters;
+    const NewmarkScheme scheme(result.time);
+    to_peak.time           = result.time;
     to_peak.time.time_step = scheme.dt;
     to_peak.time.horizon   = 0.;
     to_peak.time.end_time =
       std::min(to_peak.time.end_time,
                scheme.dt *
                  std::ceil(1.1 * result.history->peak().time / scheme.dt));
-    to_peak.adaptivity.strategy  = AdaptationStrategy::none;
-    to_peak.output.write_report  = false;
-    to_peak.output.field_samples = 0;
     StruckPlate plate(to_peak.plate, to_peak.discretization, std::move(halved));
-    const Impact impact = plate.strike(to_peak);
+    const Impact impact = plate.under(to_peak, false).strike();
     result.verification =
       Verification{plate.discretization().mesh().n_active_cells(),
                    impact.history.peak().force};
@@ -465,8 +369,14 @@ namespace PlateImpact
   Warnings
   ImpactAnalysis::all_warnings() const
   {
-    Warnings warnings =
-      reliability_warnings(last_struck, current->mesh(), current->result);
+    Parameters last_struck = parameters;
+    if (!current->result.history)
+      return {};
+    last_struck.time  = current->result.time;
+    Warnings warnings = reliability_warnings(last_struck,
+                                             current->mesh(),
+                                             current->result,
+                                             *expected);
     warnings.numerical.insert(warnings.numerical.end(),
                               adaptation_warnings.begin(),
                               adaptation_warnings.end());

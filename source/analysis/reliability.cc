@@ -251,13 +251,12 @@ namespace PlateImpact
   Warnings
   reliability_warnings(const Parameters               &parameters,
                        const dealii::Triangulation<2> &mesh,
-                       const CycleResult              &result)
+                       const CycleResult              &result,
+                       const ImpactEstimate           &expected)
   {
-    if (!result.history)
-      return {};
-    const BendingWave wave = contact_wave(parameters);
-    Warnings          warnings =
-      impact_warnings(parameters, 2. * zener_peak(parameters).time, result);
+    const BendingWave &wave = expected.wave;
+    Warnings           warnings =
+      impact_warnings(parameters, expected.contact_time, result);
     for (const auto &more : {warn_of_resolution(parameters, mesh, wave, result),
                              warn_of_mesh(parameters, mesh, wave, result)})
       warnings.numerical.insert(warnings.numerical.end(),

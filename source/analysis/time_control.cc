@@ -1,6 +1,7 @@
 #include "plate_impact/analysis/time_control.h"
 
-#include "plate_impact/contact/zener.h"
+#include "plate_impact/analysis/adaptation_control.h"
+#include "plate_impact/transient/contact_end.h"
 #include "plate_impact/transient/newmark_scheme.h"
 
 #include <algorithm>
@@ -10,14 +11,17 @@ namespace PlateImpact
 {
   namespace
   {
-    /// Of the target, at most.
+    /// The part of the target that the time step may take.
     constexpr double share_of_time = 0.3;
 
-    /// Of the step chosen at first: below, it is not the step.
+    /// Of the step chosen at first: below, the error is not the step's.
     constexpr double smallest_step = 1. / 64.;
 
     /// A peak that comes later in the window may not be the last.
     constexpr double latest_peak = 0.7;
+
+    /// A window holds the time of a peak that is known this many times.
+    constexpr double reserve = 1.5;
 
     /// Step that divides the scene's end time, where it has one.
     double
@@ -29,115 +33,133 @@ namespace PlateImpact
 
 
 
-  TimeControl::TimeControl(const Parameters &parameters)
-    : parameters(parameters)
-    , is_for_peak(parameters.adaptivity.is_adaptive() &&
-                  parameters.adaptivity.goal == AdaptationGoal::peak_force &&
-                  parameters.has_impactor())
-    , step(parameters.time.time_step)
-    , is_whole(!is_for_peak)
+  TimeControl::TimeControl(const Parameters     &scene,
+                           const ImpactEstimate &expected)
+    : scene(scene)
+    , is_for_peak(scene.adaptivity.is_adaptive() &&
+                  scene.adaptivity.goal == AdaptationGoal::peak_force)
+    , length_of_rise(2.5 * expected.peak.time)
+    , echo(2. * scene.plate.distance_to_edge() / expected.wave.group_speed)
+  {}
+
+
+
+  Window
+  TimeControl::first() const
+  {
+    const TimeParameters &time = scene.time;
+    const bool has_echo        = time.end_time == 0. || time.end_time > echo;
+    return {!is_for_peak ? Extent::whole :
+              has_echo   ? Extent::scouted :
+                           Extent::to_peak,
+            time.time_step,
+            length_of_rise};
+  }
+
+
+
+  Window
+  TimeControl::on_next_mesh(const Window &last, const CycleResult &seen) const
   {
     if (!is_for_peak)
-      return;
-    window = 2.5 * zener_peak(parameters).time;
-    echo   = 2. * parameters.plate.distance_to_edge() /
-      contact_wave(parameters).group_speed;
-    is_scouting = is_whole =
-      parameters.time.end_time == 0. || parameters.time.end_time > echo;
+      return last;
+    return {Extent::to_peak,
+            last.step,
+            std::max(last.to_peak, reserve * seen.history->peak().time)};
+  }
+
+
+
+  std::optional<Window>
+  TimeControl::next(const Window &last, const CycleResult &seen) const
+  {
+    if (!is_for_peak)
+      return {};
+    const double peak = seen.history->peak().time;
+    Window       next = last;
+    if (last.extent == Extent::scouted)
+      {
+        next.extent = Extent::to_peak;
+        if (peak > echo)
+          next.to_peak = std::max(last.to_peak, reserve * peak);
+        return next;
+      }
+    const bool is_end = is_whole(last, seen);
+    if (!is_end && peak > latest_peak * seen.history->states().back().time)
+      {
+        next.to_peak *= 2.;
+        return next;
+      }
+    next.step = wanted_step(last, seen);
+    if (next.step < last.step)
+      return next;
+    if (is_end || !meets_force_target(seen, scene.adaptivity))
+      return {};
+    next.extent = Extent::whole;
+    return next;
+  }
+
+
+
+  std::optional<Window>
+  TimeControl::rest(const Window &last, const CycleResult &seen) const
+  {
+    if (!is_for_peak || is_whole(last, seen))
+      return {};
+    Window rest = last;
+    rest.extent = Extent::whole;
+    return rest;
+  }
+
+
+
+  bool
+  TimeControl::is_whole(const Window &window, const CycleResult &seen) const
+  {
+    const double end = scene.time.end_time; // 0 for that of the contact
+    return window.extent == Extent::whole ||
+      (end > 0. && seen.history->states().back().time >= (1. - 1e-9) * end);
+  }
+
+
+
+  double
+  TimeControl::wanted_step(const Window &window, const CycleResult &seen) const
+  {
+    // steps of a history that the mesh spoils tell little
+    const double mesh_error =
+      seen.peak_force_error ? bar_of_mesh(*seen.peak_force_error) : 0.;
+    const double most =
+      std::max(share_of_time * scene.adaptivity.target_peak_force_error,
+               0.1 * mesh_error);
+    // without an estimate the step is of the order of the rise
+    const double error = seen.time_error.value_or(16. * most);
+    if (!scene.time.step_is_chosen || error <= most ||
+        window.step < smallest_step * scene.time.time_step)
+      return window.step;
+    const double halvings =
+      std::ceil(std::log2(error / most)) / NewmarkScheme(scene.time).order();
+    return window.step * std::exp2(-std::min(halvings, 2.));
   }
 
 
 
   Parameters
-  TimeControl::next(StruckPlate &plate) const
+  TimeControl::impact(const Window &window,
+                      StruckPlate  &plate,
+                      const bool    needs_states) const
   {
-    Parameters result     = parameters;
-    result.time.time_step = step;
-    if (is_whole)
-      return plate.until_contact_ends(result);
+    Parameters result     = scene;
+    result.time.time_step = window.step;
+    if (window.extent != Extent::to_peak)
+      return until_contact_ends(plate, result, needs_states);
     const double dt     = length_of_step(result.time);
-    const double wanted = dt * std::ceil(window / dt);
+    const double wanted = dt * std::ceil(window.to_peak / dt);
     if (result.time.end_time == 0. || wanted < result.time.end_time)
       {
         result.time.time_step = dt;
         result.time.end_time  = wanted;
       }
     return result;
-  }
-
-
-
-  bool
-  TimeControl::refine_step(const std::optional<double> &time_error,
-                           const double                 mesh_error)
-  {
-    // steps of a history that the mesh spoils tell little
-    const double most =
-      std::max(share_of_time * parameters.adaptivity.target_peak_force_error,
-               0.1 * mesh_error);
-    // without an estimate the step is of the order of the rise
-    const double error = time_error.value_or(16. * most);
-    if (!parameters.time.step_is_chosen || error <= most ||
-        step < smallest_step * parameters.time.time_step)
-      return false;
-    const double halvings = std::ceil(std::log2(error / most)) /
-      NewmarkScheme(parameters.time).order();
-    step *= std::exp2(-std::min(halvings, 2.));
-    return true;
-  }
-
-
-
-  bool
-  TimeControl::goes_on(const ContactHistory        &history,
-                       const std::optional<double> &time_error,
-                       const double                 mesh_error,
-                       const bool                   is_met)
-  {
-    if (!is_for_peak || history.peak().force <= 0.)
-      return false;
-    if (is_scouting)
-      {
-        is_scouting = is_whole = false;
-        if (history.peak().time > echo)
-          window = std::max(window, 1.5 * history.peak().time);
-        return true;
-      }
-    const double end = history.states().back().time;
-    // the end of the scene, where it has one
-    const bool is_end = is_whole ||
-      (parameters.time.end_time > 0. &&
-       end >= (1. - 1e-9) * parameters.time.end_time);
-    if (!is_end && history.peak().time > latest_peak * end)
-      {
-        window *= 2.;
-        return true;
-      }
-    if (refine_step(time_error, mesh_error))
-      return true;
-    const bool is_longer = !is_end && is_met;
-    is_whole             = is_end || is_met;
-    return is_longer;
-  }
-
-
-
-  bool
-  TimeControl::watch_to_the_end()
-  {
-    const bool was_whole = is_whole;
-    is_whole             = true;
-    return !was_whole;
-  }
-
-
-
-  void
-  TimeControl::begin_mesh(const ContactHistory &history)
-  {
-    if (!is_for_peak)
-      return;
-    is_whole = false;
-    window   = std::max(window, 1.5 * history.peak().time);
   }
 } // namespace PlateImpact

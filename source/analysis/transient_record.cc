@@ -1,5 +1,6 @@
 #include "plate_impact/analysis/transient_record.h"
 
+#include "plate_impact/analysis/cycle.h"
 #include "plate_impact/estimator/make_error_estimator.h"
 
 #include <algorithm>
@@ -21,11 +22,14 @@ namespace PlateImpact
 
   TransientRecord::TransientRecord(const Parameters &parameters,
                                    Cycle            &cycle,
-                                   const Progress   &progress)
+                                   const Wanted     &wanted,
+                                   StageCharges     &charges,
+                                   AnalysisListener &listener)
     : parameters(parameters)
     , cycle(cycle)
-    , result(cycle.result)
-    , progress(progress)
+    , wanted(wanted)
+    , charges(charges)
+    , listener(listener)
   {}
 
 
@@ -34,7 +38,7 @@ namespace PlateImpact
   TransientRecord::begin(const SemidiscreteSystem &stepped,
                          const TimeStepper        &stepper)
   {
-    clock.charge(result.seconds.stepping);
+    charges.charge(&Seconds::stepping);
     system            = &stepped;
     n_steps           = stepper.n_steps();
     sampling_interval = std::clamp(n_steps / min_estimator_samples,
@@ -42,20 +46,18 @@ namespace PlateImpact
                                    parameters.adaptivity.sampling_interval);
     samples_per_frame = 1 +
       n_steps / sampling_interval /
-        std::clamp(most_frame_unknowns / result.degrees_of_freedom, 8u, 48u);
-    if (parameters.needs_estimator())
+        std::clamp(most_frame_unknowns / cycle.discretization().n_unknowns(),
+                   8u,
+                   48u);
+    if (wanted.errors)
       {
-        cycle.estimator = make_error_estimator(parameters,
-                                               cycle.discretization(),
-                                               cycle.recovery(),
-                                               parameters.output.write_report ?
-                                                 samples_per_frame :
-                                                 0);
-        buffer.emplace(stepped,
-                       *cycle.estimator,
-                       n_steps / sampling_interval + 1);
+        estimator = make_error_estimator(parameters,
+                                         cycle.discretization(),
+                                         cycle.recovery(),
+                                         wanted.film ? samples_per_frame : 0);
+        buffer.emplace(stepped, *estimator, n_steps / sampling_interval + 1);
       }
-    clock.charge(result.seconds.estimation);
+    charges.charge(&Seconds::estimation);
   }
 
 
@@ -68,21 +70,19 @@ namespace PlateImpact
     const Eigen::VectorXd &state = stepper.displacement();
     if (is_field(step))
       fields.push_back({time, state});
-    if (parameters.output.write_report && stepper.state().force > peak_force)
+    if (wanted.film && stepper.state().force > peak_force)
       {
         peak_force = stepper.state().force;
         peak.assign(1, {time, state});
       }
     if (buffer && (step % sampling_interval == 0 || step == n_steps))
       {
-        if (parameters.output.write_report &&
-            ++n_samples % samples_per_frame == 0)
+        if (wanted.film && ++n_samples % samples_per_frame == 0)
           film.push_back({time, state});
         if (buffer->add(time, state))
           judge();
       }
-    if (progress)
-      progress(step, n_steps);
+    listener.step(cycle.result.cycle, step, n_steps);
   }
 
 
@@ -90,9 +90,9 @@ namespace PlateImpact
   void
   TransientRecord::judge()
   {
-    clock.charge(result.seconds.stepping);
+    charges.charge(&Seconds::stepping);
     buffer->judge();
-    clock.charge(result.seconds.estimation);
+    charges.charge(&Seconds::estimation);
   }
 
 
@@ -100,7 +100,7 @@ namespace PlateImpact
   bool
   TransientRecord::is_field(const unsigned int step) const
   {
-    const std::uint64_t n_fields = parameters.output.field_samples;
+    const std::uint64_t n_fields = wanted.fields;
     // steps at which k n_steps / n_fields passes a whole number
     return step * n_fields / n_steps > (step - 1) * n_fields / n_steps;
   }
@@ -128,16 +128,19 @@ namespace PlateImpact
 
 
   void
-  TransientRecord::finish()
+  TransientRecord::finish(Observation &seen)
   {
-    clock.charge(result.seconds.stepping);
-    result.steps     = n_steps;
-    result.snapshots = unknowns_of(std::move(fields));
-    result.frames    = unknowns_of(std::move(film));
+    charges.charge(&Seconds::stepping);
+    seen.steps     = n_steps;
+    seen.snapshots = unknowns_of(std::move(fields));
+    seen.frames    = unknowns_of(std::move(film));
     if (!peak.empty())
-      result.peak_state = unknowns_of(peak).front();
+      seen.peak_state = unknowns_of(peak).front();
     if (buffer)
-      buffer->judge();
-    clock.charge(result.seconds.estimation);
+      {
+        buffer->judge();
+        seen.error = estimator->estimate();
+      }
+    charges.charge(&Seconds::estimation);
   }
 } // namespace PlateImpact

@@ -47,20 +47,17 @@ namespace PlateImpact
             2. * (scene.plate.end(d) - scene.plate.begin(d)) / wavelength + 1.,
             8.,
             32.));
-      Parameters parameters           = scene;
-      parameters.adaptivity.strategy  = AdaptationStrategy::none;
-      parameters.output.write_report  = false;
-      parameters.output.field_samples = 0;
-      parameters.time.integrator      = IntegratorType::Ritz_vectors;
-      parameters.time.end_time        = 1.5 * expected_contact_time;
-      StruckPlate plate               = coarse_plate(parameters, n_cells);
+      Parameters parameters      = scene;
+      parameters.time.integrator = IntegratorType::Ritz_vectors;
+      parameters.time.end_time   = 1.5 * expected_contact_time;
+      StruckPlate plate          = coarse_plate(parameters, n_cells);
       CycleResult result;
       result.cells         = plate.discretization().mesh().n_active_cells();
       result.min_cell_size = smallest_cell_size(plate.discretization().mesh());
       while (true)
         {
           parameters.time.time_step = parameters.time.end_time / 96.;
-          result.history            = plate.strike(parameters).history;
+          result.history = plate.under(parameters, false).strike().history;
           const bool is_long =
             parameters.time.end_time > 1e6 * expected_contact_time;
           if (result.history->first_contact_end() || is_long)

@@ -238,12 +238,11 @@ namespace PlateImpact
 
 
 
-  BendingWave
-  contact_wave(const Parameters &parameters)
-  {
-    return contact_wave(PlateSection(parameters.plate),
-                        2. * zener_peak(parameters).time);
-  }
+  ImpactEstimate::ImpactEstimate(const Parameters &scene)
+    : peak(zener_peak(scene))
+    , contact_time(2. * peak.time)
+    , wave(contact_wave(PlateSection(scene.plate), contact_time))
+  {}
 
 
 

@@ -6,6 +6,7 @@
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/plate/plate_mesh.h"
+#include "plate_impact/transient/contact_end.h"
 
 #include <fmt/format.h>
 #include <new>
@@ -153,21 +154,26 @@ namespace PlateImpact
   SweepComputation::strike(const SweepPoint &point)
   {
     const unsigned int loads_before = struck_plate->work().loads;
+    const bool         needs_states = point.parameters.needs_estimator();
     const Parameters   parameters =
-      struck_plate->until_contact_ends(point.parameters);
-    Computed computed{struck_plate->strike(parameters), {}, {}, {}};
+      until_contact_ends(*struck_plate, point.parameters, needs_states);
+    const LoadedPlate plate = struck_plate->under(parameters, needs_states);
+    Computed          computed{plate.strike(), {}, {}, {}};
     done.loads += struck_plate->work().loads - loads_before;
 
     const Triangulation<2> &mesh = struck_plate->discretization().mesh();
     CycleResult             result;
-    result.history     = computed.impact.history;
-    result.sensitivity = struck_plate->sensitivity(parameters, *result.history);
+    result.history       = computed.impact.history;
+    result.sensitivity   = plate.sensitivity(*result.history);
     result.min_cell_size = min_cell_size;
     // an adapted mesh was judged with the worst point
     computed.warnings =
       (parameters.adaptivity.is_adaptive() ?
          impact_warnings(parameters, 2. * point.expected.time, result) :
-         reliability_warnings(parameters, mesh, result))
+         reliability_warnings(parameters,
+                              mesh,
+                              result,
+                              ImpactEstimate(parameters)))
         .all();
     computed.warnings.insert(computed.warnings.end(),
                              mesh_warnings.begin(),
@@ -237,10 +243,9 @@ namespace PlateImpact
   SweepComputation::analyse(const Parameters                 &parameters,
                             std::unique_ptr<Triangulation<2>> mesh)
   {
-    Parameters with_estimator           = parameters;
-    with_estimator.output.write_report  = true;
-    with_estimator.output.field_samples = 0;
-    ImpactAnalysis analysis(with_estimator, std::move(mesh));
+    Wanted errors;
+    errors.errors = true;
+    ImpactAnalysis analysis(parameters, std::move(mesh), errors);
     analysis.run();
     const CycleResult &last = analysis.last_cycle().result;
     if (parameters.adaptivity.is_adaptive())

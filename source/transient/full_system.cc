@@ -50,12 +50,88 @@ namespace PlateImpact
 
 
 
+  EffectiveStiffness::EffectiveStiffness(
+    const PlateDiscretization    &discretization,
+    std::unique_ptr<LinearSolver> solver)
+    : discretization(discretization)
+    , solver(std::move(solver))
+  {}
+
+
+
+  void
+  EffectiveStiffness::factorize(const double c)
+  {
+    if (c == factorized_for)
+      return;
+    StageClock clock;
+    factorized_for.reset();
+    sum = std::make_unique<Epetra_CrsMatrix>(discretization.stiffness());
+    add(c, discretization.mass(), *sum);
+    solver->factorize(*sum);
+    factorized_for = c;
+    ++factorizations;
+    clock.charge(seconds);
+  }
+
+
+
+  void
+  EffectiveStiffness::solve(const Eigen::VectorXd &b, Eigen::VectorXd &x)
+  {
+    solver->solve(b, x);
+    ++solves;
+  }
+
+
+
+  const Epetra_CrsMatrix &
+  EffectiveStiffness::matrix() const
+  {
+    return *sum;
+  }
+
+
+
+  unsigned int
+  EffectiveStiffness::n_factorizations() const
+  {
+    return factorizations;
+  }
+
+
+
+  unsigned int
+  EffectiveStiffness::n_solves() const
+  {
+    return solves;
+  }
+
+
+
+  double
+  EffectiveStiffness::factorization_seconds() const
+  {
+    return seconds;
+  }
+
+
+
   FullSystem::FullSystem(const PlateDiscretization    &discretization,
                          const Eigen::VectorXd        &load,
                          std::unique_ptr<LinearSolver> solver)
-    : discretization(discretization)
+    : FullSystem(std::make_shared<EffectiveStiffness>(discretization,
+                                                      std::move(solver)),
+                 load)
+  {}
+
+
+
+  FullSystem::FullSystem(
+    std::shared_ptr<EffectiveStiffness> effective_stiffness,
+    const Eigen::VectorXd              &load)
+    : effective_stiffness(std::move(effective_stiffness))
     , u(load)
-    , solver(std::move(solver))
   {}
 
 
@@ -69,21 +145,10 @@ namespace PlateImpact
 
 
   void
-  FullSystem::set_load(const Eigen::VectorXd &load)
-  {
-    if (u.size() == load.size() && u == load)
-      return;
-    u = load;
-    compliance.reset();
-  }
-
-
-
-  void
   FullSystem::multiply_stiffness(const Eigen::VectorXd &x,
                                  Eigen::VectorXd       &y) const
   {
-    multiply(discretization.stiffness(), x, y);
+    multiply(effective_stiffness->discretization.stiffness(), x, y);
   }
 
 
@@ -91,34 +156,26 @@ namespace PlateImpact
   void
   FullSystem::multiply_mass(const Eigen::VectorXd &x, Eigen::VectorXd &y) const
   {
-    multiply(discretization.mass(), x, y);
+    multiply(effective_stiffness->discretization.mass(), x, y);
   }
 
 
 
   void
   FullSystem::multiply_effective_stiffness(const Eigen::VectorXd &x,
-                                           Eigen::VectorXd       &y) const
+                                           Eigen::VectorXd       &y)
   {
-    multiply(*effective_stiffness, x, y);
+    effective_stiffness->factorize(c);
+    multiply(effective_stiffness->matrix(), x, y);
   }
 
 
 
   void
-  FullSystem::factorize(const double c)
+  FullSystem::factorize(const double shift)
   {
-    if (c == factorized_for)
-      return;
-    StageClock clock;
-    factorized_for.reset();
-    effective_stiffness =
-      std::make_unique<Epetra_CrsMatrix>(discretization.stiffness());
-    add(c, discretization.mass(), *effective_stiffness);
-    solver->factorize(*effective_stiffness);
-    factorized_for = c;
-    ++factorizations;
-    clock.charge(seconds);
+    c = shift;
+    effective_stiffness->factorize(c);
   }
 
 
@@ -126,8 +183,9 @@ namespace PlateImpact
   void
   FullSystem::solve(const Eigen::VectorXd &b, Eigen::VectorXd &x)
   {
-    solver->solve(b, x);
-    ++solves;
+    // another load, or the static compliance, may have replaced it
+    effective_stiffness->factorize(c);
+    effective_stiffness->solve(b, x);
   }
 
 
@@ -136,12 +194,7 @@ namespace PlateImpact
   FullSystem::static_compliance()
   {
     if (!compliance)
-      {
-        const std::optional<double> before = factorized_for;
-        compliance                         = computed_compliance();
-        if (before)
-          factorize(*before);
-      }
+      compliance = computed_compliance();
     return *compliance;
   }
 
@@ -156,8 +209,8 @@ namespace PlateImpact
     Eigen::VectorXd x, residual;
     try
       {
-        factorize(0.);
-        solve(u, x);
+        effective_stiffness->factorize(0.);
+        effective_stiffness->solve(u, x);
       }
     catch (const ComputationError &)
       {
@@ -176,7 +229,7 @@ namespace PlateImpact
   bool
   FullSystem::is_free() const
   {
-    return discretization.is_free();
+    return effective_stiffness->discretization.is_free();
   }
 
 
@@ -184,7 +237,7 @@ namespace PlateImpact
   unsigned int
   FullSystem::n_factorizations() const
   {
-    return factorizations;
+    return effective_stiffness->n_factorizations();
   }
 
 
@@ -192,14 +245,6 @@ namespace PlateImpact
   unsigned int
   FullSystem::n_solves() const
   {
-    return solves;
-  }
-
-
-
-  double
-  FullSystem::factorization_seconds() const
-  {
-    return seconds;
+    return effective_stiffness->n_solves();
   }
 } // namespace PlateImpact

@@ -7,22 +7,22 @@
 namespace PlateImpact
 {
   std::unique_ptr<Integrator>
-  make_integrator(const Parameters         &parameters,
+  make_integrator(const TimeParameters     &time,
+                  const PlateParameters    &plate,
                   FullSystem               &full,
-                  const ContactIntegration &integration)
+                  const ContactIntegration &integration,
+                  bool                      needs_fields)
   {
-    switch (parameters.time.integrator)
+    switch (time.integrator)
       {
         case IntegratorType::Newmark:
-          return std::make_unique<NewmarkOnTheMesh>(full,
-                                                    parameters.time,
-                                                    integration);
+          return std::make_unique<NewmarkOnTheMesh>(full, time, integration);
         case IntegratorType::Ritz_vectors:
           return std::make_unique<RitzReduction>(full,
-                                                 parameters.plate,
-                                                 parameters.time,
+                                                 plate,
+                                                 time,
                                                  integration,
-                                                 parameters.needs_estimator());
+                                                 needs_fields);
       }
     throw std::logic_error("no such integrator");
   }

@@ -58,8 +58,9 @@ namespace PlateImpact
           const ErrorOverLimit     &error,
           std::vector<std::string> &warnings) const = 0;
 
-    /// About how many cells the mesh would have after adapt(); four times as
-    /// many as now for strategies without target sizes, which halve cells.
+    /// About how many cells the mesh would have after adapt(), where that may
+    /// be any number; by default as many as now, for strategies that halve
+    /// cells once, whose mesh can be made and counted.
     virtual double
     n_wanted_cells(const dealii::Triangulation<2> &mesh,
                    const ErrorOverLimit           &error) const;

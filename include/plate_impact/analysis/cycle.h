@@ -6,7 +6,6 @@
 
 #include "plate_impact/analysis/cycle_result.h"
 #include "plate_impact/base/parameters.h"
-#include "plate_impact/estimator/error_estimator.h"
 #include "plate_impact/estimator/stress_recovery.h"
 #include "plate_impact/plate/plate_discretization.h"
 #include "plate_impact/transient/struck_plate.h"
@@ -45,9 +44,8 @@ namespace PlateImpact
     const StressRecovery &
     recovery() const;
 
-    StruckPlate                     plate;
-    CycleResult                     result;
-    std::unique_ptr<ErrorEstimator> estimator; ///< null where none is wanted
+    StruckPlate plate;
+    CycleResult result;
 
   private:
     const Parameters                     &parameters;

@@ -5,13 +5,14 @@
 
 #include "plate_impact/adaptation/mesh_adaptation.h"
 #include "plate_impact/analysis/adaptation_control.h"
+#include "plate_impact/analysis/analysis_listener.h"
 #include "plate_impact/analysis/cycle.h"
 #include "plate_impact/analysis/model_warnings.h"
 #include "plate_impact/analysis/outcome.h"
+#include "plate_impact/analysis/steps_or_vectors.h"
 #include "plate_impact/analysis/time_control.h"
 #include "plate_impact/base/parameters.h"
 
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,27 +20,6 @@
 
 namespace PlateImpact
 {
-  /// Who follows an analysis.
-  class AnalysisListener
-  {
-  public:
-    virtual ~AnalysisListener() = default;
-
-    /// Before what may take long.
-    /// @param what  "assembly" and the like
-    virtual void
-    stage(unsigned int cycle, const std::string &what);
-
-    /// After every step of a transient.
-    virtual void
-    step(unsigned int cycle, unsigned int step, unsigned int n_steps);
-
-    /// After every cycle, before its mesh is adapted.
-    virtual void
-    cycle(Cycle &cycle);
-  };
-
-
   /// The adaptive computation of an impact (Table 1 of the paper): the whole
   /// transient on a mesh, its error, a better mesh, until the error is met. The
   /// history starts anew on every mesh, so that nothing is interpolated between
@@ -47,10 +27,14 @@ namespace PlateImpact
   class ImpactAnalysis
   {
   public:
-    /// Makes the first mesh, unless one is given.
-    explicit ImpactAnalysis(
-      const Parameters                         &parameters,
-      std::unique_ptr<dealii::Triangulation<2>> mesh = nullptr);
+    /// Makes the first mesh.
+    explicit ImpactAnalysis(const Parameters &parameters);
+
+    /// @param mesh    the first one
+    /// @param wanted  in place of what the scene asks for
+    ImpactAnalysis(const Parameters                         &parameters,
+                   std::unique_ptr<dealii::Triangulation<2>> mesh,
+                   const Wanted                             &wanted);
 
     /// Computes on one mesh after another, beginning with the present one.
     /// @return why it ends
@@ -88,27 +72,23 @@ namespace PlateImpact
     all_warnings() const;
 
   private:
+    /// All that belongs to the next mesh.
     void
-    build(AnalysisListener &listener);
+    begin_cycle(AnalysisListener &listener);
+    /// Strikes the plate until that is enough to judge the mesh.
     void
-    strike(AnalysisListener &listener);
-    /// One transient.
+    watch(AnalysisListener &listener);
+    /// The transient of the window; its history, where nothing but the time of
+    /// its peak is wanted.
+    Parameters
+    plan(AnalysisListener &listener);
     void
-    strike(const Parameters &on_mesh, AnalysisListener &listener);
-    /// The last mesh again, if it was watched on the way to the peak only.
-    void
-    watch_to_the_end(AnalysisListener &listener);
-    /// Of the peak force.
-    void
-    estimate_errors(const Parameters &on_mesh, const ContactHistory &history);
-    /// Steps that were more than the vectors, on a mesh of so many unknowns.
-    bool
-    vectors_are_too_many(const Parameters &on_mesh) const;
-    void
-    estimate(AnalysisListener &listener);
-    /// The error bar of the peak force.
-    void
-    bound(const PeakForceError &estimate, double error_of_vectors);
+    observe(AnalysisListener &listener);
+    Judgement
+    judgement() const;
+    /// Of the bar of the peak force; empty on blind meshes.
+    std::optional<double>
+    mesh_part_of_bar() const;
     /// By the goal of the scene.
     ErrorOverLimit
     over_limit(double target) const;
@@ -118,17 +98,12 @@ namespace PlateImpact
     refine_at_load(ErrorOverLimit &error) const;
     std::optional<Outcome>
     adapt(AdaptationControl &control, AnalysisListener &listener);
-    /// Whether vectors were fewer than steps.
-    void
-    note_vectors(const StruckPlate::Work &before,
-                 const StruckPlate::Work &after);
-    /// Matrices and factorizations are made when they are first needed: their
-    /// seconds are taken out of the stage that was charged with them.
-    void
-    note_work(double &seconds_of_stage);
 
     const Parameters                            parameters;
+    const Wanted                                wanted;
     const std::unique_ptr<const MeshAdaptation> adaptation;
+    const std::optional<ImpactEstimate>         expected; ///< of an impactor
+    const std::optional<TimeControl>            time_control;
 
     std::unique_ptr<dealii::Triangulation<2>> mesh; ///< the next one
     std::unique_ptr<Cycle>    current;              ///< null before the first
@@ -136,16 +111,8 @@ namespace PlateImpact
     double                    seconds_for_mesh = 0.;
     std::vector<std::string>  adaptation_warnings;
     std::optional<PeakOnMesh> peak_here, peak_before; ///< mesh before
-
-    /// Of the bending waves that the contact sends out. [m]
-    double            contact_wave_length = 0.;
-    TimeControl       time_control;
-    StruckPlate::Work noted_work; ///< of the present cycle
-    Parameters last_struck; ///< with the end time and the step of the cycle
-    /// Unknowns from which vectors were more than steps, or nearly so, and as
-    /// many steps.
-    unsigned int unknowns_for_steps = std::numeric_limits<unsigned int>::max(),
-                 steps_for_unknowns = 0;
+    Window                    window;                 ///< the last, or the next
+    StepsOrVectors            steps_or_vectors;
   };
 } // namespace PlateImpact
 

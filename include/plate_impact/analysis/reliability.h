@@ -6,6 +6,7 @@
 #include "plate_impact/analysis/cycle_result.h"
 #include "plate_impact/analysis/model_warnings.h"
 #include "plate_impact/base/parameters.h"
+#include "plate_impact/contact/zener.h"
 
 namespace PlateImpact
 {
@@ -18,11 +19,11 @@ namespace PlateImpact
                   const CycleResult &result);
 
   /// Where the result of a scene leaves what its model, mesh or step can tell.
-  /// Empty for a result without an impactor.
   Warnings
   reliability_warnings(const Parameters               &parameters,
                        const dealii::Triangulation<2> &mesh,
-                       const CycleResult              &result);
+                       const CycleResult              &result,
+                       const ImpactEstimate           &expected);
 } // namespace PlateImpact
 
 #endif

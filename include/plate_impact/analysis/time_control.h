@@ -1,13 +1,32 @@
 #ifndef plate_impact_analysis_time_control_h
 #define plate_impact_analysis_time_control_h
 
+#include "plate_impact/analysis/cycle_result.h"
 #include "plate_impact/base/parameters.h"
+#include "plate_impact/contact/zener.h"
 #include "plate_impact/transient/struck_plate.h"
 
 #include <optional>
 
 namespace PlateImpact
 {
+  /// How far a transient goes.
+  enum class Extent
+  {
+    scouted, ///< to its end, for the time of its peak only
+    to_peak, ///< no longer than the peak takes
+    whole    ///< to its end
+  };
+
+  /// What is watched of an impact.
+  struct Window
+  {
+    Extent extent  = Extent::whole;
+    double step    = 0.; ///< [s]
+    double to_peak = 0.; ///< length on the way to the peak [s]
+  };
+
+
   /// How long a plate is watched on a mesh and in which steps. With the goal
   /// `energy norm` that is what the scene says. On the way to a peak force it
   /// is no longer than the peak takes, and in steps, where the program chooses
@@ -19,45 +38,47 @@ namespace PlateImpact
   class TimeControl
   {
   public:
-    /// @param parameters  complete
-    explicit TimeControl(const Parameters &parameters);
+    /// @param scene     complete; with an impactor
+    /// @param expected  of it
+    TimeControl(const Parameters &scene, const ImpactEstimate &expected);
 
-    /// The scene with the end time and the step of the next transient.
+    /// The first window on the first mesh.
+    Window
+    first() const;
+
+    /// The first window on a finer mesh than that of the last one.
+    Window
+    on_next_mesh(const Window &last, const CycleResult &seen) const;
+
+    /// The next window on the same mesh, after what the last one has shown;
+    /// empty where that is enough to judge the mesh.
+    std::optional<Window>
+    next(const Window &last, const CycleResult &seen) const;
+
+    /// For a mesh that will be the last: the whole impact, unless the last
+    /// window was that.
+    std::optional<Window>
+    rest(const Window &last, const CycleResult &seen) const;
+
+    /// The scene with the end time and the step of a window.
+    /// @param needs_states  as for StruckPlate::under()
+    /// @throws ComputationError naming step and quantity
     Parameters
-    next(StruckPlate &plate) const;
-
-    /// Whether another transient is to follow on the same mesh.
-    /// @param time_error    as estimated_time_error()
-    /// @param mesh_error    of the peak force, relative to it
-    /// @param is_met        whether the bar of the peak meets its target
-    bool
-    goes_on(const ContactHistory        &history,
-            const std::optional<double> &time_error,
-            double                       mesh_error,
-            bool                         is_met);
-
-    /// The next transient runs to its end.
-    /// @return whether the one before did not
-    bool
-    watch_to_the_end();
-
-    /// For another mesh.
-    /// @param history  on the mesh before
-    void
-    begin_mesh(const ContactHistory &history);
+    impact(const Window &window, StruckPlate &plate, bool needs_states) const;
 
   private:
-    /// Whether the step was too coarse, and is now smaller.
+    /// Whether the window ended where the scene does.
     bool
-    refine_step(const std::optional<double> &time_error, double mesh_error);
+    is_whole(const Window &window, const CycleResult &seen) const;
+    /// The step for a share of the target; that of the window where it keeps
+    /// to it.
+    double
+    wanted_step(const Window &window, const CycleResult &seen) const;
 
-    const Parameters parameters;
+    const Parameters scene;
     const bool       is_for_peak;
-    double           step;           ///< [s]
-    double           window = 0.;    ///< on the way to the peak [s]
-    double           echo   = 0.;    ///< when waves are back [s]
-    bool is_scouting        = false; ///< whether the end is looked at first
-    bool is_whole;                   ///< whether the transient runs to its end
+    const double     length_of_rise; ///< expected, with some reserve [s]
+    const double     echo;           ///< when waves are back [s]
   };
 } // namespace PlateImpact
 

@@ -1,34 +1,32 @@
 #ifndef plate_impact_analysis_transient_record_h
 #define plate_impact_analysis_transient_record_h
 
-#include "plate_impact/analysis/cycle.h"
-#include "plate_impact/base/parameters.h"
-#include "plate_impact/base/stage_clock.h"
+#include "plate_impact/analysis/analysis_listener.h"
+#include "plate_impact/analysis/observation.h"
+#include "plate_impact/analysis/stage_charges.h"
 #include "plate_impact/estimator/sample_buffer.h"
 #include "plate_impact/plate/snapshot.h"
-#include "plate_impact/transient/struck_plate.h"
+#include "plate_impact/transient/loaded_plate.h"
 
-#include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
 namespace PlateImpact
 {
   /// What is kept of a transient while it is stepped: samples for the
-  /// estimator, states for the fields, and what the report shows, the state of
+  /// estimator, states for the fields, and what the page shows, the state of
   /// the largest force and frames of a film, at most 48, fewer where they would
   /// take more than 64 MB.
   class TransientRecord : public TransientListener
   {
   public:
-    /// Told after every step: the step and the number of steps.
-    using Progress = std::function<void(unsigned int, unsigned int)>;
-
-    /// @param cycle  that is computed; gets its estimator, and seconds are
-    ///               charged to its result. All must outlive the record
+    /// All must outlive the record.
     TransientRecord(const Parameters &parameters,
                     Cycle            &cycle,
-                    const Progress   &progress);
+                    const Wanted     &wanted,
+                    StageCharges     &charges,
+                    AnalysisListener &listener);
 
     void
     begin(const SemidiscreteSystem &system,
@@ -37,15 +35,14 @@ namespace PlateImpact
     void
     take_step(unsigned int step, const TimeStepper &stepper) override;
 
-    /// Puts what was kept into the result of the cycle, and the last samples
-    /// into its estimator.
+    /// Puts what was kept into an observation.
     void
-    finish();
+    finish(Observation &seen);
 
   private:
     void
     judge();
-    /// Whether VTU files show the state after a step.
+    /// Whether files of fields show the state after a step.
     bool
     is_field(unsigned int step) const;
     /// On the mesh.
@@ -54,15 +51,16 @@ namespace PlateImpact
 
     const Parameters &parameters;
     Cycle            &cycle;
-    CycleResult      &result;
-    const Progress    progress;
-    StageClock        clock;
+    const Wanted     &wanted;
+    StageCharges     &charges;
+    AnalysisListener &listener;
 
     /// from begin() on
     const SemidiscreteSystem *system = nullptr;
     unsigned int n_steps = 0, sampling_interval = 0, samples_per_frame = 0,
                  n_samples = 0;
-    std::optional<SampleBuffer> buffer; ///< where an estimator is wanted
+    std::unique_ptr<ErrorEstimator> estimator; ///< where errors are wanted
+    std::optional<SampleBuffer>     buffer;
 
     /// in coordinates of the system
     std::vector<Snapshot> fields, film, peak; ///< the last one or none

@@ -99,9 +99,15 @@ namespace PlateImpact
   BendingWave
   contact_wave(const PlateSection &section, double contact_time);
 
-  /// That of the contact which Zener's equation expects of a scene.
-  BendingWave
-  contact_wave(const Parameters &parameters);
+  /// What theory expects of the impact of a scene, on an infinite thin plate.
+  struct ImpactEstimate
+  {
+    explicit ImpactEstimate(const Parameters &scene);
+
+    ExpectedPeak peak;
+    double       contact_time; ///< [s]
+    BendingWave  wave;         ///< of the contact
+  };
 } // namespace PlateImpact
 
 #endif

@@ -13,7 +13,48 @@
 
 namespace PlateImpact
 {
-  /// All unknowns of a mesh.
+  /// K + c M of a mesh, factorized for one c after another.
+  class EffectiveStiffness
+  {
+  public:
+    /// @param discretization  assembled; must outlive this object
+    EffectiveStiffness(const PlateDiscretization    &discretization,
+                       std::unique_ptr<LinearSolver> solver);
+
+    /// Does nothing when the last factorization was for the same c.
+    void
+    factorize(double c);
+
+    /// (K + c M) x = b, with the last c.
+    void
+    solve(const Eigen::VectorXd &b, Eigen::VectorXd &x);
+
+    const Epetra_CrsMatrix &
+    matrix() const;
+
+    unsigned int
+    n_factorizations() const;
+
+    unsigned int
+    n_solves() const;
+
+    /// Wall time of all factorizations. [s]
+    double
+    factorization_seconds() const;
+
+    const PlateDiscretization &discretization;
+
+  private:
+    std::unique_ptr<Epetra_CrsMatrix>   sum;
+    const std::unique_ptr<LinearSolver> solver;
+    std::optional<double>               factorized_for; ///< c [1/s^2]
+    unsigned int                        factorizations = 0, solves = 0;
+    double                              seconds = 0.;
+  };
+
+
+  /// All unknowns of a mesh under one load. Loads share the factorization; one
+  /// that another has replaced is made again when it is needed.
   class FullSystem : public SemidiscreteSystem
   {
   public:
@@ -23,23 +64,20 @@ namespace PlateImpact
                const Eigen::VectorXd        &load,
                std::unique_ptr<LinearSolver> solver);
 
+    FullSystem(std::shared_ptr<EffectiveStiffness> effective_stiffness,
+               const Eigen::VectorXd              &load);
+
     const Eigen::VectorXd &
     load() const override;
-
-    /// Replaces the load; the factorization stays.
-    void
-    set_load(const Eigen::VectorXd &load);
 
     void
     multiply_stiffness(const Eigen::VectorXd &x,
                        Eigen::VectorXd       &y) const override;
-    /// Does nothing when the last factorization was for the same c.
     void
     factorize(double c) override;
     void
     solve(const Eigen::VectorXd &b, Eigen::VectorXd &x) override;
-    /// Factorizes K when it is first asked for, and what was factorized before
-    /// once more.
+    /// Factorizes K when it is first asked for.
     double
     static_compliance() override;
 
@@ -47,6 +85,7 @@ namespace PlateImpact
     bool
     is_free() const;
 
+    /// Of the mesh, whatever the load.
     unsigned int
     n_factorizations() const;
 
@@ -54,32 +93,23 @@ namespace PlateImpact
     unsigned int
     n_solves() const;
 
-    /// Wall time of all factorizations. [s]
-    double
-    factorization_seconds() const;
-
     /// y = M x.
     void
     multiply_mass(const Eigen::VectorXd &x, Eigen::VectorXd &y) const;
 
-    /// y = (K + c M) x, with c of the last factorization.
+    /// y = (K + c M) x.
     void
-    multiply_effective_stiffness(const Eigen::VectorXd &x,
-                                 Eigen::VectorXd       &y) const;
+    multiply_effective_stiffness(const Eigen::VectorXd &x, Eigen::VectorXd &y);
 
   private:
     /// u^T K^-1 u; infinite where K cannot be inverted.
     double
     computed_compliance();
 
-    const PlateDiscretization        &discretization;
-    Eigen::VectorXd                   u;
-    std::unique_ptr<Epetra_CrsMatrix> effective_stiffness;
-    std::unique_ptr<LinearSolver>     solver;
-    std::optional<double>             factorized_for; ///< c [1/s^2]
-    std::optional<double>             compliance;     ///< under u [m/N]
-    unsigned int                      factorizations = 0, solves = 0;
-    double                            seconds = 0.; ///< of the factorizations
+    const std::shared_ptr<EffectiveStiffness> effective_stiffness;
+    const Eigen::VectorXd                     u;
+    double                                    c = 0.;     ///< [1/s^2]
+    std::optional<double>                     compliance; ///< under u [m/N]
   };
 } // namespace PlateImpact
 

@@ -9,10 +9,13 @@ namespace PlateImpact
 {
   /// The integrator that the scene names: `Newmark` or `Ritz vectors`. System
   /// and integration must outlive it.
+  /// @param needs_fields  whether more than the force is to be right
   std::unique_ptr<Integrator>
-  make_integrator(const Parameters         &parameters,
+  make_integrator(const TimeParameters     &time,
+                  const PlateParameters    &plate,
                   FullSystem               &full,
-                  const ContactIntegration &integration);
+                  const ContactIntegration &integration,
+                  bool                      needs_fields);
 } // namespace PlateImpact
 
 #endif

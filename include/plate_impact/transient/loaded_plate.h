@@ -1,0 +1,121 @@
+#ifndef plate_impact_transient_loaded_plate_h
+#define plate_impact_transient_loaded_plate_h
+
+#include "plate_impact/base/parameters.h"
+#include "plate_impact/contact/contact_law.h"
+#include "plate_impact/contact/contact_solver.h"
+#include "plate_impact/contact/impactor.h"
+#include "plate_impact/transient/full_system.h"
+#include "plate_impact/transient/impact.h"
+#include "plate_impact/transient/integrator.h"
+#include "plate_impact/transient/peak_force_dual.h"
+#include "plate_impact/transient/sensitivity.h"
+#include "plate_impact/transient/time_stepper.h"
+
+#include <memory>
+#include <optional>
+
+namespace PlateImpact
+{
+  /// Who follows a transient step by step.
+  class TransientListener
+  {
+  public:
+    virtual ~TransientListener() = default;
+
+    /// Before the first step.
+    /// @param system  that is stepped; lives as long as the loaded plate
+    virtual void
+    begin(const SemidiscreteSystem &system, const TimeStepper &stepper) = 0;
+
+    /// After every step.
+    /// @param step  from 1
+    virtual void
+    take_step(unsigned int step, const TimeStepper &stepper) = 0;
+  };
+
+
+  /// What impacts share that load a plate in the same way and take the same
+  /// steps.
+  struct Load
+  {
+    FullSystem                                system;
+    double                                    layer_constant;
+    std::unique_ptr<const ContactIntegration> integration;
+    std::unique_ptr<Integrator>               integrator;
+    unsigned int n_vectors_for_errors = 0; ///< of bases that served once
+  };
+
+
+  /// What the estimate of the error of the peak force needs: the motions, and
+  /// the system whose states they are.
+  struct PeakForceProblem
+  {
+    DualMotions                       motions;
+    const SemidiscreteSystem         *system;
+    std::unique_ptr<Integrator> own_integrator; ///< null: of the load
+  };
+
+
+  /// A plate and the impactor that strikes it. What is not computed again from
+  /// one impactor to the next belongs to the load.
+  class LoadedPlate
+  {
+  public:
+    /// @param impact  a scene with the plate and the load
+    LoadedPlate(const Parameters &impact, std::shared_ptr<Load> load);
+
+    /// From first touch to the end time.
+    /// @throws ComputationError naming step and quantity, and where an energy
+    ///         that the scheme keeps has changed
+    Impact
+    strike() const;
+
+    /// The same impact in steps, up to round-off.
+    Impact
+    strike(TransientListener &listener) const;
+
+    /// As estimated_time_error().
+    /// @param history  of the impact
+    std::optional<double>
+    time_error(const ContactHistory &history) const;
+
+    /// How the history answers to another velocity; empty for a single contact,
+    /// which changes in proportion.
+    /// @param history  of the impact
+    std::optional<Sensitivity>
+    sensitivity(const ContactHistory &history) const;
+
+    /// In Ritz vectors wherever they are fewer than the steps, even if the mesh
+    /// itself was stepped. Empty for schemes that do not conserve energy,
+    /// without a force, and with more than 20000 steps to the peak.
+    /// @param history  of the impact
+    std::optional<PeakForceProblem>
+    peak_force_problem(const ContactHistory &history) const;
+
+    /// Whether Ritz vectors would cost more than the steps.
+    bool
+    is_stepped_on_the_mesh() const;
+
+    /// Steps of other times on the mesh; the loaded plate must outlive them.
+    TimeStepper
+    steps_on_the_mesh(const TimeParameters &time) const;
+
+    /// As SemidiscreteSystem::static_compliance(), of the mesh. [m/N]
+    double
+    static_compliance() const;
+
+  private:
+    /// Of any impactor.
+    Impact
+    strike(const Impactor &striking) const;
+
+    const Parameters                        parameters;
+    const std::shared_ptr<Load>             load;
+    const std::unique_ptr<const ContactLaw> law;
+    const Impactor                          impactor;
+    SemidiscreteSystem                     &system; ///< that is stepped
+  };
+} // namespace PlateImpact
+
+#endif

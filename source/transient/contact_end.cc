@@ -1,0 +1,99 @@
+#include "plate_impact/transient/contact_end.h"
+
+#include "plate_impact/contact/make_contact_law.h"
+#include "plate_impact/contact/zener.h"
+#include "plate_impact/plate/plate_section.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace PlateImpact
+{
+  namespace
+  {
+    /// Steps in which the end of a contact is looked for.
+    constexpr double most_steps_of_contact = 262144.;
+
+
+
+    /// Longest first contact that is waited for. [s]
+    double
+    longest_contact(const LoadedPlate &plate, const Parameters &impact)
+    {
+      const double half_space = 2. *
+        rigid_plate_peak(*make_half_space_law(impact),
+                         make_impactor(impact.impactor),
+                         PlateSection(impact.plate))
+          .time;
+      const double compliance = plate.static_compliance();
+      const double mass       = make_impactor(impact.impactor).mass;
+      if (!std::isfinite(compliance)) // free to move, it is left sooner
+        return 100. * half_space;
+      return 2. * (half_space + std::acos(-1.) * std::sqrt(mass * compliance));
+    }
+
+
+
+    /// A little after the end of the first contact, on the mesh by steps four
+    /// times as long, or as long as anybody waits. [s]
+    double
+    end_by_steps(const LoadedPlate &plate, const Parameters &impact)
+    {
+      const double dt = impact.time.time_step;
+      // few digits are needed, but every step counts
+      TimeParameters coarse = impact.time;
+      coarse.time_step *= 4.;
+      coarse.end_time = dt *
+        std::ceil(std::min(
+          most_steps_of_contact,
+          std::max(impact.time.end_time, longest_contact(plate, impact)) / dt));
+      TimeStepper stepper     = plate.steps_on_the_mesh(coarse);
+      bool        is_touching = false;
+      for (unsigned int step = 0; step < stepper.n_steps(); ++step)
+        {
+          stepper.advance();
+          const ContactState &state = stepper.state();
+          if (is_touching && state.force == 0.)
+            return dt * std::ceil(1.01 * state.time / dt);
+          is_touching = is_touching || state.force > 0.;
+        }
+      return coarse.end_time;
+    }
+  } // namespace
+
+
+
+  Parameters
+  until_contact_ends(StruckPlate      &plate,
+                     const Parameters &impact,
+                     const bool        needs_states)
+  {
+    if (impact.time.end_time > 0.)
+      return impact;
+    Parameters result         = impact;
+    result.time.end_is_chosen = true;
+    const double dt           = impact.time.time_step;
+    const double expected     = 2. * zener_peak(impact).time;
+    // by powers of two, so that impactors share vectors
+    for (double n = std::exp2(std::ceil(std::log2(1.5 * expected / dt)));;
+         n *= 2.)
+      {
+        result.time.horizon = result.time.end_time = n * dt;
+        const LoadedPlate loaded = plate.under(result, needs_states);
+        if (loaded.is_stepped_on_the_mesh())
+          {
+            // more steps take more vectors
+            result.time.integrator = IntegratorType::Newmark;
+            result.time.end_time   = end_by_steps(loaded, result);
+            return result;
+          }
+        const std::optional<double> end =
+          loaded.strike().history.first_contact_end();
+        if (end)
+          result.time.end_time = dt * std::ceil(*end / dt);
+        if (end || n >= most_steps_of_contact ||
+            n * dt >= longest_contact(loaded, impact))
+          return result;
+      }
+  }
+} // namespace PlateImpact
