@@ -4,7 +4,9 @@
 #include <deal.II/grid/grid_generator.h>
 
 #include "plate_impact/analysis/impact_analysis.h"
+#include "plate_impact/plate/plate_mesh.h"
 #include "plate_impact/scene/scene.h"
+#include "plate_impact/transient/struck_plate.h"
 #include "test_plate.h"
 
 #include <gtest/gtest.h>
@@ -204,6 +206,68 @@ namespace PlateImpact
       unsigned int              n_steps = 0;
       std::vector<unsigned int> cells; ///< of the cycles
     };
+
+
+
+    TEST(Impact, LoadsOfAPlateNeedNoOrder)
+    {
+      const auto plate_for = [](const Parameters &parameters) {
+        return StruckPlate(
+          parameters.plate,
+          parameters.discretization,
+          make_plate_mesh(parameters.plate,
+                          parameters.discretization.initial_cells));
+      };
+      std::vector<Parameters> impacts;
+      for (const std::string different : {"Contact/Patch radius=0.005",
+                                          "Contact/Patch radius=0.009",
+                                          "Time/Time step=2e-6"})
+        {
+          std::vector<std::string> overrides = coarse_steps;
+          overrides.push_back("Time/Integrator=Newmark");
+          overrides.push_back(different);
+          impacts.push_back(parameters_with(overrides));
+        }
+      StruckPlate shared = plate_for(impacts[0]);
+      std::vector<std::unique_ptr<const LoadedPlate>> loaded;
+      for (const Parameters &impact : impacts)
+        loaded.emplace_back(new LoadedPlate(shared.under(impact, true)));
+      for (std::size_t i = impacts.size(); i-- > 0;)
+        {
+          StruckPlate own = plate_for(impacts[i]);
+          EXPECT_EQ(loaded[i]->strike().history.peak().force,
+                    own.under(impacts[i], true).strike().history.peak().force);
+        }
+    }
+
+
+
+    TEST(Impact, VectorsForAnErrorAreCountedAndLetGo)
+    {
+      std::vector<std::string> overrides = coarse_steps;
+      overrides.push_back("Time/Integrator=Newmark");
+      const Parameters parameters = parameters_with(overrides);
+      StruckPlate      plate(
+        parameters.plate,
+        parameters.discretization,
+        make_plate_mesh(parameters.plate,
+                        parameters.discretization.initial_cells));
+      const LoadedPlate  loaded = plate.under(parameters, true);
+      const Impact       impact = loaded.strike();
+      const unsigned int before = plate.work().ritz_vectors;
+      EXPECT_EQ(before, 0u);
+      {
+        const auto problem = loaded.peak_force_problem(impact.history);
+        ASSERT_TRUE(problem);
+        // they belong to the problem, and nothing is left of them but a count
+        EXPECT_NE(problem->own_integrator, nullptr);
+        EXPECT_EQ(plate.work().ritz_vectors,
+                  problem->own_integrator->n_vectors());
+      }
+      EXPECT_GT(plate.work().ritz_vectors, 0u);
+      EXPECT_EQ(loaded.strike().history.peak().force,
+                impact.history.peak().force);
+    }
 
 
 

@@ -2,8 +2,9 @@
 #include "plate_impact/adaptation/mesh_adaptation.h"
 #include "test_plate.h"
 
-#include <cmath>
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace PlateImpact
 {
@@ -300,6 +301,38 @@ namespace PlateImpact
       EXPECT_FALSE(adapt(parameters, *mesh, estimate));
       EXPECT_FALSE(
         adapt(adaptivity(AdaptationStrategy::none), *mesh, estimate));
+    }
+
+
+
+    TEST(MeshAdaptation, UniformHalvesNoCellBelowTheMinimumSize)
+    {
+      const auto mesh = unit_square(3);
+      mesh->begin_active()->set_refine_flag();
+      mesh->execute_coarsening_and_refinement();
+      const ErrorOverLimit error =
+        errors(*mesh, [](const Point<2> &) { return 2.; });
+      // the large cells could be halved, the four small ones not
+      EXPECT_FALSE(
+        adapt(adaptivity(AdaptationStrategy::uniform, 0.1), *mesh, error));
+      EXPECT_EQ(mesh->n_active_cells(), 12u);
+      EXPECT_TRUE(
+        adapt(adaptivity(AdaptationStrategy::uniform, 0.05), *mesh, error));
+      EXPECT_EQ(mesh->n_active_cells(), 48u);
+    }
+
+
+
+    TEST(MeshAdaptation, StrategiesThatHalveCellsPromiseNoMoreThanThereAre)
+    {
+      const auto mesh = unit_square(3);
+      for (const AdaptationStrategy strategy :
+           {AdaptationStrategy::uniform,
+            AdaptationStrategy::none,
+            AdaptationStrategy::fixed_number})
+        EXPECT_EQ(make_mesh_adaptation(adaptivity(strategy), 0.)
+                    ->n_wanted_cells(*mesh, {}),
+                  9.);
     }
   } // namespace
 } // namespace PlateImpact

@@ -1,8 +1,10 @@
 #include "program_fixture.h"
 
+#include <gtest/gtest.h>
+
 #include <fcntl.h>
 #include <sys/file.h>
-#include <gtest/gtest.h>
+#include <sys/stat.h>
 
 namespace PlateImpact
 {
@@ -54,6 +56,29 @@ namespace PlateImpact
       EXPECT_NE(err.find("\nplate-impact: interrupted: "), std::string::npos)
         << err;
       EXPECT_EQ(summary()["outcome"], "failed: interrupted");
+    }
+
+
+
+    TEST_F(ResultsAreSafe, SignalsBeforeTheFirstResultLeaveThoseOfBefore)
+    {
+      ASSERT_EQ(run(main_scene), 0) << err;
+      const std::string before = text(results() / "summary.json");
+      // the signal comes while the program waits for the text of its scene
+      const std::string scene = (directory / "pipe.prm").string();
+      ASSERT_EQ(mkfifo(scene.c_str(), 0600), 0);
+      std::ofstream(directory / "script")
+        << "'" << PROGRAM << "' run '" << scene << "' --output '"
+        << results().string() << "' &\nexec 3> '" << scene
+        << "'\nkill -TERM $!\ncat '" << main_scene
+        << "' >&3\nexec 3>&-\nwait $!\n";
+      const int status =
+        std::system(("sh '" + (directory / "script").string() + "' > '" +
+                     (directory / "out").string() + "' 2>&1")
+                      .c_str());
+      ASSERT_TRUE(WIFEXITED(status));
+      EXPECT_EQ(WEXITSTATUS(status), 143) << text(directory / "out");
+      EXPECT_EQ(text(results() / "summary.json"), before);
     }
 
 
