@@ -2,6 +2,7 @@
 
 #include "plate_impact/adaptation/graded_refinement.h"
 #include "plate_impact/adaptation/make_mesh_adaptation.h"
+#include "plate_impact/analysis/observe.h"
 #include "plate_impact/analysis/reliability.h"
 #include "plate_impact/analysis/stage_charges.h"
 #include "plate_impact/base/exceptions.h"

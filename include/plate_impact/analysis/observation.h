@@ -1,6 +1,7 @@
 #ifndef plate_impact_analysis_observation_h
 #define plate_impact_analysis_observation_h
 
+#include "plate_impact/analysis/work.h"
 #include "plate_impact/base/parameters.h"
 #include "plate_impact/contact/contact_history.h"
 #include "plate_impact/estimator/error_estimator.h"
@@ -13,9 +14,6 @@
 
 namespace PlateImpact
 {
-  class AnalysisListener;
-  class Cycle;
-
   /// What somebody wants of a transient besides its force.
   struct Wanted
   {
@@ -27,33 +25,6 @@ namespace PlateImpact
   /// What a scene asks for.
   Wanted
   wanted_by(const Parameters &parameters);
-
-
-  /// What a scene paid for.
-  struct Work
-  {
-    unsigned int factorizations    = 0;
-    unsigned int linear_solves     = 0;
-    unsigned int contact_steps     = 0; ///< with a force other than zero
-    unsigned int estimator_samples = 0;
-    unsigned int ritz_vectors      = 0;
-  };
-
-  /// Wall time of the stages of a cycle, every second in one of them. [s]
-  struct Seconds
-  {
-    double mesh = 0., assembly = 0., factorization = 0., stepping = 0.,
-           estimation = 0., output = 0.;
-
-    double
-    total() const
-    {
-      return mesh + assembly + factorization + stepping + estimation + output;
-    }
-
-    Seconds &
-    operator+=(const Seconds &other);
-  };
 
 
   /// What a transient on a mesh has shown. Empty optionals are quantities that
@@ -85,17 +56,6 @@ namespace PlateImpact
     /// For this force alone: what the choice of steps or vectors is judged by.
     unsigned int new_vectors = 0, new_solves = 0;
   };
-
-
-  /// Strikes the plate of a cycle.
-  /// @param impact    the scene with end time and step of the transient
-  /// @param listener  told of stages and steps
-  /// @throws ComputationError naming step and quantity
-  Observation
-  observe(Cycle            &cycle,
-          const Parameters &impact,
-          const Wanted     &wanted,
-          AnalysisListener &listener);
 } // namespace PlateImpact
 
 #endif

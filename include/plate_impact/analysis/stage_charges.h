@@ -1,7 +1,7 @@
 #ifndef plate_impact_analysis_stage_charges_h
 #define plate_impact_analysis_stage_charges_h
 
-#include "plate_impact/analysis/observation.h"
+#include "plate_impact/analysis/work.h"
 #include "plate_impact/base/stage_clock.h"
 #include "plate_impact/transient/struck_plate.h"
 

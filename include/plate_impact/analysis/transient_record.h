@@ -14,6 +14,8 @@
 
 namespace PlateImpact
 {
+  class Cycle;
+
   /// What is kept of a transient while it is stepped: samples for the
   /// estimator, states for the fields, and what the page shows, the state of
   /// the largest force and frames of a film, at most 48, fewer where they would
