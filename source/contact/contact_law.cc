@@ -15,7 +15,7 @@
 
 namespace PlateImpact
 {
-  namespace numbers = boost::math::double_constants;
+  namespace constants = boost::math::double_constants;
 
   double
   ContactLaw::mean_force(const double a, const double b) const
@@ -238,8 +238,8 @@ namespace PlateImpact
                    const double modulus,
                    const double constant)
     : constant(constant)
-    , compliance(1. / (numbers::pi * half_length * modulus))
-    , force_scale(half_length * half_length * half_length * numbers::pi *
+    , compliance(1. / (constants::pi * half_length * modulus))
+    , force_scale(half_length * half_length * half_length * constants::pi *
                   modulus / (2. * radius))
     , least_logarithm(std::max(1., constant))
     , tangent_force(force_scale * std::exp(2. * (constant - least_logarithm)))
@@ -334,7 +334,8 @@ namespace PlateImpact
                           const double force_per_length,
                           const double modulus)
   {
-    return std::sqrt(4. * force_per_length * radius / (numbers::pi * modulus));
+    return std::sqrt(4. * force_per_length * radius /
+                     (constants::pi * modulus));
   }
 
 
@@ -372,7 +373,7 @@ namespace PlateImpact
   {
     const double a = contact_radius(parameters, force, indentation);
     return parameters.impactor.is_cylinder() ?
-      2. * force / (numbers::pi * a * parameters.impactor.length) :
-      1.5 * force / (numbers::pi * a * a);
+      2. * force / (constants::pi * a * parameters.impactor.length) :
+      1.5 * force / (constants::pi * a * a);
   }
 } // namespace PlateImpact

@@ -14,7 +14,7 @@ namespace PlateImpact
   namespace
   {
     /// What combinations of the motions leave out, relative to the largest.
-    constexpr double span_tolerance = 1e-4;
+    constexpr double tolerance_of_span = 1e-4;
 
 
 
@@ -37,7 +37,7 @@ namespace PlateImpact
       const SemidiscreteSystem::Span span = system.span(states);
 
       Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr;
-      qr.setThreshold(span_tolerance);
+      qr.setThreshold(tolerance_of_span);
       qr.compute(span.coordinates);
       const Eigen::MatrixXd combinations = qr.householderQ() *
         Eigen::MatrixXd::Identity(span.coordinates.rows(), qr.rank());

@@ -10,7 +10,7 @@ namespace PlateImpact
 {
   namespace
   {
-    namespace numbers = boost::math::double_constants;
+    namespace constants = boost::math::double_constants;
 
     /// 2 sinh^2(y/2) / (sinh y + y) + 2 cosh^2(y/2) / (sinh y - y): the
     /// symmetric and the antisymmetric deformation of a layer.
@@ -123,7 +123,7 @@ namespace PlateImpact
     // The layer decays within y of 40, the plate over some oscillations of the
     // transform. Gauss points do not come close to 0, where terms cancel.
     using Gauss                 = boost::math::quadrature::gauss<double, 20>;
-    const double oscillation    = numbers::pi / radius;
+    const double oscillation    = constants::pi / radius;
     const double n_oscillations = 64.;
     double       sum = 0., begin = 0.;
     while (begin < std::max(40., n_oscillations * oscillation))
@@ -142,7 +142,7 @@ namespace PlateImpact
   LayerResponse::sphere_compliance(const double radius) const
   {
     return integral([&](const double y) { return excess(y, radius); }, radius) /
-      (2. * numbers::pi);
+      (2. * constants::pi);
   }
 
 
@@ -150,7 +150,7 @@ namespace PlateImpact
   double
   LayerResponse::line_constant(const double radius) const
   {
-    return numbers::ln_two + 0.5 +
+    return constants::ln_two + 0.5 +
       integral(
         [&](const double y) {
           return (excess(y, radius) + (1. - poissons_ratio) * std::exp(-y)) / y;
