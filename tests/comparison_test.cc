@@ -5,10 +5,11 @@
 #include "program_fixture.h"
 #include "test_plate.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <csignal>
-#include <gtest/gtest.h>
 
 namespace PlateImpact
 {

@@ -2,9 +2,10 @@
 #include "plate_impact/base/text.h"
 #include "program_fixture.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <map>
-#include <gtest/gtest.h>
 
 namespace PlateImpact
 {

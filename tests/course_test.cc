@@ -2,10 +2,11 @@
 // announce, and what its page claims is so.
 #include "program_fixture.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <regex>
-#include <gtest/gtest.h>
 
 namespace PlateImpact
 {

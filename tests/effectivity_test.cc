@@ -4,9 +4,10 @@
 #include "plate_impact/estimator/recovered_resultants.h"
 #include "test_plate.h"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 namespace PlateImpact
 {

@@ -2,8 +2,9 @@
 // numbers and warnings that each announces in its first lines.
 #include "program_fixture.h"
 
-#include <regex>
 #include <gtest/gtest.h>
+
+#include <regex>
 
 namespace PlateImpact
 {

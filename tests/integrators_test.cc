@@ -2,8 +2,9 @@
 // what each costs, and what they say of their steps.
 #include "program_fixture.h"
 
-#include <cmath>
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace PlateImpact
 {

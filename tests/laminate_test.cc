@@ -6,8 +6,9 @@
 #include "program_fixture.h"
 #include "test_plate.h"
 
-#include <cmath>
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace PlateImpact
 {

@@ -6,9 +6,10 @@
 #include "program_fixture.h"
 #include "test_plate.h"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <fstream>
-#include <gtest/gtest.h>
 
 namespace PlateImpact
 {

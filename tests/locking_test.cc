@@ -1,10 +1,11 @@
 // Thin plates: which elements lock, on which meshes.
 #include "test_plate.h"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
-#include <gtest/gtest.h>
 
 namespace PlateImpact
 {

@@ -5,9 +5,10 @@
 #include "plate_impact/plate/plate_file_reader.h"
 #include "program_fixture.h"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <random>
-#include <gtest/gtest.h>
 
 namespace PlateImpact
 {

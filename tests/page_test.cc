@@ -3,10 +3,11 @@
 #include "plate_impact/page/page.h"
 #include "program_fixture.h"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <limits>
 #include <regex>
-#include <gtest/gtest.h>
 
 namespace PlateImpact
 {

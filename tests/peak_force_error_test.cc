@@ -5,9 +5,10 @@
 #include "program_fixture.h"
 #include "test_plate.h"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <optional>
-#include <gtest/gtest.h>
 
 namespace PlateImpact
 {

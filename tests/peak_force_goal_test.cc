@@ -1,8 +1,9 @@
 #include "program_fixture.h"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <string>
-#include <gtest/gtest.h>
 
 namespace PlateImpact
 {

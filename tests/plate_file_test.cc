@@ -8,9 +8,10 @@
 #include "program_fixture.h"
 #include "test_plate.h"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <fstream>
-#include <gtest/gtest.h>
 
 namespace PlateImpact
 {

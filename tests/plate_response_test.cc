@@ -1,9 +1,10 @@
 #include "plate_impact/transient/plate_response.h"
 #include "test_plate.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
-#include <gtest/gtest.h>
 
 namespace PlateImpact
 {

@@ -2,6 +2,7 @@
 // left.
 #include "program_fixture.h"
 #include "test_plate.h"
+
 #include <gtest/gtest.h>
 
 namespace PlateImpact

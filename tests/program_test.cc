@@ -2,8 +2,9 @@
 #include "program_fixture.h"
 #include "test_plate.h"
 
-#include <set>
 #include <gtest/gtest.h>
+
+#include <set>
 
 namespace PlateImpact
 {
@@ -287,6 +288,28 @@ namespace PlateImpact
       EXPECT_NE(out.find("step, end time, cost  cannot be said"),
                 std::string::npos)
         << out;
+    }
+
+
+
+    TEST_F(Program, CheckKnowsCellsToAFactorOfAboutFour)
+    {
+      // waves and a hole take more, a light ball fewer
+      for (const std::string scene : {SCENES "/drilled-plate.prm",
+                                      SCENES "/extremes/fast-impact.prm",
+                                      SCENES "/extremes/light-impactor.prm"})
+        {
+          ASSERT_EQ(execute("check '" + scene + "'"), 0) << err;
+          const std::string words = "of the order of ";
+          ASSERT_NE(out.find(words), std::string::npos) << out;
+          const double expected =
+            std::stod(out.substr(out.find(words) + words.size()));
+          ASSERT_EQ(run(scene), 0) << err;
+          EXPECT_EQ(summary()["outcome"], "target reached");
+          const double ratio = expected / last_cycle()["cells"].get<double>();
+          EXPECT_GT(ratio, 1. / 4.5) << scene;
+          EXPECT_LT(ratio, 4.5) << scene;
+        }
     }
 
 

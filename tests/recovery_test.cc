@@ -7,9 +7,10 @@
 #include "plate_impact/estimator/recovered_field.h"
 #include "test_plate.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
-#include <gtest/gtest.h>
 
 namespace PlateImpact
 {

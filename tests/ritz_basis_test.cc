@@ -7,9 +7,9 @@
 #include "test_plate.h"
 
 #include <Eigen/Eigenvalues>
+#include <gtest/gtest.h>
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 namespace PlateImpact
 {

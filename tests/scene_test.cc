@@ -6,11 +6,12 @@
 #include "program_fixture.h"
 #include "test_plate.h"
 
+#include <gtest/gtest.h>
+
 #include <filesystem>
 #include <fstream>
 #include <set>
 #include <sstream>
-#include <gtest/gtest.h>
 
 namespace PlateImpact
 {

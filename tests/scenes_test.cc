@@ -1,6 +1,7 @@
 // The scenes of prm/ and variations of them, against the reference values.
 #include "program_fixture.h"
 #include "test_plate.h"
+
 #include <gtest/gtest.h>
 
 namespace PlateImpact

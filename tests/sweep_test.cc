@@ -2,11 +2,12 @@
 // reference values.
 #include "program_fixture.h"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <map>
 #include <regex>
 #include <utility>
-#include <gtest/gtest.h>
 
 namespace PlateImpact
 {

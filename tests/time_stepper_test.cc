@@ -3,9 +3,10 @@
 #include "plate_impact/transient/time_stepper.h"
 #include "test_plate.h"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <limits>
-#include <gtest/gtest.h>
 
 namespace PlateImpact
 {

@@ -3,9 +3,9 @@
 #include "test_plate.h"
 
 #include <Eigen/Core>
+#include <gtest/gtest.h>
 
 #include <cmath>
-#include <gtest/gtest.h>
 
 namespace PlateImpact
 {

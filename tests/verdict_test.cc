@@ -1,6 +1,7 @@
 #include "plate_impact/analysis/reliability.h"
 #include "plate_impact/scene/scene.h"
 #include "program_fixture.h"
+
 #include <gtest/gtest.h>
 
 namespace PlateImpact

@@ -370,11 +370,11 @@ namespace PlateImpact
   Warnings
   ImpactAnalysis::all_warnings() const
   {
-    Parameters last_struck = parameters;
-    if (!current->result.history)
+    if (!expected)
       return {};
-    last_struck.time  = current->result.time;
-    Warnings warnings = reliability_warnings(last_struck,
+    Parameters last_struck = parameters;
+    last_struck.time       = current->result.time;
+    Warnings warnings      = reliability_warnings(last_struck,
                                              current->mesh(),
                                              current->result,
                                              *expected);

@@ -7,6 +7,16 @@
 
 namespace PlateImpact
 {
+  Wanted
+  wanted_by(const Parameters &parameters)
+  {
+    return {parameters.needs_estimator(),
+            parameters.output.write_report,
+            parameters.output.field_samples};
+  }
+
+
+
   namespace
   {
     /// Empty for loads under which the exact energy is infinite, and where

@@ -53,6 +53,17 @@ namespace PlateImpact
 
 
 
+    /// A count with two digits: more would not be known.
+    std::string
+    roughly(const double count)
+    {
+      const double digit =
+        std::pow(10., std::max(0., std::floor(std::log10(count)) - 1.));
+      return about(digit * std::round(count / digit));
+    }
+
+
+
     void
     add_impact(ExpectationText   &text,
                const Parameters  &parameters,
@@ -157,10 +168,9 @@ namespace PlateImpact
 
 
     void
-    add_advice(ExpectationText    &text,
-               const Parameters   &parameters,
-               const Expectation  &known,
-               const ExpectedCost &cost)
+    add_advice(ExpectationText   &text,
+               const Parameters  &parameters,
+               const Expectation &known)
     {
       if (known.is_bound)
         return text.line("step, end time, cost",
@@ -184,35 +194,12 @@ namespace PlateImpact
         text.line("Contact",
                   "under a point load the peak force has no limit under "
                   "refinement; choose Hertz disc");
+      const double cells = known.cells(parameters);
       text.line("cost",
-                format("of the order of {} cells, {} unknowns, {} s",
-                       about(cost.cells),
-                       about(cost.unknowns),
-                       about(cost.seconds())));
-    }
-
-
-
-    /// What `plate-impact compare` takes: a mesh of a tenth of the target,
-    /// every cell halved, and curves that end below it. Seconds as measured on
-    /// the scenes prm/compare-*.prm, to a factor of three.
-    void
-    add_comparison(ExpectationText    &text,
-                   const Parameters   &parameters,
-                   const ExpectedCost &cost)
-    {
-      const ComparisonParameters &comparison = parameters.comparison;
-      const std::size_t           n_curves =
-        comparison.strategies.size() * comparison.elements.size();
-      const double of_reference = 4e-3 * std::min(4000., 10. * cost.cells);
-      const double of_curves =
-        n_curves * std::min(comparison.time_budget, 0.4 * of_reference);
-      const bool is_given = comparison.reference_peak_force > 0.;
-      text.line("plate-impact compare",
-                format("of the order of {} s for {}{}",
-                       about(of_curves + (is_given ? 0. : of_reference)),
-                       counted(n_curves, "curve"),
-                       is_given ? "" : " and their reference"));
+                format("of the order of {} cells, {} unknowns, {} steps a mesh",
+                       roughly(cells),
+                       roughly(12. * cells),
+                       roughly(known.end_time(parameters) / time.time_step)));
     }
 
 
@@ -235,30 +222,9 @@ namespace PlateImpact
 
 
 
-    /// Seconds from what sweeps of the main scene take.
-    double
-    seconds_of_sweep(const Parameters   &given,
-                     const ExpectedCost &cost,
-                     const double        n_plates,
-                     const double        n_loads,
-                     const double        n_points)
-    {
-      const bool on_the_mesh = given.time.integrator == IntegratorType::Newmark;
-      const double of_load =
-        cost.unknowns * (on_the_mesh ? 1e-7 * cost.steps : 1e-5);
-      const double of_point = cost.steps * (on_the_mesh ? 1e-6 : 2e-6) +
-        (given.sweep.estimate_error ? cost.seconds_of_cycle : 0.);
-      return 0.2 + n_plates * cost.cycles * cost.seconds_of_cycle +
-        n_loads * of_load + n_points * of_point;
-    }
-
-
-
     /// What `plate-impact sweep` makes of the scene's section Sweep.
     void
-    add_sweep(ExpectationText    &text,
-              const Parameters   &given,
-              const ExpectedCost &cost)
+    add_sweep(ExpectationText &text, const Parameters &given)
     {
       const SweepPlan   plan(SceneReader().schema, given.sweep);
       const std::size_t n_points = plan.n_points();
@@ -293,11 +259,6 @@ namespace PlateImpact
                        !has_own_meshes && n_loads > groups.n_loads() ?
                          format(": {}; {} would do", reason, groups.n_loads()) :
                          ""));
-      text.line(
-        "cost",
-        format("of the order of {} s",
-               about(
-                 seconds_of_sweep(given, cost, n_plates, n_loads, n_points))));
     }
   } // namespace
 
@@ -310,17 +271,14 @@ namespace PlateImpact
     ExpectationText   text(scene.name + " is a valid scene.");
     if (parameters.has_impactor())
       {
-        const Expectation  known(parameters);
-        const ExpectedCost cost(parameters, known);
+        const Expectation known(parameters);
         text.section("Expected");
         add_impact(text, parameters, known);
         add_waves(text, parameters, known);
         add_frequencies(text, parameters);
         text.section("Advice");
-        add_advice(text, parameters, known, cost);
-        if (!known.is_bound)
-          add_comparison(text, parameters, cost);
-        add_sweep(text, scene.given, cost);
+        add_advice(text, parameters, known);
+        add_sweep(text, scene.given);
         for (const std::string &warning : known.warnings)
           text.warning(warning);
       }

@@ -231,20 +231,4 @@ namespace PlateImpact
   {
     return effective_stiffness->discretization.is_free();
   }
-
-
-
-  unsigned int
-  FullSystem::n_factorizations() const
-  {
-    return effective_stiffness->n_factorizations();
-  }
-
-
-
-  unsigned int
-  FullSystem::n_solves() const
-  {
-    return effective_stiffness->n_solves();
-  }
 } // namespace PlateImpact

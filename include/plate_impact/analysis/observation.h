@@ -22,11 +22,6 @@ namespace PlateImpact
     unsigned int fields = 0;     ///< states for the files of fields
   };
 
-  /// What a scene asks for.
-  Wanted
-  wanted_by(const Parameters &parameters);
-
-
   /// What a transient on a mesh has shown. Empty optionals are quantities that
   /// were not wanted, or that the impact does not have.
   struct Observation

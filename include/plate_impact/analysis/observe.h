@@ -7,6 +7,11 @@
 
 namespace PlateImpact
 {
+  /// What a scene asks for.
+  Wanted
+  wanted_by(const Parameters &parameters);
+
+
   /// Strikes the plate of a cycle.
   /// @param impact    the scene with end time and step of the transient
   /// @param listener  told of stages and steps

@@ -26,7 +26,16 @@ namespace PlateImpact
     }
 
     Seconds &
-    operator+=(const Seconds &other);
+    operator+=(const Seconds &other)
+    {
+      mesh += other.mesh;
+      assembly += other.assembly;
+      factorization += other.factorization;
+      stepping += other.stepping;
+      estimation += other.estimation;
+      output += other.output;
+      return *this;
+    }
   };
 } // namespace PlateImpact
 

@@ -85,14 +85,6 @@ namespace PlateImpact
     bool
     is_free() const;
 
-    /// Of the mesh, whatever the load.
-    unsigned int
-    n_factorizations() const;
-
-    /// Solves so far, whoever asked for them.
-    unsigned int
-    n_solves() const;
-
     /// y = M x.
     void
     multiply_mass(const Eigen::VectorXd &x, Eigen::VectorXd &y) const;

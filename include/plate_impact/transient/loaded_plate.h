@@ -51,8 +51,8 @@ namespace PlateImpact
   /// the system whose states they are.
   struct PeakForceProblem
   {
-    DualMotions                       motions;
-    const SemidiscreteSystem         *system;
+    DualMotions                 motions;
+    const SemidiscreteSystem   *system;
     std::unique_ptr<Integrator> own_integrator; ///< null: of the load
   };
 
