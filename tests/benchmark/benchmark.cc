@@ -4,6 +4,7 @@
 
 #include "plate_impact/adaptation/make_mesh_adaptation.h"
 #include "plate_impact/analysis/impact_analysis.h"
+#include "plate_impact/contact/make_contact_law.h"
 #include "plate_impact/estimator/energy_norm_estimator.h"
 #include "plate_impact/plate/plate_mesh.h"
 #include "plate_impact/scene/scene.h"
