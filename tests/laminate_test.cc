@@ -1,5 +1,4 @@
 // Laminates, and contact that leaves a dent.
-#include "plate_impact/contact/yang_sun_law.h"
 #include "plate_impact/plate/load_distribution.h"
 #include "plate_impact/plate/plate_mesh.h"
 #include "plate_impact/plate/plate_section.h"
@@ -341,75 +340,6 @@ namespace PlateImpact
                     "response=layer'"),
                 1);
       EXPECT_NE(err.find("law of half-spaces"), std::string::npos) << err;
-    }
-
-
-
-    TEST(YangSunLaw, IsContinuousAndNeverDecreases)
-    {
-      const double                      k = 8e8, critical = 2e-5;
-      YangSunLaw                        first(k, critical);
-      std::unique_ptr<const ContactLaw> law = first.after(0.);
-      // up, down in contact, up again, apart, up beyond the largest
-      for (const double alpha :
-           {3e-5, 5e-5, 4e-5, 3.5e-5, 4.5e-5, 1e-6, -1e-6, 2e-5, 4e-5, 6e-5})
-        {
-          double before = law->force(-1e-6);
-          EXPECT_EQ(before, 0.);
-          for (double a = 0.; a < 7e-5; a += 1e-8)
-            {
-              const double F = law->force(a);
-              EXPECT_GE(F, before);
-              // no jump
-              EXPECT_LT(F - before, 0.01 * k * std::pow(7e-5, 1.5));
-              before = F;
-            }
-          law = law->after(alpha);
-        }
-      EXPECT_NEAR(law->force(6e-5), k * std::pow(6e-5, 1.5), 1e-9);
-      EXPECT_NEAR(law->permanent_indentation(),
-                  6e-5 * (1. - std::pow(critical / 6e-5, 0.4)),
-                  1e-18);
-    }
-
-
-
-    TEST(YangSunLaw, WorkIsStoredOrDissipated)
-    {
-      YangSunLaw                        first(8e8, 2e-5);
-      std::unique_ptr<const ContactLaw> law  = first.after(0.);
-      double                            work = 0., before = 0.;
-      double                            dissipated = 0.;
-      for (const double alpha : {1e-5,
-                                 3e-5,
-                                 5e-5,
-                                 4.99999e-5,
-                                 4e-5,
-                                 4.5e-5,
-                                 2e-5,
-                                 -1e-6,
-                                 3e-5,
-                                 2.5e-5,
-                                 6e-5,
-                                 -1e-6})
-        {
-          work += law->mean_force(before, alpha) * (alpha - before);
-          EXPECT_NEAR(law->stored_energy(alpha) + law->dissipated_energy(alpha),
-                      work,
-                      1e-14 * 8e8 * std::pow(6e-5, 2.5));
-          // heat does not come back
-          EXPECT_GE(law->dissipated_energy(alpha), dissipated - 1e-18);
-          dissipated = law->dissipated_energy(alpha);
-          before     = alpha;
-          law        = law->after(alpha);
-        }
-      EXPECT_EQ(law->stored_energy(-1e-6), 0.);
-      // the mean force is that of a sum over small parts, across the branches
-      double    sum = 0.;
-      const int n   = 20000;
-      for (int i = 0; i < n; ++i)
-        sum += law->force(7e-5 * (i + 0.5) / n) / n;
-      EXPECT_NEAR(law->mean_force(0., 7e-5) / sum, 1., 1e-6);
     }
   } // namespace
 } // namespace PlateImpact

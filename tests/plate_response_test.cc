@@ -1,3 +1,4 @@
+#include "plate_impact/contact/hertz_law.h"
 #include "plate_impact/transient/plate_response.h"
 #include "test_plate.h"
 
@@ -57,12 +58,12 @@ namespace PlateImpact
       for (const double mass : {0.01, 0.1, 1., 100.})
         for (const double stiffness : {0.1, 10.})
           {
-            const HertzLaw law(stiffness);
+            const Contact  contact(std::make_shared<HertzLaw>(stiffness));
             const Impactor impactor{mass, 0., 0.5};
-            TimeStepper    stepper(time, plate, law, *integration, impactor);
+            TimeStepper stepper(time, plate, contact, *integration, impactor);
             const ContactHistory expected = step_to_end(stepper).history;
             const Impact         impact =
-              response.impact(law, impactor, NewmarkScheme(time).n_steps);
+              response.impact(contact, impactor, NewmarkScheme(time).n_steps);
             for (const auto quantity : {&ContactState::time,
                                         &ContactState::force,
                                         &ContactState::plate_displacement,

@@ -1,5 +1,5 @@
 // The plate reduced to Ritz vectors against the plate of the mesh.
-#include "plate_impact/contact/make_contact_law.h"
+#include "plate_impact/contact/make_contact.h"
 #include "plate_impact/estimator/error_estimator.h"
 #include "plate_impact/plate/plate_mesh.h"
 #include "plate_impact/scene/scene.h"
@@ -356,12 +356,12 @@ namespace PlateImpact
                               /*needs_fields=*/true);
       ReducedSystem *reduced = target.settle(reduction, 1.);
       ASSERT_NE(reduced, nullptr);
-      const auto law      = make_contact_law(target.parameters);
-      const auto estimate = [&](SemidiscreteSystem &plate) {
+      const Contact contact  = make_contact(target.parameters);
+      const auto    estimate = [&](SemidiscreteSystem &plate) {
         MeshEstimator       estimator(*target.model);
         TimeStepper         stepper(target.parameters.time,
                             plate,
-                            *law,
+                            contact,
                             *target.integration,
                             make_impactor(target.parameters.impactor));
         std::vector<double> times;

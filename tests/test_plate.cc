@@ -9,7 +9,7 @@
 #include "plate_impact/adaptation/make_mesh_adaptation.h"
 #include "plate_impact/adaptation/mesh_adaptation.h"
 #include "plate_impact/contact/impactor.h"
-#include "plate_impact/contact/make_contact_law.h"
+#include "plate_impact/contact/make_contact.h"
 #include "plate_impact/transient/linear_solver.h"
 
 #include <Epetra_Vector.h>
@@ -212,12 +212,12 @@ namespace PlateImpact
   ContactHistory
   impact(const Parameters &parameters, SemidiscreteSystem &plate)
   {
-    const auto law = make_contact_law(parameters);
-    const auto integration =
+    const Contact contact = make_contact(parameters);
+    const auto    integration =
       make_contact_integration(parameters.contact.integration);
     TimeStepper stepper(parameters.time,
                         plate,
-                        *law,
+                        contact,
                         *integration,
                         make_impactor(parameters.impactor));
     return step_to_end(stepper).history;

@@ -1,4 +1,5 @@
 #include "plate_impact/base/exceptions.h"
+#include "plate_impact/contact/hertz_law.h"
 #include "plate_impact/transient/full_system.h"
 #include "plate_impact/transient/time_stepper.h"
 #include "test_plate.h"
@@ -87,17 +88,17 @@ namespace PlateImpact
     ContactHistory
     run(SemidiscreteSystem       &plate,
         const TimeParameters     &time,
-        const ContactLaw         &law,
+        const Contact            &contact,
         const ContactIntegration &integration,
         const Impactor           &impactor)
     {
-      TimeStepper stepper(time, plate, law, integration, impactor);
+      TimeStepper stepper(time, plate, contact, integration, impactor);
       return step_to_end(stepper).history;
     }
 
 
 
-    const HertzLaw                law(1e10);
+    const Contact                 contact(std::make_shared<HertzLaw>(1e10));
     const EnergyConservingContact conserving;
     const CollocatedContact       collocation;
     const Impactor                ball{0.03, 0., 1.};
@@ -118,10 +119,10 @@ namespace PlateImpact
           const ContactHistory history =
             run(rigid,
                 time_parameters(1.5 * exact_duration, exact_duration / 2000.),
-                law,
+                contact,
                 *integration,
                 ball);
-          EXPECT_NEAR(history.peak().force / law.force(exact_indentation),
+          EXPECT_NEAR(history.peak().force / contact.force(exact_indentation),
                       1.,
                       1e-5);
           EXPECT_NEAR(history.peak().time / exact_duration, 0.5, 1e-3);
@@ -141,7 +142,7 @@ namespace PlateImpact
           const double step = ratio * exact_duration;
           EXPECT_NEAR(run(rigid,
                           time_parameters(exact_duration + 3. * step, step),
-                          law,
+                          contact,
                           conserving,
                           ball)
                         .states()
@@ -161,7 +162,7 @@ namespace PlateImpact
       SpringPlate  rigid(1., 1., 0.);
       const double step = exact_duration;
       EXPECT_LT(
-        run(rigid, time_parameters(4. * step, step), law, collocation, ball)
+        run(rigid, time_parameters(4. * step, step), contact, collocation, ball)
           .states()
           .back()
           .impactor_velocity,
@@ -194,7 +195,7 @@ namespace PlateImpact
                                    0.6 * exact_duration / n_steps,
                                    beta,
                                    gamma),
-                   law,
+                   contact,
                    integration,
                    ball)
           .states()
@@ -231,7 +232,7 @@ namespace PlateImpact
       TimeStepper stepper(time_parameters(2. * exact_duration,
                                           exact_duration / 500.),
                           plate,
-                          law,
+                          contact,
                           conserving,
                           ball);
       double      integral = 0., last_force = 0., last_time = 0.;
@@ -272,8 +273,8 @@ namespace PlateImpact
         {
           SpringPlate known   = bouncing_plate(true),
                       unknown = bouncing_plate(false);
-          TimeStepper with(time, known, law, *integration, ball),
-            without(time, unknown, law, *integration, ball);
+          TimeStepper with(time, known, contact, *integration, ball),
+            without(time, unknown, contact, *integration, ball);
           const ContactHistory history  = step_to_end(with).history,
                                complete = step_to_end(without).history;
           EXPECT_GE(complete.n_contacts(), 3u);
@@ -303,17 +304,20 @@ namespace PlateImpact
       SpringPlate plate = compliant_plate();
       TimeStepper stepper(time_parameters(1e-4, 3e-5),
                           plate,
-                          law,
+                          contact,
                           conserving,
                           ball);
       EXPECT_EQ(stepper.n_steps(), 4);
       for (unsigned int step = 0; step < 4; ++step)
         stepper.advance();
       EXPECT_DOUBLE_EQ(stepper.state().time, 1e-4);
-      EXPECT_EQ(
-        TimeStepper(time_parameters(80e-6, 1e-7), plate, law, conserving, ball)
-          .n_steps(),
-        800);
+      EXPECT_EQ(TimeStepper(time_parameters(80e-6, 1e-7),
+                            plate,
+                            contact,
+                            conserving,
+                            ball)
+                  .n_steps(),
+                800);
     }
 
 
@@ -330,7 +334,7 @@ namespace PlateImpact
       FullSystem      meshed(model,
                         model.load({{dealii::Point<2>(0.5, 0.5), 1.}}),
                         make_linear_solver(SolverType::CHOLMOD));
-      const HertzLaw  soft(1.);
+      const Contact   soft(std::make_shared<HertzLaw>(1.));
       const double    dt = 0.05;
       TimeStepper     stepper(time_parameters(5., dt),
                           meshed,
@@ -360,7 +364,7 @@ namespace PlateImpact
       SpringPlate broken(std::numeric_limits<double>::infinity(), 1., 1.);
       TimeStepper stepper(time_parameters(1e-4, 1e-5),
                           broken,
-                          law,
+                          contact,
                           conserving,
                           ball);
       try

@@ -1,7 +1,8 @@
 #include "plate_impact/analysis/impact_figures.h"
 
+#include "plate_impact/contact/contact_area.h"
 #include "plate_impact/contact/impactor.h"
-#include "plate_impact/contact/make_contact_law.h"
+#include "plate_impact/contact/make_contact.h"
 #include "plate_impact/plate/plate_section.h"
 
 namespace PlateImpact
@@ -62,12 +63,12 @@ namespace PlateImpact
     std::optional<double> loss_factor, peak_over_zener, e_over_zener;
     if (!parameters.impactor.is_cylinder())
       {
-        const auto         law      = make_half_space_law(parameters);
+        const Contact      contact  = make_half_space_contact(parameters);
         const Impactor     impactor = make_impactor(parameters.impactor);
         const PlateSection section(parameters.plate);
-        loss_factor          = zener_loss_factor(*law, impactor, section);
+        loss_factor          = zener_loss_factor(contact, impactor, section);
         peak_over_zener      = peak.force / expected.force;
-        const double zener_e = zener_restitution(*law, impactor, section);
+        const double zener_e = zener_restitution(contact, impactor, section);
         if (e && history.n_contacts() == 1 && zener_e > 0.)
           e_over_zener = *e / zener_e;
       }

@@ -4,7 +4,7 @@
 #include "plate_impact/analysis/reliability.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/contact/impactor.h"
-#include "plate_impact/contact/make_contact_law.h"
+#include "plate_impact/contact/make_contact.h"
 #include "plate_impact/plate/plate_mesh.h"
 #include "plate_impact/plate/plate_section.h"
 #include "plate_impact/transient/struck_plate.h"
@@ -117,10 +117,10 @@ namespace PlateImpact
   Expectation::Expectation(const Parameters &parameters)
   {
     const PlateSection section(parameters.plate);
-    const auto         law      = make_half_space_law(parameters);
+    const Contact      contact  = make_half_space_contact(parameters);
     const Impactor     impactor = make_impactor(parameters.impactor);
-    zener                       = zener_peak(*law, impactor, section);
-    rigid                       = rigid_plate_peak(*law, impactor, section);
+    zener                       = zener_peak(contact, impactor, section);
+    rigid                       = rigid_plate_peak(contact, impactor, section);
     // the wave that an infinite plate would carry
     wave = contact_wave(section, 2. * zener.time);
     CycleResult impact =
@@ -132,7 +132,7 @@ namespace PlateImpact
     if (!is_resolved)
       {
         const auto history_to = [&](const double end) {
-          return zener_history(*law, impactor, section, end);
+          return zener_history(contact, impactor, section, end);
         };
         // when waves are back from the edges
         until       = 2. * distance_to_edge(parameters) / wave.group_speed;

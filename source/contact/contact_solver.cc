@@ -27,22 +27,22 @@ namespace PlateImpact
 
 
   double
-  CollocatedContact::force(const ContactLaw &law,
+  CollocatedContact::force(const Contact &contact,
                            const double,
                            const double end) const
   {
-    return law.force(end);
+    return contact.force(end);
   }
 
 
 
   double
-  CollocatedContact::stiffness(const ContactLaw &law,
+  CollocatedContact::stiffness(const Contact &contact,
                                const double,
                                const double end,
                                const double) const
   {
-    return law.stiffness(end);
+    return contact.stiffness(end);
   }
 
 
@@ -64,29 +64,30 @@ namespace PlateImpact
 
 
   double
-  EnergyConservingContact::force(const ContactLaw &law,
-                                 const double      begin,
-                                 const double      end) const
+  EnergyConservingContact::force(const Contact &contact,
+                                 const double   begin,
+                                 const double   end) const
   {
-    return law.mean_force(begin, end);
+    return contact.mean_force(begin, end);
   }
 
 
 
   double
-  EnergyConservingContact::stiffness(const ContactLaw &law,
-                                     const double      begin,
-                                     const double      end,
-                                     const double      force) const
+  EnergyConservingContact::stiffness(const Contact &contact,
+                                     const double   begin,
+                                     const double   end,
+                                     const double   force) const
   {
     // The quotient is exact but cancels for close indentations; there half the
     // stiffness in the middle is its limit.
     const double distance = end - begin;
     if (std::abs(distance) < 1e-4 * (std::abs(begin) + std::abs(end)))
-      return 0.5 * law.stiffness(0.5 * (begin + end));
+      return 0.5 * contact.stiffness(0.5 * (begin + end));
     return std::max(0.,
-                    (law.force(end) - force) * law.approach_rate(end) /
-                      (law.approach(end) - law.approach(begin)));
+                    (contact.force(end) - force) *
+                      contact.approach_derivative(end) /
+                      (contact.approach(end) - contact.approach(begin)));
   }
 
 
@@ -108,7 +109,7 @@ namespace PlateImpact
 
   double
   solve_contact(const ContactIntegration &integration,
-                const ContactLaw         &law,
+                const Contact            &contact,
                 const double              begin,
                 const double              free,
                 const double              compliance)
@@ -118,18 +119,18 @@ namespace PlateImpact
       throw ComputationError("the indentation is not finite");
 
     // phi is never negative and never decreases: the root lies between these
-    double high = law.indentation_under(free);
-    double phi  = integration.force(law, begin, high);
+    double high = contact.indentation_under(free);
+    double phi  = integration.force(contact, begin, high);
     if (phi == 0.)
       return 0.;
-    double low = law.indentation_under(free - compliance * phi);
+    double low = contact.indentation_under(free - compliance * phi);
 
     const double epsilon = std::numeric_limits<double>::epsilon();
     double       alpha   = std::clamp(begin, low, high);
     for (unsigned int iteration = 0; iteration < 2000; ++iteration)
       {
-        phi                   = integration.force(law, begin, alpha);
-        const double approach = law.approach(alpha);
+        phi                   = integration.force(contact, begin, alpha);
+        const double approach = contact.approach(alpha);
         const double residual = approach + compliance * phi - free;
         // what round-off leaves of the residual, or nothing left to bisect
         if (std::abs(residual) <= 2. * epsilon *
@@ -140,8 +141,8 @@ namespace PlateImpact
         (residual > 0. ? high : low) = alpha;
         const double newton          = alpha -
           residual /
-            (law.approach_rate(alpha) +
-             compliance * integration.stiffness(law, begin, alpha, phi));
+            (contact.approach_derivative(alpha) +
+             compliance * integration.stiffness(contact, begin, alpha, phi));
         // strictly within the bracket, or else its middle; a NaN bisects
         alpha =
           newton > low && newton < high ? newton : low + 0.5 * (high - low);

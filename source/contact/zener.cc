@@ -3,7 +3,7 @@
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/parameters.h"
 #include "plate_impact/contact/contact_solver.h"
-#include "plate_impact/contact/make_contact_law.h"
+#include "plate_impact/contact/make_contact.h"
 #include "plate_impact/plate/plate_section.h"
 
 #include <algorithm>
@@ -28,10 +28,10 @@ namespace PlateImpact
     class ZenerSteps
     {
     public:
-      ZenerSteps(const ContactLaw   &law,
+      ZenerSteps(const Contact      &contact,
                  const Impactor     &impactor,
                  const PlateSection &section)
-        : law(law)
+        : contact(contact)
         , mass(impactor.mass)
         , impedance(PlateImpact::impedance(section))
         , velocity(impactor.velocity)
@@ -43,9 +43,18 @@ namespace PlateImpact
       {
         const double compliance = dt / impedance + dt * dt / (2. * mass);
         const double free       = alpha + dt * velocity;
-        const double force = solve_contact(step, law, alpha, free, compliance);
+        const double force =
+          solve_contact(step, contact, alpha, free, compliance);
         velocity -= dt / mass * force;
-        return alpha = free - compliance * force;
+        alpha = free - compliance * force;
+        contact.follow(alpha);
+        return alpha;
+      }
+
+      const Contact &
+      state() const
+      {
+        return contact;
       }
 
       double
@@ -56,7 +65,7 @@ namespace PlateImpact
 
     private:
       const EnergyConservingContact step;
-      const ContactLaw             &law;
+      Contact                       contact;
       const double                  mass, impedance;
       double                        alpha = 0., velocity;
     };
@@ -67,12 +76,13 @@ namespace PlateImpact
     /// impedance * v0 can be exceeded: the smaller of the two indentations is
     /// the length scale, a part of the time to cross it the step.
     double
-    step_size(const ContactLaw   &law,
+    step_size(const Contact      &contact,
               const Impactor     &impactor,
               const PlateSection &section)
     {
-      const double v0  = impactor.velocity;
-      double       low = 0., high = law.indentation(impedance(section) * v0);
+      const ContactLaw &law = contact.first_loading();
+      const double      v0  = impactor.velocity;
+      double low = 0., high = law.indentation(impedance(section) * v0);
       // the first by bisection of the potential
       if (law.potential(high) > impactor.kinetic_energy())
         while (high - low > 1e-3 * high)
@@ -88,25 +98,25 @@ namespace PlateImpact
 
 
   ExpectedPeak
-  zener_peak(const ContactLaw   &law,
+  zener_peak(const Contact      &contact,
              const Impactor     &impactor,
              const PlateSection &section)
   {
-    return zener_peak(law,
+    return zener_peak(contact,
                       impactor,
                       section,
-                      step_size(law, impactor, section));
+                      step_size(contact, impactor, section));
   }
 
 
 
   ExpectedPeak
-  zener_peak(const ContactLaw   &law,
+  zener_peak(const Contact      &contact,
              const Impactor     &impactor,
              const PlateSection &section,
              const double        dt)
   {
-    ZenerSteps steps(law, impactor, section);
+    ZenerSteps steps(contact, impactor, section);
     double     before = 0., alpha = 0.;
     for (unsigned int n = 1; n < 100000000; ++n)
       {
@@ -118,7 +128,9 @@ namespace PlateImpact
                          curve     = next - 2. * alpha + before;
             const double to_vertex = curve < 0. ? -slope / curve : 0.;
             const double at_peak   = alpha + 0.5 * slope * to_vertex;
-            return {law.force(at_peak), at_peak, (n - 1 + to_vertex) * dt};
+            return {contact.first_loading().force(at_peak),
+                    at_peak,
+                    (n - 1 + to_vertex) * dt};
           }
         before = alpha;
         alpha  = next;
@@ -131,7 +143,7 @@ namespace PlateImpact
   ExpectedPeak
   zener_peak(const Parameters &parameters)
   {
-    return zener_peak(*make_half_space_law(parameters),
+    return zener_peak(make_half_space_contact(parameters),
                       make_impactor(parameters.impactor),
                       PlateSection(parameters.plate));
   }
@@ -139,36 +151,36 @@ namespace PlateImpact
 
 
   ExpectedPeak
-  rigid_plate_peak(const ContactLaw   &law,
+  rigid_plate_peak(const Contact      &contact,
                    const Impactor     &impactor,
                    const PlateSection &section)
   {
     PlateSection immovable = section;
     immovable.mass *= 1e12;
-    return zener_peak(law, impactor, immovable);
+    return zener_peak(contact, impactor, immovable);
   }
 
 
 
   ContactHistory
-  zener_history(const ContactLaw   &law,
+  zener_history(const Contact      &contact,
                 const Impactor     &impactor,
                 const PlateSection &section,
                 const double        end_time)
   {
-    const double   shortest = step_size(law, impactor, section);
-    ZenerSteps     steps(law, impactor, section);
+    const double   shortest = step_size(contact, impactor, section);
+    ZenerSteps     steps(contact, impactor, section);
     ContactHistory history;
     ContactState   state;
     state.impactor_velocity = impactor.velocity;
     history.add(state);
-    for (double dt = shortest;
-         state.time < end_time && state.indentation >= 0.;)
+    for (double dt = shortest; state.time < end_time && state.overlap() >= 0.;)
       {
         const double before = state.indentation, v = state.impactor_velocity;
-        state.indentation       = steps.advance(dt);
-        state.force             = law.force(state.indentation);
-        state.impactor_velocity = steps.impactor_velocity();
+        state.indentation           = steps.advance(dt);
+        state.force                 = steps.state().force(state.indentation);
+        state.permanent_indentation = steps.state().dent();
+        state.impactor_velocity     = steps.impactor_velocity();
         state.impactor_displacement += 0.5 * dt * (v + state.impactor_velocity);
         state.plate_displacement =
           state.impactor_displacement - state.indentation;
@@ -186,24 +198,24 @@ namespace PlateImpact
 
 
   double
-  zener_restitution(const ContactLaw   &law,
+  zener_restitution(const Contact      &contact,
                     const Impactor     &impactor,
                     const PlateSection &section)
   {
-    const double shortest = step_size(law, impactor, section);
-    ZenerSteps   steps(law, impactor, section);
+    const double shortest = step_size(contact, impactor, section);
+    ZenerSteps   steps(contact, impactor, section);
     double       dt = shortest, alpha = 0.;
     while (true)
       {
         const double next = steps.advance(dt);
-        if (next <= 0.)
+        if (next <= steps.state().dent())
           return -steps.impactor_velocity() / impactor.velocity;
         // past the peak of a heavily damped impact the indentation creeps back
         const double slow = 0.002 * next * dt / std::abs(next - alpha);
         dt                = std::clamp(slow, shortest, 1.01 * dt);
         alpha             = next;
         const double v    = steps.impactor_velocity();
-        if (law.potential(alpha) + 0.5 * impactor.mass * v * v <
+        if (steps.state().stored_energy(alpha) + 0.5 * impactor.mass * v * v <
             1e-6 * impactor.kinetic_energy())
           return 0.;
       }
@@ -212,11 +224,11 @@ namespace PlateImpact
 
 
   std::optional<double>
-  zener_loss_factor(const ContactLaw   &law,
+  zener_loss_factor(const Contact      &contact,
                     const Impactor     &impactor,
                     const PlateSection &section)
   {
-    const std::optional<double> k = law.hertz_coefficient();
+    const std::optional<double> k = contact.first_loading().hertz_coefficient();
     if (!k)
       return {};
     const double m = impactor.mass;
@@ -248,11 +260,11 @@ namespace PlateImpact
 
   double
   chosen_time_step(const TimeParameters &time,
-                   const ContactLaw     &law,
+                   const Contact        &contact,
                    const Impactor       &impactor,
                    const PlateSection   &section)
   {
-    const ExpectedPeak exact        = zener_peak(law, impactor, section);
+    const ExpectedPeak exact        = zener_peak(contact, impactor, section);
     const double       contact_time = 2. * exact.time, pi = std::acos(-1.);
     // by powers of two from a time of the plate alone, the inverse frequency of
     // thickness shear, so that impactors share steps
@@ -268,7 +280,8 @@ namespace PlateImpact
         // the largest step misses the peak of a half sine by up to half a step
         const double missed  = 1. - std::cos(0.5 * pi * step / contact_time);
         const double changed = std::abs(
-          zener_peak(law, impactor, section, step).force / exact.force - 1.);
+          zener_peak(contact, impactor, section, step).force / exact.force -
+          1.);
         if (std::max(missed, changed) <= tolerance)
           return time.end_time > 0. ? std::min(step, time.end_time) : step;
       }

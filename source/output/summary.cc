@@ -4,8 +4,9 @@
 
 #include "plate_impact/analysis/impact_figures.h"
 #include "plate_impact/base/text.h"
+#include "plate_impact/contact/contact_area.h"
 #include "plate_impact/contact/impactor.h"
-#include "plate_impact/contact/make_contact_law.h"
+#include "plate_impact/contact/make_contact.h"
 #include "plate_impact/contact/zener.h"
 #include "plate_impact/plate/plate_section.h"
 
@@ -54,11 +55,11 @@ namespace PlateImpact
         cycle["coefficient_of_restitution"] = *e;
       if (parameters.impactor.is_cylinder())
         return;
-      const auto         law      = make_half_space_law(parameters);
+      const Contact      contact  = make_half_space_contact(parameters);
       const Impactor     impactor = make_impactor(parameters.impactor);
       const PlateSection section(parameters.plate);
-      cycle["zener_peak_force"] = zener_peak(*law, impactor, section).force;
-      if (const auto factor = zener_loss_factor(*law, impactor, section))
+      cycle["zener_peak_force"] = zener_peak(contact, impactor, section).force;
+      if (const auto factor = zener_loss_factor(contact, impactor, section))
         cycle["zener_loss_factor"] = *factor;
     }
   } // namespace

@@ -3,7 +3,8 @@
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/contact/impactor.h"
-#include "plate_impact/contact/make_contact_law.h"
+#include "plate_impact/contact/contact_area.h"
+#include "plate_impact/contact/make_contact.h"
 #include "plate_impact/plate/layer_response.h"
 #include "plate_impact/plate/plate_mesh.h"
 #include "plate_impact/plate/plate_section.h"
@@ -341,7 +342,7 @@ namespace PlateImpact
                "Time step",
                scene.time.time_step,
                chosen_time_step(time,
-                                *make_half_space_law(scene),
+                                make_half_space_contact(scene),
                                 make_impactor(scene.impactor),
                                 PlateSection(scene.plate)));
         scene.time.step_is_chosen = true;
@@ -372,7 +373,7 @@ namespace PlateImpact
   SceneChecker::check_layer(const ExpectedPeak &peak,
                             const bool          radius_is_given)
   {
-    const double largest = make_contact_law(scene)->largest_force();
+    const double largest = make_contact(scene).largest_force();
     if (peak.force <= largest)
       return;
     const std::string forces = number(largest, "N") +

@@ -1,6 +1,6 @@
 #include "plate_impact/transient/contact_end.h"
 
-#include "plate_impact/contact/make_contact_law.h"
+#include "plate_impact/contact/make_contact.h"
 #include "plate_impact/contact/zener.h"
 #include "plate_impact/plate/plate_section.h"
 
@@ -21,7 +21,7 @@ namespace PlateImpact
     longest_contact(const LoadedPlate &plate, const Parameters &impact)
     {
       const double half_space = 2. *
-        rigid_plate_peak(*make_half_space_law(impact),
+        rigid_plate_peak(make_half_space_contact(impact),
                          make_impactor(impact.impactor),
                          PlateSection(impact.plate))
           .time;

@@ -10,11 +10,11 @@
 namespace PlateImpact
 {
   ImpactorStepper::ImpactorStepper(const NewmarkScheme      &scheme,
-                                   const ContactLaw         &law,
+                                   const Contact            &contact,
                                    const ContactIntegration &integration,
                                    const Impactor           &impactor)
     : scheme(scheme)
-    , law(law)
+    , contact(contact)
     , integration(integration)
     , impactor(impactor)
   {
@@ -47,7 +47,7 @@ namespace PlateImpact
     try
       {
         return solve_contact(integration,
-                             *law,
+                             contact,
                              current.indentation,
                              impactor_free - plate_free,
                              compliance);
@@ -81,15 +81,15 @@ namespace PlateImpact
     current.impactor_displacement = impactor.displacement;
     current.impactor_velocity     = impactor.velocity;
     current.indentation =
-      law->indentation_under(impactor.displacement - plate_displacement);
-    current.force             = law->force(current.indentation);
+      contact.indentation_under(impactor.displacement - plate_displacement);
+    current.force             = contact.force(current.indentation);
     current.plate_energy      = plate_energy;
-    current.contact_energy    = law->stored_energy(current.indentation);
+    current.contact_energy    = contact.stored_energy(current.indentation);
     current.impactor_energy   = impactor.kinetic_energy();
-    current.dissipated_energy = law->dissipated_energy(current.indentation);
+    current.dissipated_energy = contact.dissipated_energy(current.indentation);
     require_finite(current.plate_displacement, "plate displacement");
     require_finite(current.total_energy(), "total energy");
-    if (current.force > law->largest_force())
+    if (current.force > contact.largest_force())
       throw ComputationError(fmt::format(
         "step {} (t = {}): the contact force, {}, is beyond what the local "
         "response of a layer holds, {}; choose Contact/Patch radius = 0 or, "
@@ -98,9 +98,9 @@ namespace PlateImpact
         step,
         number(current.time, "s"),
         number(current.force, "N"),
-        number(law->largest_force(), "N")));
-    law.follow(current.indentation);
-    current.permanent_indentation = law->permanent_indentation();
+        number(contact.largest_force(), "N")));
+    contact.follow(current.indentation);
+    current.permanent_indentation = contact.dent();
   }
 
 

@@ -2,7 +2,7 @@
 
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/text.h"
-#include "plate_impact/contact/make_contact_law.h"
+#include "plate_impact/contact/make_contact.h"
 #include "plate_impact/transient/make_integrator.h"
 #include "plate_impact/transient/newmark_scheme.h"
 #include "plate_impact/transient/time_error.h"
@@ -45,7 +45,7 @@ namespace PlateImpact
                            std::shared_ptr<Load> shared_load)
     : parameters(impact)
     , load(std::move(shared_load))
-    , law(make_contact_law(parameters, load->layer_constant))
+    , contact(make_contact(parameters, load->layer_constant))
     , impactor(make_impactor(parameters.impactor))
     , system(load->integrator->system_for(parameters))
   {}
@@ -76,14 +76,14 @@ namespace PlateImpact
     const NewmarkScheme scheme(parameters.time);
     Impact              result;
     if (scheme.conserves_energy())
-      result = load->integrator->response(system).impact(*law,
+      result = load->integrator->response(system).impact(contact,
                                                          striking,
                                                          scheme.n_steps);
     else
       {
         TimeStepper stepper(parameters.time,
                             system,
-                            *law,
+                            contact,
                             *load->integration,
                             striking);
         result = step_to_end(stepper);
@@ -99,7 +99,7 @@ namespace PlateImpact
   {
     TimeStepper stepper(parameters.time,
                         system,
-                        *law,
+                        contact,
                         *load->integration,
                         impactor);
     listener.begin(system, stepper);
@@ -116,7 +116,7 @@ namespace PlateImpact
   TimeStepper
   LoadedPlate::steps_on_the_mesh(const TimeParameters &time) const
   {
-    return {time, load->system, *law, *load->integration, impactor};
+    return {time, load->system, contact, *load->integration, impactor};
   }
 
 
@@ -135,7 +135,7 @@ namespace PlateImpact
     return estimated_time_error(history,
                                 parameters.time,
                                 system,
-                                *law,
+                                contact,
                                 *load->integration,
                                 impactor);
   }
@@ -187,10 +187,10 @@ namespace PlateImpact
     const unsigned int most_times =
       std::max(32u, of_dual.n_states_at_once() / 2);
     DualMotions motions =
-      dual_motions(forces_to_peak(history, *law, *load->integration),
+      dual_motions(forces_to_peak(history, contact, *load->integration),
                    peak_force_weights(history,
                                       scheme,
-                                      *law,
+                                      contact,
                                       *load->integration,
                                       impactor,
                                       response),

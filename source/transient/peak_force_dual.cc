@@ -57,15 +57,15 @@ namespace PlateImpact
 
   Eigen::VectorXd
   forces_to_peak(const ContactHistory     &history,
-                 const ContactLaw         &law,
+                 const Contact            &contact,
                  const ContactIntegration &integration)
   {
     const std::vector<ContactState> &states = history.states();
     Eigen::VectorXd                  forces(step_of_peak(history));
-    FollowedLaw                      followed(law);
+    Contact                          followed = contact;
     for (Eigen::Index k = 1; k <= forces.size(); ++k)
       {
-        forces[k - 1] = integration.force(*followed,
+        forces[k - 1] = integration.force(followed,
                                           states[k - 1].indentation,
                                           states[k].indentation);
         followed.follow(states[k].indentation);
@@ -78,35 +78,36 @@ namespace PlateImpact
   Eigen::VectorXd
   peak_force_weights(const ContactHistory     &history,
                      const NewmarkScheme      &scheme,
-                     const ContactLaw         &law,
+                     const Contact            &contact,
                      const ContactIntegration &integration,
                      const Impactor           &impactor,
                      const PlateResponse      &response)
   {
     const std::vector<ContactState> &states = history.states();
-    const Eigen::VectorXd forces = forces_to_peak(history, law, integration);
-    const Eigen::Index    p      = forces.size();
-    Eigen::VectorXd       compliance(p);
+    const Eigen::VectorXd            forces =
+      forces_to_peak(history, contact, integration);
+    const Eigen::Index p = forces.size();
+    Eigen::VectorXd    compliance(p);
     for (Eigen::Index j = 0; j < p; ++j)
       compliance[j] = response.displacement(j) +
         impactor_response(j, scheme, integration, impactor);
 
     // d phi_k by the approaches at the begin (a) and at the end (b) of a step
     Eigen::VectorXd a = Eigen::VectorXd::Zero(p), b = a;
-    FollowedLaw     followed(law);
-    double          at_peak = 0.;
+    Contact         followed = contact;
+    double          at_peak  = 0.;
     for (Eigen::Index k = 0; k < p; ++k)
       {
         const double begin = states[k].indentation,
                      end   = states[k + 1].indentation;
         if (forces[k] != 0.)
-          b[k] = integration.stiffness(*followed, begin, end, forces[k]) /
-            followed->approach_rate(end);
+          b[k] = integration.stiffness(followed, begin, end, forces[k]) /
+            followed.approach_derivative(end);
         // a mean force takes both ends alike
         if (forces[k] != 0. && integration.acts_at_begin())
-          a[k] = integration.stiffness(*followed, end, begin, forces[k]) /
-            followed->approach_rate(begin);
-        at_peak = followed->stiffness(end) / followed->approach_rate(end);
+          a[k] = integration.stiffness(followed, end, begin, forces[k]) /
+            followed.approach_derivative(begin);
+        at_peak = followed.stiffness(end) / followed.approach_derivative(end);
         followed.follow(end);
       }
 

@@ -45,11 +45,11 @@ namespace PlateImpact
 
 
   Impact
-  PlateResponse::impact(const ContactLaw  &law,
+  PlateResponse::impact(const Contact     &contact,
                         const Impactor    &impactor,
                         const unsigned int n_steps) const
   {
-    ImpactorStepper stepper(scheme, law, integration, impactor);
+    ImpactorStepper stepper(scheme, contact, integration, impactor);
     Impact          result;
     result.history.reserve(n_steps + 1);
     result.history.add(stepper.state());

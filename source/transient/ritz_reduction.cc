@@ -1,7 +1,7 @@
 #include "plate_impact/transient/ritz_reduction.h"
 
 #include "plate_impact/base/exceptions.h"
-#include "plate_impact/contact/make_contact_law.h"
+#include "plate_impact/contact/make_contact.h"
 #include "plate_impact/contact/zener.h"
 #include "plate_impact/transient/time_stepper.h"
 
@@ -138,15 +138,15 @@ namespace PlateImpact
 
 
   RitzReduction::Histories
-  RitzReduction::histories(ReducedSystem    &reduced,
-                           const ContactLaw &law,
-                           const Impactor   &impactor)
+  RitzReduction::histories(ReducedSystem  &reduced,
+                           const Contact  &contact,
+                           const Impactor &impactor)
   {
     const NewmarkScheme scheme(time);
     const auto          impact = [&] {
       if (scheme.conserves_energy())
-        return response(reduced).impact(law, impactor, scheme.n_steps);
-      TimeStepper stepper(time, reduced, law, integration, impactor);
+        return response(reduced).impact(contact, impactor, scheme.n_steps);
+      TimeStepper stepper(time, reduced, contact, integration, impactor);
       return step_to_end(stepper);
     };
     const ContactHistory history = impact().history;
@@ -157,7 +157,7 @@ namespace PlateImpact
     const double none = std::numeric_limits<double>::quiet_NaN();
     // on the curve of first loading
     const double per_displacement =
-      law.stiffness(peak.indentation) / peak.force;
+      contact.stiffness(peak.indentation) / peak.force;
     for (const ContactState &state : history.states())
       {
         const bool touches = state.force > 0.;
@@ -173,10 +173,10 @@ namespace PlateImpact
   double
   RitzReduction::share_beyond(const unsigned int first,
                               ReducedSystem     &reduced,
-                              const ContactLaw  &law,
+                              const Contact     &contact,
                               const Impactor    &impactor) const
   {
-    TimeStepper        stepper(time, reduced, law, integration, impactor);
+    TimeStepper        stepper(time, reduced, contact, integration, impactor);
     const unsigned int interval = std::max(1u, stepper.n_steps() / 100);
     const Eigen::Index n_beyond = reduced.load().size() - first;
     double             beyond = 0., all = 0.;
@@ -203,11 +203,11 @@ namespace PlateImpact
     auto       known = settled.find(key);
     if (known == settled.end())
       {
-        const auto     law     = make_contact_law(rounded);
+        const Contact  contact = make_contact(rounded);
         const Impactor struck  = make_impactor(impactor);
         ReducedSystem *reduced = nullptr;
-        if (!steps_are_fewer(*make_half_space_law(rounded), struck))
-          reduced = settle(*law, struck);
+        if (!steps_are_fewer(make_half_space_contact(rounded), struck))
+          reduced = settle(contact, struck);
         known = settled.emplace(key, reduced).first;
       }
     if (known->second == nullptr)
@@ -218,8 +218,8 @@ namespace PlateImpact
 
 
   bool
-  RitzReduction::steps_are_fewer(const ContactLaw &law,
-                                 const Impactor   &impactor) const
+  RitzReduction::steps_are_fewer(const Contact  &contact,
+                                 const Impactor &impactor) const
   {
     // Until waves come back from an edge, the terminator stands for the
     // plate. After that a wave of frequency omega which
@@ -227,11 +227,12 @@ namespace PlateImpact
     // T omega at the best sigma, and the waves of a contact reach up to some
     // 5 pi / contact_time, where the mesh carries them: coarse ones have fewer
     // vectors. Zener's contact is that of a point.
-    if (law.hertz_coefficient() == std::nullopt ||
+    if (contact.first_loading().hertz_coefficient() == std::nullopt ||
         full.load().size() < 3. * time.end_time / time.time_step)
       return false;
-    const double contact_time = 2. * zener_peak(law, impactor, section).time;
-    const double echo         = 2. * plate.distance_to_edge() /
+    const double contact_time =
+      2. * zener_peak(contact, impactor, section).time;
+    const double echo = 2. * plate.distance_to_edge() /
       contact_wave(section, contact_time).group_speed;
     return time.end_time > echo && contact_time < 16. * time.time_step;
   }
@@ -239,15 +240,15 @@ namespace PlateImpact
 
 
   int
-  RitzReduction::half_octave(const ContactLaw &law,
-                             const Impactor   &impactor) const
+  RitzReduction::half_octave(const Contact  &contact,
+                             const Impactor &impactor) const
   {
     // The fewer vectors the smaller sigma is, for waves to run along them until
     // the end time T; but below this number what is joined to their end shows
     // in the force. Measured for 0.5 to 21 contact times, and rounded, so that
     // impactors share bases.
     const double contact_time =
-      std::min(time.end_time, 2. * zener_peak(law, impactor, section).time);
+      std::min(time.end_time, 2. * zener_peak(contact, impactor, section).time);
     const double duration =
       std::pow(contact_time, 0.6) * std::pow(time.end_time, 0.4);
     return std::lround(2. * std::log2(12. * std::acos(-1.) / duration));
@@ -256,12 +257,12 @@ namespace PlateImpact
 
 
   ReducedSystem *
-  RitzReduction::settle(const ContactLaw &law, const Impactor &impactor)
+  RitzReduction::settle(const Contact &contact, const Impactor &impactor)
   {
     // Waves run along the vectors at this speed; a force is right when those
     // that the end reflects cannot be back before the end time. Fields may
     // follow with the third basis, the first that is judged.
-    const int    octave   = half_octave(law, impactor);
+    const int    octave   = half_octave(contact, impactor);
     const double distance = frequency(octave) * time.end_time;
     const double n_first = std::max(12., 0.24 * distance), growth = 1.15;
     // once the vectors have cost as much as the steps would, or fill the
@@ -282,7 +283,7 @@ namespace PlateImpact
           return &reduced; // there are no more
         try
           {
-            last_three.push_back(histories(reduced, law, impactor));
+            last_three.push_back(histories(reduced, contact, impactor));
             const auto is_settled =
               [&](const std::vector<double> Histories::*of) {
                 return estimated_error(last_three[0].*of,
@@ -295,7 +296,7 @@ namespace PlateImpact
             if (last_three.size() == 3 && is_settled(&Histories::force) &&
                 is_settled(&Histories::displacement) &&
                 (!needs_fields ||
-                 share_beyond(n_before, reduced, law, impactor) <=
+                 share_beyond(n_before, reduced, contact, impactor) <=
                    field_tolerance))
               return &reduced;
           }

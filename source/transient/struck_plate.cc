@@ -1,7 +1,7 @@
 #include "plate_impact/transient/struck_plate.h"
 
 #include "plate_impact/base/stage_clock.h"
-#include "plate_impact/contact/make_contact_law.h"
+#include "plate_impact/contact/make_contact.h"
 #include "plate_impact/plate/layer_response.h"
 #include "plate_impact/plate/load_distribution.h"
 #include "plate_impact/plate/plate_mesh.h"

@@ -11,7 +11,7 @@ namespace PlateImpact
   estimated_time_error(const ContactHistory     &history,
                        const TimeParameters     &time,
                        SemidiscreteSystem       &plate,
-                       const ContactLaw         &law,
+                       const Contact            &contact,
                        const ContactIntegration &integration,
                        const Impactor           &impactor)
   {
@@ -22,7 +22,7 @@ namespace PlateImpact
     TimeParameters coarse = time;
     coarse.time_step      = 2. * fine.dt;
     coarse.end_time       = coarse.time_step * ((fine.n_steps + 1) / 2);
-    TimeStepper    stepper(coarse, plate, law, integration, impactor);
+    TimeStepper    stepper(coarse, plate, contact, integration, impactor);
     ContactHistory doubled;
     doubled.add(stepper.state());
     // three states make a peak

@@ -6,14 +6,14 @@ namespace PlateImpact
 {
   TimeStepper::TimeStepper(const TimeParameters     &time,
                            SemidiscreteSystem       &plate,
-                           const ContactLaw         &law,
+                           const Contact            &contact,
                            const ContactIntegration &integration,
                            const Impactor           &impactor)
     : scheme(time)
     , plate(plate)
     , integration(integration)
     , plate_stepper(scheme, plate)
-    , impactor_stepper(scheme, law, integration, impactor)
+    , impactor_stepper(scheme, contact, integration, impactor)
   {}
 
 

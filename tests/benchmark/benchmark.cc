@@ -4,7 +4,7 @@
 
 #include "plate_impact/adaptation/make_mesh_adaptation.h"
 #include "plate_impact/analysis/impact_analysis.h"
-#include "plate_impact/contact/make_contact_law.h"
+#include "plate_impact/contact/make_contact.h"
 #include "plate_impact/estimator/energy_norm_estimator.h"
 #include "plate_impact/plate/plate_mesh.h"
 #include "plate_impact/scene/scene.h"
@@ -45,7 +45,7 @@ namespace PlateImpact
                                parameters.discretization.initial_cells))
         , element(parameters.discretization.element)
         , model(*mesh, element, parameters.plate)
-        , law(make_contact_law(parameters))
+        , contact(make_contact(parameters))
         , integration(make_contact_integration(parameters.contact.integration))
         , impactor(make_impactor(parameters.impactor))
       {}
@@ -64,7 +64,7 @@ namespace PlateImpact
       const std::unique_ptr<dealii::Triangulation<2>> mesh;
       const PlateElement                              element;
       PlateDiscretization                             model;
-      const std::unique_ptr<const ContactLaw>         law;
+      const Contact                                   contact;
       const std::unique_ptr<const ContactIntegration> integration;
       const Impactor                                  impactor;
     };
@@ -227,7 +227,7 @@ namespace PlateImpact
               state.PauseTiming();
               stepper.emplace(stages.parameters.time,
                               plate,
-                              *stages.law,
+                              stages.contact,
                               *stages.integration,
                               stages.impactor);
               state.ResumeTiming();
@@ -285,7 +285,7 @@ namespace PlateImpact
       ReducedSystem       reduced(basis, 100);
       TimeStepper         stepper(stages.parameters.time,
                           reduced,
-                          *stages.law,
+                          stages.contact,
                           *stages.integration,
                           stages.impactor);
       std::vector<double> times;

@@ -2,7 +2,7 @@
 #define plate_impact_contact_contact_solver_h
 
 #include "plate_impact/base/choices.h"
-#include "plate_impact/contact/contact_law.h"
+#include "plate_impact/contact/contact.h"
 
 #include <memory>
 
@@ -28,15 +28,15 @@ namespace PlateImpact
 
     /// The unknown force for the indentations [m] at both ends of the step. [N]
     virtual double
-    force(const ContactLaw &law, double begin, double end) const = 0;
+    force(const Contact &contact, double begin, double end) const = 0;
 
     /// Its derivative with respect to the indentation at the end. [N/m]
     /// @param force  for these indentations [N]
     virtual double
-    stiffness(const ContactLaw &law,
-              double            begin,
-              double            end,
-              double            force) const = 0;
+    stiffness(const Contact &contact,
+              double         begin,
+              double         end,
+              double         force) const = 0;
   };
 
   /// The force of the law at the end of the step, as in eqs. 28-31 of the
@@ -49,12 +49,12 @@ namespace PlateImpact
     bool
     acts_at_begin() const override;
     double
-    force(const ContactLaw &law, double begin, double end) const override;
+    force(const Contact &contact, double begin, double end) const override;
     double
-    stiffness(const ContactLaw &law,
-              double            begin,
-              double            end,
-              double            force) const override;
+    stiffness(const Contact &contact,
+              double         begin,
+              double         end,
+              double         force) const override;
   };
 
   /// The mean force of the law over the indentations of the step, constant over
@@ -69,12 +69,12 @@ namespace PlateImpact
     bool
     acts_at_begin() const override;
     double
-    force(const ContactLaw &law, double begin, double end) const override;
+    force(const Contact &contact, double begin, double end) const override;
     double
-    stiffness(const ContactLaw &law,
-              double            begin,
-              double            end,
-              double            force) const override;
+    stiffness(const Contact &contact,
+              double         begin,
+              double         end,
+              double         force) const override;
   };
 
   /// The integration that the scene names: `collocation` or `energy
@@ -98,7 +98,7 @@ namespace PlateImpact
   /// @throws ComputationError when an argument is not finite
   double
   solve_contact(const ContactIntegration &integration,
-                const ContactLaw         &law,
+                const Contact            &contact,
                 double                    begin,
                 double                    free,
                 double                    compliance);

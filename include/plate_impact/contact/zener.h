@@ -1,8 +1,8 @@
 #ifndef plate_impact_contact_zener_h
 #define plate_impact_contact_zener_h
 
+#include "plate_impact/contact/contact.h"
 #include "plate_impact/contact/contact_history.h"
-#include "plate_impact/contact/contact_law.h"
 #include "plate_impact/contact/impactor.h"
 
 namespace PlateImpact
@@ -27,14 +27,14 @@ namespace PlateImpact
   /// thickness only approximately. Integrated up to the peak by the
   /// energy-conserving contact step, for any law, to about 1e-5.
   ExpectedPeak
-  zener_peak(const ContactLaw   &law,
+  zener_peak(const Contact      &contact,
              const Impactor     &impactor,
              const PlateSection &section);
 
 
   /// The same with steps of a given length, as a scene takes them. [s]
   ExpectedPeak
-  zener_peak(const ContactLaw   &law,
+  zener_peak(const Contact      &contact,
              const Impactor     &impactor,
              const PlateSection &section,
              double              time_step);
@@ -45,7 +45,7 @@ namespace PlateImpact
 
   /// The same on a plate that does not move.
   ExpectedPeak
-  rigid_plate_peak(const ContactLaw   &law,
+  rigid_plate_peak(const Contact      &contact,
                    const Impactor     &impactor,
                    const PlateSection &section);
 
@@ -53,7 +53,7 @@ namespace PlateImpact
   /// comes first; a plate that gives way at once is never left. The plate's
   /// displacement is that of the point; energies are left out.
   ContactHistory
-  zener_history(const ContactLaw   &law,
+  zener_history(const Contact      &contact,
                 const Impactor     &impactor,
                 const PlateSection &section,
                 double              end_time);
@@ -62,7 +62,7 @@ namespace PlateImpact
   /// to the end of the contact; 0 where less than a thousandth of the speed is
   /// left.
   double
-  zener_restitution(const ContactLaw   &law,
+  zener_restitution(const Contact      &contact,
                     const Impactor     &impactor,
                     const PlateSection &section);
 
@@ -71,7 +71,7 @@ namespace PlateImpact
   /// on which alone the restitution of the infinite plate depends; empty for
   /// other laws than F = k alpha^{3/2}.
   std::optional<double>
-  zener_loss_factor(const ContactLaw   &law,
+  zener_loss_factor(const Contact      &contact,
                     const Impactor     &impactor,
                     const PlateSection &section);
 
@@ -81,7 +81,7 @@ namespace PlateImpact
   /// times a power of two, so that impactors share their steps. [s]
   double
   chosen_time_step(const TimeParameters &time,
-                   const ContactLaw     &law,
+                   const Contact        &contact,
                    const Impactor       &impactor,
                    const PlateSection   &section);
 

@@ -1,8 +1,8 @@
 #ifndef plate_impact_transient_impactor_stepper_h
 #define plate_impact_transient_impactor_stepper_h
 
+#include "plate_impact/contact/contact.h"
 #include "plate_impact/contact/contact_history.h"
-#include "plate_impact/contact/contact_law.h"
 #include "plate_impact/contact/contact_solver.h"
 #include "plate_impact/contact/impactor.h"
 #include "plate_impact/transient/newmark_scheme.h"
@@ -18,7 +18,7 @@ namespace PlateImpact
   public:
     /// Law and integration must outlive the stepper.
     ImpactorStepper(const NewmarkScheme      &scheme,
-                    const ContactLaw         &law,
+                    const Contact            &contact,
                     const ContactIntegration &integration,
                     const Impactor           &impactor);
 
@@ -60,7 +60,7 @@ namespace PlateImpact
     require_finite(double value, const char *quantity) const;
 
     const NewmarkScheme       scheme;
-    FollowedLaw               law;
+    Contact                   contact;
     const ContactIntegration &integration;
     Impactor                  impactor;
     ContactState              current;

@@ -2,7 +2,7 @@
 #define plate_impact_transient_loaded_plate_h
 
 #include "plate_impact/base/parameters.h"
-#include "plate_impact/contact/contact_law.h"
+#include "plate_impact/contact/contact.h"
 #include "plate_impact/contact/contact_solver.h"
 #include "plate_impact/contact/impactor.h"
 #include "plate_impact/transient/full_system.h"
@@ -110,11 +110,11 @@ namespace PlateImpact
     Impact
     strike(const Impactor &striking) const;
 
-    const Parameters                        parameters;
-    const std::shared_ptr<Load>             load;
-    const std::unique_ptr<const ContactLaw> law;
-    const Impactor                          impactor;
-    SemidiscreteSystem                     &system; ///< that is stepped
+    const Parameters            parameters;
+    const std::shared_ptr<Load> load;
+    const Contact               contact;
+    const Impactor              impactor;
+    SemidiscreteSystem         &system; ///< that is stepped
   };
 } // namespace PlateImpact
 

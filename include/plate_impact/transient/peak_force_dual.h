@@ -1,8 +1,8 @@
 #ifndef plate_impact_transient_peak_force_dual_h
 #define plate_impact_transient_peak_force_dual_h
 
+#include "plate_impact/contact/contact.h"
 #include "plate_impact/contact/contact_history.h"
-#include "plate_impact/contact/contact_law.h"
 #include "plate_impact/contact/contact_solver.h"
 #include "plate_impact/contact/impactor.h"
 #include "plate_impact/transient/newmark_scheme.h"
@@ -16,7 +16,7 @@ namespace PlateImpact
   /// phi_k of the steps up to the peak force of an impact. [N]
   Eigen::VectorXd
   forces_to_peak(const ContactHistory     &history,
-                 const ContactLaw         &law,
+                 const Contact            &contact,
                  const ContactIntegration &integration);
 
   /// What a displacement of the plate adds to the peak force: where those after
@@ -33,7 +33,7 @@ namespace PlateImpact
   Eigen::VectorXd
   peak_force_weights(const ContactHistory     &history,
                      const NewmarkScheme      &scheme,
-                     const ContactLaw         &law,
+                     const Contact            &contact,
                      const ContactIntegration &integration,
                      const Impactor           &impactor,
                      const PlateResponse      &response);

@@ -1,7 +1,7 @@
 #ifndef plate_impact_transient_plate_response_h
 #define plate_impact_transient_plate_response_h
 
-#include "plate_impact/contact/contact_law.h"
+#include "plate_impact/contact/contact.h"
 #include "plate_impact/contact/contact_solver.h"
 #include "plate_impact/contact/impactor.h"
 #include "plate_impact/transient/impact.h"
@@ -39,9 +39,9 @@ namespace PlateImpact
     /// @param n_steps  at most those of the response
     /// @throws ComputationError naming step and quantity
     Impact
-    impact(const ContactLaw &law,
-           const Impactor   &impactor,
-           unsigned int      n_steps) const;
+    impact(const Contact  &contact,
+           const Impactor &impactor,
+           unsigned int    n_steps) const;
 
   private:
     const NewmarkScheme       scheme;

@@ -2,7 +2,7 @@
 #define plate_impact_transient_ritz_reduction_h
 
 #include "plate_impact/base/parameters.h"
-#include "plate_impact/contact/contact_law.h"
+#include "plate_impact/contact/contact.h"
 #include "plate_impact/contact/contact_solver.h"
 #include "plate_impact/contact/impactor.h"
 #include "plate_impact/plate/plate_section.h"
@@ -49,14 +49,14 @@ namespace PlateImpact
   private:
     /// @return null when it takes more solves than steps
     ReducedSystem *
-    settle(const ContactLaw &law, const Impactor &impactor);
+    settle(const Contact &contact, const Impactor &impactor);
     /// Whether it is known beforehand that stepping on the mesh takes fewer
     /// solves than vectors would.
     bool
-    steps_are_fewer(const ContactLaw &law, const Impactor &impactor) const;
+    steps_are_fewer(const Contact &contact, const Impactor &impactor) const;
     /// Twice the logarithm to base 2 of the root of the shift [1/s].
     int
-    half_octave(const ContactLaw &law, const Impactor &impactor) const;
+    half_octave(const Contact &contact, const Impactor &impactor) const;
     /// What a number of vectors is judged by, relative to the peak force: the
     /// force, and without contact the displacement under the load times the
     /// stiffness of the contact at the peak, which is the error that it would
@@ -68,16 +68,16 @@ namespace PlateImpact
     };
 
     Histories
-    histories(ReducedSystem    &reduced,
-              const ContactLaw &law,
-              const Impactor   &impactor);
+    histories(ReducedSystem  &reduced,
+              const Contact  &contact,
+              const Impactor &impactor);
     /// Norm over all times of what coordinates from the first on hold of the
     /// displacements, relative to that of all.
     double
-    share_beyond(unsigned int      first,
-                 ReducedSystem    &reduced,
-                 const ContactLaw &law,
-                 const Impactor   &impactor) const;
+    share_beyond(unsigned int    first,
+                 ReducedSystem  &reduced,
+                 const Contact  &contact,
+                 const Impactor &impactor) const;
     ReducedSystem &
     reduced_system(int half_octave, unsigned int n);
 

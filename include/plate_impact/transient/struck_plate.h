@@ -60,7 +60,7 @@ namespace PlateImpact
 
   private:
     /// What makes the load and the steps of an impact: of the contact all but
-    /// the law, of the impactor shape and length, the time up to the horizon,
+    /// the contact, of the impactor shape and length, the time up to the horizon,
     /// and whether states are needed.
     using LoadKey = std::
       tuple<ContactParameters, ImpactorShape, double, TimeParameters, bool>;

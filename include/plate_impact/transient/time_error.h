@@ -2,8 +2,8 @@
 #define plate_impact_transient_time_error_h
 
 #include "plate_impact/base/parameters.h"
+#include "plate_impact/contact/contact.h"
 #include "plate_impact/contact/contact_history.h"
-#include "plate_impact/contact/contact_law.h"
 #include "plate_impact/contact/contact_solver.h"
 #include "plate_impact/contact/impactor.h"
 #include "plate_impact/transient/semidiscrete_system.h"
@@ -27,7 +27,7 @@ namespace PlateImpact
   estimated_time_error(const ContactHistory     &history,
                        const TimeParameters     &time,
                        SemidiscreteSystem       &plate,
-                       const ContactLaw         &law,
+                       const Contact            &contact,
                        const ContactIntegration &integration,
                        const Impactor           &impactor);
 } // namespace PlateImpact

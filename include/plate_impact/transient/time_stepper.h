@@ -28,7 +28,7 @@ namespace PlateImpact
     /// Plate, law and integration must outlive the stepper.
     TimeStepper(const TimeParameters     &time,
                 SemidiscreteSystem       &plate,
-                const ContactLaw         &law,
+                const Contact            &contact,
                 const ContactIntegration &integration,
                 const Impactor           &impactor);
 

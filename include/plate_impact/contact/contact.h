@@ -1,0 +1,137 @@
+#ifndef plate_impact_contact_contact_h
+#define plate_impact_contact_contact_h
+
+#include "plate_impact/contact/contact_law.h"
+#include "plate_impact/contact/unloading.h"
+
+#include <limits>
+#include <memory>
+#include <optional>
+
+namespace PlateImpact
+{
+  /// The contact of impactor and plate as it stands at the end of a step: the
+  /// law of the two bodies, what gives way in series with it, and what it
+  /// remembers of earlier indentations. A value: who follows a contact through
+  /// a transient has a copy.
+  ///
+  /// **Series.** The approach of the impactor's centre to the plate's
+  /// midsurface beyond first touch is
+  ///   delta = alpha + C F(alpha)
+  /// with the indentation alpha and the compliance C of all that is not in the
+  /// law. C is negative where plate and ball are stiffer than the half-spaces
+  /// of the law (LayerResponse, ball_compliance()). The approach then has a
+  /// largest value, where C F' = -1; from C F' = -0.9 on, where the contact is
+  /// about as wide as the plate is thick, the force is continued by its
+  /// tangent. Energies are those of the approach.
+  ///
+  /// **Memory.** With an Unloading the law is the curve of first loading. Below
+  /// the largest indentation alpha_m the contact unloads to its dent. Unloading
+  /// begins where the loading or reloading before has ended, and is run both
+  /// ways while the bodies touch; only after they have parted the whole curve
+  /// of reloading is run. Within a step the force is one function of the
+  /// indentation, continuous and never decreasing. What unloading gives back
+  /// is stored, F (alpha - alpha_0) / (n + 1); the rest of the work is
+  /// dissipated.
+  class Contact
+  {
+  public:
+    /// @param law         of first loading
+    /// @param compliance  C, in series [m/N]
+    /// @param unloading   null: along the law
+    explicit Contact(std::shared_ptr<const ContactLaw> law,
+                     double                            compliance = 0.,
+                     std::shared_ptr<const Unloading>  unloading  = nullptr);
+
+    /// [N]
+    double
+    force(double indentation) const;
+
+    /// Derivative of the force with respect to the indentation. [N/m]
+    double
+    stiffness(double indentation) const;
+
+    /// Mean of the force over the approach between two indentations: this
+    /// times the change of the approach is the work of the contact. Does not
+    /// cancel when they are close. [N]
+    double
+    mean_force(double a, double b) const;
+
+    /// delta. [m]
+    double
+    approach(double indentation) const;
+
+    /// d delta / d alpha, above 0.
+    double
+    approach_derivative(double indentation) const;
+
+    /// Indentation under an approach. [m]
+    double
+    indentation_under(double approach) const;
+
+    /// What the contact gives back from an indentation on. [J]
+    double
+    stored_energy(double indentation) const;
+
+    /// What it has dissipated when it reaches an indentation. [J]
+    double
+    dissipated_energy(double indentation) const;
+
+    /// alpha_0, up to which the bodies no longer touch. [m]
+    double
+    dent() const;
+
+    /// A step has ended at an indentation.
+    void
+    follow(double indentation);
+
+    /// The force up to which the series holds; infinite where C is not
+    /// negative. [N]
+    double
+    largest_force() const;
+
+    /// The law without memory and series.
+    const ContactLaw &
+    first_loading() const;
+
+  private:
+    /// F = end_force ((alpha - dent) / (end - dent))^power from the dent to an
+    /// end, where it has a length.
+    struct Branch
+    {
+      double dent = 0., end = 0., end_force = 0., power = 1.;
+
+      double
+      force(double indentation) const;
+      double
+      stiffness(double indentation) const;
+      /// As those of ContactLaw, within the branch, low below high.
+      double
+      mean_force(double low, double high) const;
+      double
+      mean_stiffness(double low, double high) const;
+    };
+
+    /// Calls a function for what the force follows at an indentation: a branch
+    /// or the law.
+    template <typename Function>
+    double
+    at(double indentation, const Function &function) const;
+
+    /// Mean over the indentation of what a function gives for a branch or the
+    /// law and two indentations.
+    template <typename Function>
+    double
+    mean(double a, double b, const Function &function) const;
+
+    std::shared_ptr<const ContactLaw> law;
+    std::shared_ptr<const Unloading>  unloading;
+    double                            compliance;
+    double force_limit = std::numeric_limits<double>::infinity(); ///< [N]
+
+    Branch unload, reload;             ///< below the largest indentation
+    double last = 0., dissipated = 0.; ///< where the last step ended
+  };
+} // namespace PlateImpact
+
+#endif

@@ -1,0 +1,34 @@
+#ifndef plate_impact_contact_make_contact_h
+#define plate_impact_contact_make_contact_h
+
+#include "plate_impact/base/parameters.h"
+#include "plate_impact/contact/contact.h"
+
+namespace PlateImpact
+{
+  /// The contact of a scene at first touch. Its law is `line` (eq. 32), `Sun`
+  /// (eq. 17 as printed: 1/E for the plate, after Yang & Sun, NASA CR-165460,
+  /// 1981) or `Hertz` ((1 - nu^2)/E for both bodies, Johnson, Contact
+  /// Mechanics, eq. 4.23), in series with the local response of the layer that
+  /// the plate is where the scene says so.
+  Contact
+  make_contact(const Parameters &parameters);
+
+  /// The same where what it takes from the layer is known.
+  /// @param layer_constant  that of the function below
+  Contact
+  make_contact(const Parameters &parameters, double layer_constant);
+
+  /// Lambda of the layer under a sphere or a line contact, which no impactor
+  /// changes; 0 for a half-space.
+  double
+  layer_constant(const PlateParameters   &plate,
+                 const ContactParameters &contact);
+
+  /// The contact without the layer, for Zener's equation: the point load on a
+  /// thin plate, which has no thickness, needs none.
+  Contact
+  make_half_space_contact(const Parameters &parameters);
+} // namespace PlateImpact
+
+#endif

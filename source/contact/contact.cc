@@ -1,0 +1,399 @@
+#include "plate_impact/contact/contact.h"
+
+#include <boost/math/tools/roots.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace PlateImpact
+{
+  namespace
+  {
+    /// C F' from which on the force is continued by its tangent.
+    constexpr double largest_share_of_series = -0.9;
+
+
+
+    /// (y^p - x^p) / (y - x) for 0 <= x < y, without cancellation.
+    double
+    difference_quotient(const double x, const double y, const double p)
+    {
+      const double d = y - x;
+      return x > 0. ? std::pow(x, p) * std::expm1(p * std::log1p(d / x)) / d :
+                      std::pow(y, p - 1.);
+    }
+
+
+
+    /// A law up to an indentation, and its tangent there beyond.
+    class TangentBeyond : public ContactLaw
+    {
+    public:
+      TangentBeyond(std::shared_ptr<const ContactLaw> law, const double limit)
+        : law(std::move(law))
+        , limit(limit)
+      {}
+
+      double
+      force(const double indentation) const override
+      {
+        const double beyond = indentation - limit;
+        return beyond <= 0. ?
+          law->force(indentation) :
+          law->force(limit) + beyond * law->stiffness(limit);
+      }
+
+      double
+      stiffness(const double indentation) const override
+      {
+        return law->stiffness(std::min(indentation, limit));
+      }
+
+      double
+      potential(const double indentation) const override
+      {
+        const double beyond = indentation - limit;
+        return beyond <= 0. ? law->potential(indentation) :
+                              law->potential(limit) +
+            0.5 * beyond * (law->force(limit) + force(indentation));
+      }
+
+      double
+      indentation(const double force) const override
+      {
+        const double beyond = force - law->force(limit);
+        return beyond <= 0. ? law->indentation(force) :
+                              limit + beyond / law->stiffness(limit);
+      }
+
+      double
+      mean_force(const double a, const double b) const override
+      {
+        return std::max(a, b) <= limit ? law->mean_force(a, b) :
+                                         ContactLaw::mean_force(a, b);
+      }
+
+      double
+      mean_stiffness(const double a, const double b) const override
+      {
+        return std::max(a, b) <= limit ? law->mean_stiffness(a, b) :
+                                         ContactLaw::mean_stiffness(a, b);
+      }
+
+      std::optional<double>
+      hertz_coefficient() const override
+      {
+        return law->hertz_coefficient();
+      }
+
+    private:
+      const std::shared_ptr<const ContactLaw> law;
+      const double                            limit;
+    };
+
+
+
+    /// Where the steepest slope that a contact has up to an indentation reaches
+    /// a bound. [m]
+    double
+    indentation_of_slope(const ContactLaw      &law,
+                         const Unloading *const unloading,
+                         const double           bound)
+    {
+      const auto beyond_bound = [&](const double alpha) {
+        double slope = law.stiffness(alpha);
+        if (unloading != nullptr)
+          slope = std::max(slope,
+                           unloading->power(alpha) * law.force(alpha) /
+                             (alpha - unloading->dent(alpha)));
+        return slope / bound - 1.;
+      };
+      double high = 1e-6;
+      while (beyond_bound(high) < 0.)
+        high *= 2.;
+      std::uintmax_t n_iterations = 200;
+      return boost::math::tools::toms748_solve(
+               beyond_bound,
+               0.,
+               high,
+               -1.,
+               beyond_bound(high),
+               boost::math::tools::eps_tolerance<double>(),
+               n_iterations)
+        .first;
+    }
+  } // namespace
+
+
+
+  Contact::Contact(std::shared_ptr<const ContactLaw> first_law,
+                   const double                      compliance,
+                   std::shared_ptr<const Unloading>  unloading)
+    : law(std::move(first_law))
+    , unloading(std::move(unloading))
+    , compliance(compliance)
+  {
+    if (compliance >= 0.)
+      return;
+    const double limit =
+      indentation_of_slope(*law,
+                           this->unloading.get(),
+                           largest_share_of_series / compliance);
+    force_limit = law->force(limit);
+    law         = std::make_shared<TangentBeyond>(law, limit);
+  }
+
+
+
+  double
+  Contact::Branch::force(const double indentation) const
+  {
+    return end_force * std::pow((indentation - dent) / (end - dent), power);
+  }
+
+
+
+  double
+  Contact::Branch::stiffness(const double indentation) const
+  {
+    return power / (end - dent) * end_force *
+      std::pow((indentation - dent) / (end - dent), power - 1.);
+  }
+
+
+
+  double
+  Contact::Branch::mean_force(const double low, const double high) const
+  {
+    return end_force / (power + 1.) *
+      difference_quotient((low - dent) / (end - dent),
+                          (high - dent) / (end - dent),
+                          power + 1.);
+  }
+
+
+
+  double
+  Contact::Branch::mean_stiffness(const double low, const double high) const
+  {
+    return end_force / (end - dent) *
+      difference_quotient((low - dent) / (end - dent),
+                          (high - dent) / (end - dent),
+                          power);
+  }
+
+
+
+  template <typename Function>
+  double
+  Contact::at(const double indentation, const Function &function) const
+  {
+    if (unloading != nullptr)
+      {
+        if (indentation <= dent())
+          return 0.;
+        for (const Branch *branch : {&unload, &reload})
+          if (indentation <= branch->end)
+            return function(*branch);
+      }
+    return function(*law);
+  }
+
+
+
+  double
+  Contact::force(const double indentation) const
+  {
+    return at(indentation, [indentation](const auto &followed) {
+      return followed.force(indentation);
+    });
+  }
+
+
+
+  double
+  Contact::stiffness(const double indentation) const
+  {
+    return at(indentation, [indentation](const auto &followed) {
+      return followed.stiffness(indentation);
+    });
+  }
+
+
+
+  template <typename Function>
+  double
+  Contact::mean(const double a, const double b, const Function &function) const
+  {
+    const double low = std::min(a, b), high = std::max(a, b);
+    if (unloading == nullptr)
+      return function(*law, low, high);
+    double begin = dent(), sum = 0.;
+    for (const Branch *branch : {&unload, &reload})
+      {
+        const double from = std::max(low, begin),
+                     to   = std::min(high, branch->end);
+        if (from == low && to == high)
+          return function(*branch, low, high);
+        if (from < to)
+          sum += function(*branch, from, to) * (to - from);
+        begin = std::max(begin, branch->end);
+      }
+    if (low >= begin)
+      return function(*law, low, high);
+    if (high > begin)
+      sum += function(*law, begin, high) * (high - begin);
+    return sum / (high - low);
+  }
+
+
+
+  double
+  Contact::mean_force(const double a, const double b) const
+  {
+    if (a == b)
+      return force(a);
+    const double over_indentation =
+      mean(a, b, [](const auto &followed, const double low, const double high) {
+        return followed.mean_force(low, high);
+      });
+    if (compliance == 0.)
+      return over_indentation;
+    // change of the energies over that of the approach, both divided by the
+    // change of the indentation, so that nothing cancels
+    const double slope =
+      mean(a, b, [](const auto &followed, const double low, const double high) {
+        return followed.mean_stiffness(low, high);
+      });
+    return (over_indentation +
+            0.5 * compliance * (force(a) + force(b)) * slope) /
+      (1. + compliance * slope);
+  }
+
+
+
+  double
+  Contact::approach(const double indentation) const
+  {
+    return indentation + compliance * force(indentation);
+  }
+
+
+
+  double
+  Contact::approach_derivative(const double indentation) const
+  {
+    return 1. + compliance * stiffness(indentation);
+  }
+
+
+
+  double
+  Contact::indentation_under(const double approach) const
+  {
+    if (compliance == 0. || approach <= dent())
+      return approach;
+    double low = dent(), high = std::numeric_limits<double>::infinity();
+    for (const double end : {unload.end, reload.end})
+      if (approach >= this->approach(end))
+        low = std::max(low, end);
+      else
+        high = std::min(high, end);
+    // Within a branch the force is convex: Newton's method comes from one side,
+    // from below with C < 0, from above with C > 0.
+    double alpha =
+      compliance < 0. ? std::max(approach, low) : std::min(approach, high);
+    for (unsigned int iteration = 0; iteration < 100; ++iteration)
+      {
+        const double step =
+          (approach - this->approach(alpha)) / approach_derivative(alpha);
+        alpha += step;
+        // what a step leaves is of the order of its square, or round-off
+        if (std::abs(step) <= 1e-9 * (alpha - dent()) + 4e-16 * alpha)
+          break;
+      }
+    return alpha;
+  }
+
+
+
+  double
+  Contact::stored_energy(const double indentation) const
+  {
+    const double F         = force(indentation);
+    const double in_series = 0.5 * compliance * F * F;
+    if (unloading == nullptr)
+      return law->potential(indentation) + in_series;
+    const double largest = std::max(indentation, reload.end);
+    return F == 0. ? 0. :
+                     F * (indentation - unloading->dent(largest)) /
+          (unloading->power(largest) + 1.) +
+        in_series;
+  }
+
+
+
+  double
+  Contact::dissipated_energy(const double indentation) const
+  {
+    if (unloading == nullptr)
+      return 0.;
+    const double work =
+      mean_force(last, indentation) * (approach(indentation) - approach(last));
+    return dissipated + work -
+      (stored_energy(indentation) - stored_energy(last));
+  }
+
+
+
+  double
+  Contact::dent() const
+  {
+    return reload.dent;
+  }
+
+
+
+  void
+  Contact::follow(const double indentation)
+  {
+    if (unloading == nullptr)
+      return;
+    dissipated = dissipated_energy(indentation);
+    last       = indentation;
+
+    // unloading begins at the end of a step, unless the bodies have parted
+    const double F = force(indentation);
+    const double turn =
+      indentation <= dent() ? dent() : std::max(indentation, unload.end);
+    if (turn == indentation)
+      unload.end_force = F;
+    unload.end = turn;
+    if (indentation > reload.end)
+      {
+        const double dent = unloading->dent(indentation);
+        reload            = {dent,
+                             indentation,
+                             F,
+                             unloading->reloading_power(indentation)};
+        unload = {dent, indentation, F, unloading->power(indentation)};
+      }
+  }
+
+
+
+  double
+  Contact::largest_force() const
+  {
+    return force_limit;
+  }
+
+
+
+  const ContactLaw &
+  Contact::first_loading() const
+  {
+    return *law;
+  }
+} // namespace PlateImpact

@@ -1,0 +1,140 @@
+#include "plate_impact/contact/make_contact.h"
+
+#include "plate_impact/contact/contact_area.h"
+#include "plate_impact/contact/hertz_law.h"
+#include "plate_impact/contact/line_law.h"
+#include "plate_impact/contact/yang_sun_unloading.h"
+#include "plate_impact/plate/layer_response.h"
+#include "plate_impact/plate/plate_section.h"
+
+#include <cmath>
+
+namespace PlateImpact
+{
+  namespace
+  {
+    /// (1 - nu^2) / E of the impactor. [1/Pa]
+    double
+    compliance_of(const ImpactorParameters &impactor)
+    {
+      return (1. - impactor.poissons_ratio * impactor.poissons_ratio) /
+        impactor.youngs_modulus;
+    }
+
+
+
+    /// k of Hertz's law for the compliance that the scene's law has for the
+    /// plate.
+    double
+    coefficient_of(const Parameters &parameters)
+    {
+      const PlateSection section(parameters.plate);
+      return hertz_coefficient(parameters.impactor.radius,
+                               compliance_of(parameters.impactor),
+                               parameters.contact.law == ForceLaw::Sun ?
+                                 1. / section.contact_modulus :
+                                 section.half_space_compliance);
+    }
+
+
+
+    /// The constant beside ln(l/a) of a line contact on a layer: the plate's
+    /// side of the approach is F' (1 - nu) / (pi G) (ln(h/a) + Lambda), the
+    /// cylinder's F' (1 - nu^2) / (pi E) (2 ln(4r/a) - 1), to its axis
+    /// (Johnson, sec. 5.6), F' the force per length.
+    double
+    line_constant_of_layer(const Parameters &parameters, const double Lambda)
+    {
+      const PlateParameters    &plate    = parameters.plate;
+      const ImpactorParameters &impactor = parameters.impactor;
+      return contact_modulus(parameters) *
+        (PlateSection(plate).half_space_compliance *
+           (std::log(plate.thickness) + Lambda) +
+         compliance_of(impactor) * (std::log(4. * impactor.radius) - 0.5)) -
+        std::log(0.5 * impactor.length);
+    }
+
+
+
+    std::shared_ptr<const ContactLaw>
+    make_line_law(const Parameters &parameters, const double constant)
+    {
+      const ImpactorParameters &impactor = parameters.impactor;
+      return std::make_shared<LineLaw>(impactor.radius,
+                                       0.5 * impactor.length,
+                                       contact_modulus(parameters),
+                                       constant);
+    }
+
+
+
+    std::shared_ptr<const Unloading>
+    make_unloading(const ContactParameters &contact)
+    {
+      if (contact.unloading == UnloadingLaw::Yang_Sun)
+        return std::make_shared<YangSunUnloading>(contact.critical_indentation);
+      return nullptr;
+    }
+
+
+
+    /// The contact of a sphere.
+    /// @param compliance  in series [m/N]
+    Contact
+    make_sphere_contact(const Parameters &parameters, const double compliance)
+    {
+      return Contact(std::make_shared<HertzLaw>(coefficient_of(parameters)),
+                     compliance,
+                     make_unloading(parameters.contact));
+    }
+  } // namespace
+
+
+
+  Contact
+  make_half_space_contact(const Parameters &parameters)
+  {
+    return parameters.contact.law == ForceLaw::line ?
+      Contact(make_line_law(parameters, LineLaw::constant_of_half_space)) :
+      make_sphere_contact(parameters, 0.);
+  }
+
+
+
+  double
+  layer_constant(const PlateParameters &plate, const ContactParameters &contact)
+  {
+    if (contact.local_response == LocalResponse::half_space)
+      return 0.;
+    const LayerResponse layer(plate, contact.load_distribution);
+    const double        radius = contact.patch_radius / plate.thickness;
+    return contact.law == ForceLaw::line ? layer.line_constant(radius) :
+                                           layer.sphere_compliance(radius);
+  }
+
+
+
+  Contact
+  make_contact(const Parameters &parameters)
+  {
+    return make_contact(parameters,
+                        layer_constant(parameters.plate, parameters.contact));
+  }
+
+
+
+  Contact
+  make_contact(const Parameters &parameters, const double layer_constant)
+  {
+    if (parameters.contact.local_response == LocalResponse::half_space)
+      return make_half_space_contact(parameters);
+    if (parameters.contact.law == ForceLaw::line)
+      return Contact(
+        make_line_law(parameters,
+                      line_constant_of_layer(parameters, layer_constant)));
+    const double of_layer = layer_constant /
+      (PlateSection(parameters.plate).shear_modulus *
+       parameters.plate.thickness);
+    return make_sphere_contact(parameters, of_layer);
+  }
+} // namespace PlateImpact
