@@ -220,7 +220,8 @@ namespace PlateImpact
                         contact,
                         *integration,
                         make_impactor(parameters.impactor));
-    return step_to_end(stepper).history;
+    stepper.advance(stepper.n_steps());
+    return stepper.impact().history;
   }
 
 
@@ -234,10 +235,10 @@ namespace PlateImpact
     const PlateElement  element(parameters.discretization.element);
     PlateDiscretization model(mesh, element, parameters.plate, multiplicity);
     model.assemble();
-    FullSystem plate(model,
-                     model.load(load),
-                     make_linear_solver(
-                       parameters.discretization.linear_solver));
+    FullSystem plate(std::make_shared<EffectiveStiffness>(
+                       model,
+                       parameters.discretization.linear_solver),
+                     model.load(load));
     return impact(parameters, plate);
   }
 

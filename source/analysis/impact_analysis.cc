@@ -326,9 +326,9 @@ namespace PlateImpact
     // no longer than the peak takes, with nothing but the force
     Parameters          to_peak = parameters;
     const NewmarkScheme scheme(result.time);
-    to_peak.time           = result.time;
-    to_peak.time.time_step = scheme.dt;
-    to_peak.time.horizon   = 0.;
+    to_peak.time                = result.time;
+    to_peak.time.time_step      = scheme.dt;
+    to_peak.time.end_of_vectors = 0.;
     to_peak.time.end_time =
       std::min(to_peak.time.end_time,
                scheme.dt *

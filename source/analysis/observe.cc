@@ -67,7 +67,8 @@ namespace PlateImpact
     seen.time              = impact.time;
     seen.impulse           = struck.impulse;
     seen.separation_time   = struck.separation_time;
-    seen.vector_error = struck.is_reduced ? impact.time.ritz_tolerance : 0.;
+    seen.vector_error =
+      plate.is_stepped_on_the_mesh() ? 0. : impact.time.ritz_tolerance;
     if (wanted.errors)
       stage("error of the force");
     seen.sensitivity = plate.sensitivity(struck.history);

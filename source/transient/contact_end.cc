@@ -78,7 +78,7 @@ namespace PlateImpact
     for (double n = std::exp2(std::ceil(std::log2(1.5 * expected / dt)));;
          n *= 2.)
       {
-        result.time.horizon = result.time.end_time = n * dt;
+        result.time.end_of_vectors = result.time.end_time = n * dt;
         const LoadedPlate loaded = plate.under(result, needs_states);
         if (loaded.is_stepped_on_the_mesh())
           {

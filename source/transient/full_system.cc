@@ -3,8 +3,6 @@
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/stage_clock.h"
 
-#include <Eigen/SparseCore>
-
 #include <limits>
 #include <utility>
 
@@ -12,27 +10,6 @@ namespace PlateImpact
 {
   namespace
   {
-    /// Without the allocations of Epetra_CrsMatrix::Multiply().
-    void
-    multiply(const Epetra_CrsMatrix &matrix,
-             const Eigen::VectorXd  &x,
-             Eigen::VectorXd        &y)
-    {
-      int    *rows, *columns;
-      double *values;
-      matrix.ExtractCrsDataPointers(rows, columns, values);
-      using RowMajor = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-      y.noalias()    = Eigen::Map<const RowMajor>(matrix.NumMyRows(),
-                                               matrix.NumMyCols(),
-                                               matrix.NumMyNonzeros(),
-                                               rows,
-                                               columns,
-                                               values) *
-        x;
-    }
-
-
-
     /// A += c B, of which every entry has one in A. Columns are in order.
     void
     add(const double c, const Epetra_CrsMatrix &B, Epetra_CrsMatrix &A)
@@ -50,11 +27,27 @@ namespace PlateImpact
 
 
 
+  Eigen::Map<const Eigen::SparseMatrix<double, Eigen::RowMajor>>
+  as_eigen(const Epetra_CrsMatrix &matrix)
+  {
+    int    *rows, *columns;
+    double *values;
+    matrix.ExtractCrsDataPointers(rows, columns, values);
+    return {matrix.NumMyRows(),
+            matrix.NumMyCols(),
+            matrix.NumMyNonzeros(),
+            rows,
+            columns,
+            values};
+  }
+
+
+
   EffectiveStiffness::EffectiveStiffness(
-    const PlateDiscretization    &discretization,
-    std::unique_ptr<LinearSolver> solver)
+    const PlateDiscretization &discretization,
+    const SolverType           solver)
     : discretization(discretization)
-    , solver(std::move(solver))
+    , solver(make_linear_solver(solver))
   {}
 
 
@@ -70,77 +63,40 @@ namespace PlateImpact
     add(c, discretization.mass(), *sum);
     solver->factorize(*sum);
     factorized_for = c;
-    ++factorizations;
-    clock.charge(seconds);
+    ++done.factorizations;
+    clock.charge(done.factorization_seconds);
   }
 
 
 
   void
-  EffectiveStiffness::solve(const Eigen::VectorXd &b, Eigen::VectorXd &x)
+  EffectiveStiffness::solve(const double           c,
+                            const Eigen::VectorXd &b,
+                            Eigen::VectorXd       &x)
   {
+    factorize(c);
     solver->solve(b, x);
-    ++solves;
+    ++done.linear_solves;
   }
 
 
 
-  const Epetra_CrsMatrix &
-  EffectiveStiffness::matrix() const
+  void
+  EffectiveStiffness::multiply(const double           c,
+                               const Eigen::VectorXd &x,
+                               Eigen::VectorXd       &y)
   {
-    return *sum;
+    factorize(c);
+    y.noalias() = as_eigen(*sum) * x;
   }
 
 
 
-  unsigned int
-  EffectiveStiffness::n_factorizations() const
-  {
-    return factorizations;
-  }
-
-
-
-  unsigned int
-  EffectiveStiffness::n_solves() const
-  {
-    return solves;
-  }
-
-
-
-  double
-  EffectiveStiffness::factorization_seconds() const
-  {
-    return seconds;
-  }
-
-
-
-  FullSystem::FullSystem(const PlateDiscretization    &discretization,
-                         const Eigen::VectorXd        &load,
-                         std::unique_ptr<LinearSolver> solver)
-    : FullSystem(std::make_shared<EffectiveStiffness>(discretization,
-                                                      std::move(solver)),
-                 load)
-  {}
-
-
-
-  FullSystem::FullSystem(
-    std::shared_ptr<EffectiveStiffness> effective_stiffness,
-    const Eigen::VectorXd              &load)
-    : effective_stiffness(std::move(effective_stiffness))
+  FullSystem::FullSystem(std::shared_ptr<EffectiveStiffness> shared_matrices,
+                         const Eigen::VectorXd              &load)
+    : matrices(std::move(shared_matrices))
     , u(load)
   {}
-
-
-
-  const Eigen::VectorXd &
-  FullSystem::load() const
-  {
-    return u;
-  }
 
 
 
@@ -148,44 +104,17 @@ namespace PlateImpact
   FullSystem::multiply_stiffness(const Eigen::VectorXd &x,
                                  Eigen::VectorXd       &y) const
   {
-    multiply(effective_stiffness->discretization.stiffness(), x, y);
+    y.noalias() = as_eigen(matrices->discretization.stiffness()) * x;
   }
 
 
 
   void
-  FullSystem::multiply_mass(const Eigen::VectorXd &x, Eigen::VectorXd &y) const
+  FullSystem::solve(const double           c,
+                    const Eigen::VectorXd &b,
+                    Eigen::VectorXd       &x)
   {
-    multiply(effective_stiffness->discretization.mass(), x, y);
-  }
-
-
-
-  void
-  FullSystem::multiply_effective_stiffness(const Eigen::VectorXd &x,
-                                           Eigen::VectorXd       &y)
-  {
-    effective_stiffness->factorize(c);
-    multiply(effective_stiffness->matrix(), x, y);
-  }
-
-
-
-  void
-  FullSystem::factorize(const double shift)
-  {
-    c = shift;
-    effective_stiffness->factorize(c);
-  }
-
-
-
-  void
-  FullSystem::solve(const Eigen::VectorXd &b, Eigen::VectorXd &x)
-  {
-    // another load, or the static compliance, may have replaced it
-    effective_stiffness->factorize(c);
-    effective_stiffness->solve(b, x);
+    matrices->solve(c, b, x);
   }
 
 
@@ -204,13 +133,12 @@ namespace PlateImpact
   FullSystem::computed_compliance()
   {
     const double infinite = std::numeric_limits<double>::infinity();
-    if (is_free())
+    if (matrices->discretization.is_free())
       return infinite;
     Eigen::VectorXd x, residual;
     try
       {
-        effective_stiffness->factorize(0.);
-        effective_stiffness->solve(u, x);
+        solve(0., u, x);
       }
     catch (const ComputationError &)
       {
@@ -222,13 +150,5 @@ namespace PlateImpact
     const double error = residual.norm() / u.norm();
     // a bound, beyond round-off
     return error < 1e-4 ? (1.001 + error) * u.dot(x) : infinite;
-  }
-
-
-
-  bool
-  FullSystem::is_free() const
-  {
-    return effective_stiffness->discretization.is_free();
   }
 } // namespace PlateImpact

@@ -20,6 +20,8 @@ namespace PlateImpact
   {
     current.impactor_velocity = impactor.velocity;
     current.impactor_energy   = impactor.kinetic_energy();
+    so_far.history.reserve(scheme.n_steps + 1);
+    so_far.history.add(current);
   }
 
 
@@ -28,8 +30,8 @@ namespace PlateImpact
   ImpactorStepper::begin_step()
   {
     ++step;
-    known = integration.known_begin_force(current.force);
-    return known;
+    begin_force = integration.known_begin_force(current.force);
+    return begin_force;
   }
 
 
@@ -38,9 +40,12 @@ namespace PlateImpact
   ImpactorStepper::contact_force(const double plate_free,
                                  const double plate_compliance) const
   {
+    if (so_far.separation_time)
+      return 0.;
     const double beta = scheme.beta, dt = scheme.dt;
     const double impactor_free = impactor.displacement +
-      dt * impactor.velocity - dt * dt / impactor.mass * (0.5 - beta) * known;
+      dt * impactor.velocity -
+      dt * dt / impactor.mass * (0.5 - beta) * begin_force;
     const double at_begin   = integration.acts_at_begin() ? 1. : 0.;
     const double compliance = plate_compliance +
       dt * dt / impactor.mass * (beta + (0.5 - beta) * at_begin);
@@ -67,14 +72,14 @@ namespace PlateImpact
                             const double plate_energy)
   {
     const double beta = scheme.beta, gamma = scheme.gamma, dt = scheme.dt;
-    const double begin = known + (integration.acts_at_begin() ? phi : 0.);
+    const double begin = begin_force + (integration.acts_at_begin() ? phi : 0.);
     impactor.displacement += dt * impactor.velocity -
       dt * dt / impactor.mass * ((0.5 - beta) * begin + beta * phi);
     const double impulse = dt * ((1. - gamma) * begin + gamma * phi);
     impactor.velocity -= impulse / impactor.mass;
-    total_impulse += impulse;
+    so_far.impulse += impulse;
     if (phi != 0.)
-      ++n_contacts;
+      ++so_far.n_contact_steps;
 
     current.time                  = dt * step;
     current.plate_displacement    = plate_displacement;
@@ -101,6 +106,7 @@ namespace PlateImpact
         number(contact.largest_force(), "N")));
     contact.follow(current.indentation);
     current.permanent_indentation = contact.dent();
+    so_far.history.add(current);
   }
 
 
@@ -120,27 +126,4 @@ namespace PlateImpact
       value));
   }
 
-
-
-  const ContactState &
-  ImpactorStepper::state() const
-  {
-    return current;
-  }
-
-
-
-  double
-  ImpactorStepper::impulse() const
-  {
-    return total_impulse;
-  }
-
-
-
-  unsigned int
-  ImpactorStepper::n_contact_steps() const
-  {
-    return n_contacts;
-  }
 } // namespace PlateImpact

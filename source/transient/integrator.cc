@@ -1,5 +1,7 @@
 #include "plate_impact/transient/integrator.h"
 
+#include "plate_impact/transient/time_stepper.h"
+
 namespace PlateImpact
 {
   Integrator::Integrator(const TimeParameters     &time,
@@ -10,10 +12,18 @@ namespace PlateImpact
 
 
 
-  unsigned int
-  Integrator::n_vectors() const
+  Impact
+  Integrator::impact(SemidiscreteSystem &system,
+                     const Contact      &contact,
+                     const Impactor     &impactor,
+                     const unsigned int  n_steps)
   {
-    return 0;
+    const NewmarkScheme scheme(time);
+    if (scheme.conserves_energy())
+      return response(system).impact(contact, impactor, n_steps);
+    TimeStepper stepper(scheme, system, contact, integration, impactor);
+    stepper.advance(n_steps);
+    return stepper.impact();
   }
 
 
@@ -26,20 +36,4 @@ namespace PlateImpact
       .first->second;
   }
 
-
-
-  NewmarkOnTheMesh::NewmarkOnTheMesh(FullSystem               &full,
-                                     const TimeParameters     &time,
-                                     const ContactIntegration &integration)
-    : Integrator(time, integration)
-    , full(full)
-  {}
-
-
-
-  SemidiscreteSystem &
-  NewmarkOnTheMesh::system_for(const Parameters &)
-  {
-    return full;
-  }
 } // namespace PlateImpact

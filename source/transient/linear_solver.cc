@@ -5,12 +5,11 @@
 
 #include <Amesos.h>
 #include <Amesos_BaseSolver.h>
+#include <Eigen/CholmodSupport>
 #include <Epetra_CrsMatrix.h>
 #include <Epetra_LinearProblem.h>
 #include <Epetra_Vector.h>
-#include <cholmod.h>
 
-#include <algorithm>
 #include <fmt/format.h>
 #include <new>
 #include <stdexcept>
@@ -60,14 +59,14 @@ namespace PlateImpact
 
 
 
-    /// CHOLMOD, called directly so that its work arrays serve all solves.
+    /// CHOLMOD. Ordering and symbolic factorization hold for all matrices.
     class CholmodSolver : public LinearSolver
     {
     public:
       CholmodSolver()
       {
         forgo_threads();
-        cholmod_start(&common);
+        cholmod_common &common = cholesky.cholmod();
         // Dense blocks pay from some thousand unknowns on. Without them no BLAS
         // is called, whose kernels differ from processor to processor.
         common.supernodal        = CHOLMOD_AUTO;
@@ -80,92 +79,59 @@ namespace PlateImpact
         common.print              = 0;
       }
 
-      ~CholmodSolver() override
-      {
-        cholmod_free_factor(&factor, &common);
-        cholmod_free_dense(&solution, &common);
-        cholmod_free_dense(&work_y, &common);
-        cholmod_free_dense(&work_e, &common);
-        cholmod_finish(&common);
-      }
-
-      CholmodSolver(const CholmodSolver &) = delete;
-      CholmodSolver &
-      operator=(const CholmodSolver &) = delete;
-
       void
       factorize(Epetra_CrsMatrix &matrix) override
       {
-        // rows of a symmetric matrix are its columns: no copy
+        // rows of a symmetric matrix are its columns
         int    *rows, *columns;
         double *values;
         matrix.ExtractCrsDataPointers(rows, columns, values);
-        cholmod_sparse A = {};
-        A.nrow = A.ncol = matrix.NumMyRows();
-        A.nzmax         = matrix.NumMyNonzeros();
-        A.p             = rows;
-        A.i             = columns;
-        A.x             = values;
-        A.stype         = 1;
-        A.itype         = CHOLMOD_INT;
-        A.xtype         = CHOLMOD_REAL;
-        A.dtype         = CHOLMOD_DOUBLE;
-        A.packed        = 1;
-
-        // ordering and symbolic factorization hold for all matrices
-        if (factor == nullptr)
-          factor = cholmod_analyze(&A, &common);
-        if (factor != nullptr)
+        const Eigen::SparseMatrix<double> A =
+          Eigen::Map<const Eigen::SparseMatrix<double>>(matrix.NumMyRows(),
+                                                        matrix.NumMyRows(),
+                                                        matrix.NumMyNonzeros(),
+                                                        rows,
+                                                        columns,
+                                                        values);
+        if (!is_analyzed)
           {
-            require_memory(std::max<double>(factor->xsize, common.lnz) *
-                             sizeof(double),
-                           A.nrow);
-            cholmod_factorize(&A, factor, &common);
+            cholesky.analyzePattern(A);
+            require_success(A.rows());
+            is_analyzed = true;
           }
-        if (common.status == CHOLMOD_OUT_OF_MEMORY ||
-            common.status == CHOLMOD_TOO_LARGE)
-          throw std::bad_alloc();
-        if (common.status == CHOLMOD_NOT_POSDEF)
-          throw ComputationError("the effective stiffness matrix is not "
-                                 "positive definite");
-        if (common.status != CHOLMOD_OK)
-          throw ComputationError(
-            "CHOLMOD cannot factorize the effective stiffness matrix of " +
-            std::to_string(A.nrow) + " unknowns (status " +
-            std::to_string(common.status) + ")");
+        require_memory(cholesky.cholmod().lnz * sizeof(double), A.rows());
+        cholesky.factorize(A);
+        require_success(A.rows());
       }
 
       void
       solve(const Eigen::VectorXd &right_hand_side, Eigen::VectorXd &x) override
       {
-        cholmod_dense b = {};
-        b.nrow = b.nzmax = b.d = right_hand_side.size();
-        b.ncol                 = 1;
-        b.x                    = const_cast<double *>(right_hand_side.data());
-        b.xtype                = CHOLMOD_REAL;
-        b.dtype                = CHOLMOD_DOUBLE;
-        if (!cholmod_solve2(CHOLMOD_A,
-                            factor,
-                            &b,
-                            nullptr,
-                            &solution,
-                            nullptr,
-                            &work_y,
-                            &work_e,
-                            &common))
-          throw ComputationError("CHOLMOD cannot solve (status " +
-                                 std::to_string(common.status) + ")");
-        x = Eigen::Map<const Eigen::VectorXd>(static_cast<const double *>(
-                                                solution->x),
-                                              right_hand_side.size());
+        x = cholesky.solve(right_hand_side);
+        require_success(x.size());
       }
 
     private:
-      cholmod_common  common;
-      cholmod_factor *factor   = nullptr;
-      cholmod_dense  *solution = nullptr;
-      cholmod_dense  *work_y   = nullptr;
-      cholmod_dense  *work_e   = nullptr;
+      void
+      require_success(const Eigen::Index n_unknowns)
+      {
+        const int status = cholesky.cholmod().status;
+        if (status == CHOLMOD_OUT_OF_MEMORY || status == CHOLMOD_TOO_LARGE)
+          throw std::bad_alloc();
+        if (status == CHOLMOD_NOT_POSDEF)
+          throw ComputationError("the effective stiffness matrix is not "
+                                 "positive definite");
+        if (status != CHOLMOD_OK)
+          throw ComputationError(fmt::format(
+            "CHOLMOD fails for the effective stiffness matrix of {} unknowns "
+            "(status {})",
+            n_unknowns,
+            status));
+      }
+
+      bool is_analyzed = false;
+      Eigen::CholmodDecomposition<Eigen::SparseMatrix<double>, Eigen::Upper>
+        cholesky;
     };
 
 

@@ -4,10 +4,9 @@
 #include "plate_impact/base/text.h"
 #include "plate_impact/contact/make_contact.h"
 #include "plate_impact/transient/make_integrator.h"
-#include "plate_impact/transient/newmark_scheme.h"
-#include "plate_impact/transient/time_error.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace PlateImpact
@@ -44,6 +43,7 @@ namespace PlateImpact
   LoadedPlate::LoadedPlate(const Parameters     &impact,
                            std::shared_ptr<Load> shared_load)
     : parameters(impact)
+    , scheme(impact.time)
     , load(std::move(shared_load))
     , contact(make_contact(parameters, load->layer_constant))
     , impactor(make_impactor(parameters.impactor))
@@ -52,10 +52,10 @@ namespace PlateImpact
 
 
 
-  bool
-  LoadedPlate::is_stepped_on_the_mesh() const
+  TimeStepper
+  LoadedPlate::steps(const NewmarkScheme &by, SemidiscreteSystem &stepped) const
   {
-    return &system == &load->system;
+    return {by, stepped, contact, *load->integration, impactor};
   }
 
 
@@ -63,32 +63,9 @@ namespace PlateImpact
   Impact
   LoadedPlate::strike() const
   {
-    Impact result = strike(impactor);
+    Impact result =
+      load->integrator->impact(system, contact, impactor, scheme.n_steps);
     require_energy(parameters, result.history);
-    return result;
-  }
-
-
-
-  Impact
-  LoadedPlate::strike(const Impactor &striking) const
-  {
-    const NewmarkScheme scheme(parameters.time);
-    Impact              result;
-    if (scheme.conserves_energy())
-      result = load->integrator->response(system).impact(contact,
-                                                         striking,
-                                                         scheme.n_steps);
-    else
-      {
-        TimeStepper stepper(parameters.time,
-                            system,
-                            contact,
-                            *load->integration,
-                            striking);
-        result = step_to_end(stepper);
-      }
-    result.is_reduced = !is_stepped_on_the_mesh();
     return result;
   }
 
@@ -97,34 +74,15 @@ namespace PlateImpact
   Impact
   LoadedPlate::strike(TransientListener &listener) const
   {
-    TimeStepper stepper(parameters.time,
-                        system,
-                        contact,
-                        *load->integration,
-                        impactor);
+    TimeStepper stepper = steps(scheme, system);
     listener.begin(system, stepper);
-    Impact result     = step_to_end(stepper, [&](const unsigned int step) {
-      listener.take_step(step, stepper);
-    });
-    result.is_reduced = !is_stepped_on_the_mesh();
-    require_energy(parameters, result.history);
-    return result;
-  }
-
-
-
-  TimeStepper
-  LoadedPlate::steps_on_the_mesh(const TimeParameters &time) const
-  {
-    return {time, load->system, contact, *load->integration, impactor};
-  }
-
-
-
-  double
-  LoadedPlate::static_compliance() const
-  {
-    return load->system.static_compliance();
+    for (unsigned int step = 1; step <= scheme.n_steps; ++step)
+      {
+        stepper.advance();
+        listener.take_step(step, stepper);
+      }
+    require_energy(parameters, stepper.impact().history);
+    return stepper.impact();
   }
 
 
@@ -132,12 +90,28 @@ namespace PlateImpact
   std::optional<double>
   LoadedPlate::time_error(const ContactHistory &history) const
   {
-    return estimated_time_error(history,
-                                parameters.time,
-                                system,
-                                contact,
-                                *load->integration,
-                                impactor);
+    const double peak = history.peak_of_curve();
+    if (peak <= 0. || history.rise_time() < 3.5 * scheme.dt)
+      return {};
+    TimeParameters coarse = parameters.time;
+    coarse.time_step      = 2. * scheme.dt;
+    coarse.end_time       = coarse.time_step * ((scheme.n_steps + 1) / 2);
+    TimeStepper           stepper = steps(coarse, system);
+    const ContactHistory &doubled = stepper.impact().history;
+    // three states make a peak
+    const double past_peak = history.peak().time + 1.5 * coarse.time_step;
+    while (doubled.states().size() <= stepper.n_steps() &&
+           stepper.state().time < past_peak)
+      stepper.advance();
+    double change = doubled.peak_of_curve() - peak;
+    if (const unsigned int last = scheme.n_steps;
+        history.peak().time == history.states()[last].time)
+      // a force that grows to the end is compared where both have a state
+      change = doubled.states()[last / 2].force -
+        history.states()[last - last % 2].force;
+    const double by_step = std::abs(change) / (std::exp2(scheme.order()) - 1.),
+                 missed  = peak - history.peak().force;
+    return (by_step + missed) / peak;
   }
 
 
@@ -147,11 +121,36 @@ namespace PlateImpact
   {
     if (history.n_contacts() < 2)
       return {};
-    return sensitivity_to_velocity(history,
-                                   impactor,
-                                   [this](const Impactor &other) {
-                                     return strike(other).history;
-                                   });
+    const double change = 1e-6, unpredictable = 1e-3;
+    Impactor     faster = impactor;
+    faster.velocity *= 1. + change;
+    const ContactHistory other =
+      load->integrator->impact(system, contact, faster, scheme.n_steps).history;
+    const double peak = history.peak().force;
+    Sensitivity  result;
+    for (std::size_t step = 0; step < history.states().size(); ++step)
+      {
+        const ContactState &state = history.states()[step];
+        const double        changed =
+          std::abs(other.states()[step].force - state.force) / peak;
+        result.factor = std::max(result.factor, changed / change);
+        if (changed > unpredictable && !result.unpredictable_from)
+          result.unpredictable_from = state.time;
+      }
+    return result;
+  }
+
+
+
+  std::unique_ptr<Integrator>
+  LoadedPlate::integrator_to(const double time_of_peak) const
+  {
+    TimeParameters to_peak = parameters.time;
+    to_peak.integrator     = IntegratorType::Ritz_vectors;
+    to_peak.end_time       = time_of_peak;
+    to_peak.time_step      = scheme.dt;
+    to_peak.ritz_tolerance = tolerance_of_estimate;
+    return make_integrator(to_peak, load->system, *load->integration, true);
   }
 
 
@@ -159,27 +158,13 @@ namespace PlateImpact
   std::optional<PeakForceProblem>
   LoadedPlate::peak_force_problem(const ContactHistory &history) const
   {
-    const NewmarkScheme scheme(parameters.time);
     if (!scheme.conserves_energy() || history.peak().force <= 0. ||
         history.peak().time > most_steps_to_peak * scheme.dt)
       return {};
-    // On the mesh it would take three more transients up to the peak. It needs
-    // few digits.
+    // on the mesh it would take three more transients up to the peak
     std::unique_ptr<Integrator> own;
     if (is_stepped_on_the_mesh())
-      {
-        TimeParameters to_peak = parameters.time;
-        to_peak.integrator     = IntegratorType::Ritz_vectors;
-        to_peak.end_time       = history.peak().time;
-        to_peak.horizon        = 0.;
-        to_peak.time_step      = scheme.dt;
-        to_peak.ritz_tolerance = tolerance_of_estimate;
-        own                    = make_integrator(to_peak,
-                              parameters.plate,
-                              load->system,
-                              *load->integration,
-                              true);
-      }
+      own = integrator_to(history.peak().time);
     Integrator          &integrator = own ? *own : *load->integrator;
     SemidiscreteSystem  &of_dual    = integrator.system_for(parameters);
     const PlateResponse &response   = integrator.response(of_dual);

@@ -8,7 +8,6 @@ namespace PlateImpact
 {
   std::unique_ptr<Integrator>
   make_integrator(const TimeParameters     &time,
-                  const PlateParameters    &plate,
                   FullSystem               &full,
                   const ContactIntegration &integration,
                   bool                      needs_fields)
@@ -19,7 +18,6 @@ namespace PlateImpact
           return std::make_unique<NewmarkOnTheMesh>(full, time, integration);
         case IntegratorType::Ritz_vectors:
           return std::make_unique<RitzReduction>(full,
-                                                 plate,
                                                  time,
                                                  integration,
                                                  needs_fields);

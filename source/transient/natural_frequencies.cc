@@ -12,100 +12,50 @@
 #pragma GCC diagnostic pop
 #include <Epetra_CrsMatrix.h>
 #include <Epetra_MultiVector.h>
-#include <Epetra_Operator.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 #include <string>
 
 namespace PlateImpact
 {
+  using Vectors        = Epetra_MultiVector;
+  using VectorOperator = std::function<void(const Vectors &, Vectors &)>;
+} // namespace PlateImpact
+
+/// How Anasazi applies an operator.
+template <>
+class Anasazi::
+  OperatorTraits<double, PlateImpact::Vectors, PlateImpact::VectorOperator>
+{
+public:
+  static void
+  Apply(const PlateImpact::VectorOperator &apply,
+        const PlateImpact::Vectors        &X,
+        PlateImpact::Vectors              &Y)
+  {
+    apply(X, Y);
+  }
+};
+
+namespace PlateImpact
+{
   namespace
   {
-    /// (K + c M)^{-1} M by the factorization of a system.
-    class ShiftInvert : public Epetra_Operator
+    /// y = A x for one vector after another.
+    template <typename Function>
+    Teuchos::RCP<const VectorOperator>
+    by_columns(const Function &multiply)
     {
-    public:
-      ShiftInvert(const Epetra_CrsMatrix &mass, FullSystem &system)
-        : mass(mass)
-        , system(system)
-      {}
-
-      int
-      Apply(const Epetra_MultiVector &X, Epetra_MultiVector &Y) const override
-      {
-        Eigen::VectorXd Mx, y;
-        for (int column = 0; column < X.NumVectors(); ++column)
-          {
-            system.multiply_mass(
-              Eigen::Map<const Eigen::VectorXd>(X[column], X.MyLength()),
-              Mx);
-            system.solve(Mx, y);
-            Eigen::Map<Eigen::VectorXd>(Y[column], Y.MyLength()) = y;
-          }
-        return 0;
-      }
-
-      int
-      ApplyInverse(const Epetra_MultiVector &,
-                   Epetra_MultiVector &) const override
-      {
-        return -1;
-      }
-
-      int
-      SetUseTranspose(const bool use_transpose) override
-      {
-        return use_transpose ? -1 : 0;
-      }
-
-      double
-      NormInf() const override
-      {
-        return 0.;
-      }
-
-      const char *
-      Label() const override
-      {
-        return "(K + c M)^-1 M";
-      }
-
-      bool
-      UseTranspose() const override
-      {
-        return false;
-      }
-
-      bool
-      HasNormInf() const override
-      {
-        return false;
-      }
-
-      const Epetra_Comm &
-      Comm() const override
-      {
-        return mass.Comm();
-      }
-
-      const Epetra_Map &
-      OperatorDomainMap() const override
-      {
-        return mass.OperatorDomainMap();
-      }
-
-      const Epetra_Map &
-      OperatorRangeMap() const override
-      {
-        return mass.OperatorRangeMap();
-      }
-
-    private:
-      const Epetra_CrsMatrix &mass;
-      FullSystem             &system;
-    };
+      return Teuchos::rcp(
+        new VectorOperator([multiply](const Vectors &X, Vectors &Y) {
+          for (int column = 0; column < X.NumVectors(); ++column)
+            Eigen::Map<Eigen::VectorXd>(Y[column], Y.MyLength()) = multiply(
+              Eigen::Map<const Eigen::VectorXd>(X[column], X.MyLength()));
+        }));
+    }
 
 
 
@@ -126,29 +76,36 @@ namespace PlateImpact
     /// Squares of frequencies, by Rayleigh's quotient of the modes with the
     /// largest eigenvalues theta of (K + c M)^{-1} M, ascending. [1/s^2]
     std::vector<double>
-    lowest_squares(const Epetra_CrsMatrix &mass,
-                   FullSystem             &system,
-                   const double            c,
-                   const int               n)
+    lowest_squares(EffectiveStiffness &matrices, const double c, const int n)
     {
       using Problem =
-        Anasazi::BasicEigenproblem<double, Epetra_MultiVector, Epetra_Operator>;
+        Anasazi::BasicEigenproblem<double, Vectors, VectorOperator>;
+      const Epetra_CrsMatrix &mass = matrices.discretization.mass();
+      const auto              K = as_eigen(matrices.discretization.stiffness()),
+                 M              = as_eigen(mass);
+      const auto multiply_mass  = [&](const Eigen::VectorXd &x) {
+        return Eigen::VectorXd(M * x);
+      };
+      const auto shift_invert = [&](const Eigen::VectorXd &x) {
+        Eigen::VectorXd y;
+        matrices.solve(c, M * x, y);
+        return y;
+      };
       // squares have modes in pairs of one frequency, which a single vector
       // does not tell apart
       const int  n_unknowns = mass.NumMyRows();
       const int  block_size = n_unknowns < 20 ? 1 : 2;
-      const auto start      = Teuchos::rcp(
-        new Epetra_MultiVector(mass.OperatorDomainMap(), block_size));
+      const auto start =
+        Teuchos::rcp(new Vectors(mass.DomainMap(), block_size));
       // the same on every machine, and not orthogonal to a low mode
       for (int i = 0; i < start->MyLength(); ++i)
         {
           (*start)[block_size - 1][i] = std::cos(3. * i);
           (*start)[0][i]              = 1. + 0.5 * std::sin(1. + i);
         }
-      const auto problem = Teuchos::rcp(
-        new Problem(Teuchos::rcp(new ShiftInvert(mass, system)),
-                    Teuchos::rcpFromRef<const Epetra_Operator>(mass),
-                    start));
+      const auto problem = Teuchos::rcp(new Problem(by_columns(shift_invert),
+                                                    by_columns(multiply_mass),
+                                                    start));
       problem->setHermitian(true);
       problem->setNEV(n);
       problem->setProblem();
@@ -161,9 +118,9 @@ namespace PlateImpact
       parameters.set("Maximum Restarts", 100);
       parameters.set("Convergence Tolerance", 1e-9);
       parameters.set("Verbosity", Anasazi::Errors);
-      Anasazi::
-        BlockKrylovSchurSolMgr<double, Epetra_MultiVector, Epetra_Operator>
-          solver(problem, parameters);
+      Anasazi::BlockKrylovSchurSolMgr<double, Vectors, VectorOperator> solver(
+        problem,
+        parameters);
       try
         {
           if (solver.solve() != Anasazi::Converged)
@@ -179,15 +136,11 @@ namespace PlateImpact
 
       const auto         &solution = problem->getSolution();
       std::vector<double> result;
-      Eigen::VectorXd     Kx, Mx;
       for (int mode = 0; mode < solution.numVecs; ++mode)
         {
-          const Eigen::VectorXd x =
-            Eigen::Map<const Eigen::VectorXd>((*solution.Evecs)[mode],
-                                              n_unknowns);
-          system.multiply_stiffness(x, Kx);
-          system.multiply_mass(x, Mx);
-          const double square   = x.dot(Kx) / x.dot(Mx),
+          const Eigen::Map<const Eigen::VectorXd> x((*solution.Evecs)[mode],
+                                                    n_unknowns);
+          const double square   = x.dot(K * x) / x.dot(M * x),
                        by_theta = 1. / solution.Evals[mode].realpart - c;
           // a motion as a rigid body has none
           if (std::abs(square - by_theta) > 1e-2 * std::abs(square) + 1e-6 * c)
@@ -203,10 +156,9 @@ namespace PlateImpact
 
 
   std::vector<double>
-  natural_frequencies(const PlateDiscretization &discretization,
-                      FullSystem                &system,
-                      const unsigned int         n)
+  natural_frequencies(EffectiveStiffness &matrices, const unsigned int n)
   {
+    const PlateDiscretization &discretization = matrices.discretization;
     // planes of symmetry let a free plate move, but not turn across them
     const unsigned int n_rigid  = !discretization.is_free() ? 0 :
        discretization.n_parts() > 2.                        ? 1 :
@@ -215,10 +167,9 @@ namespace PlateImpact
     const unsigned int n_wanted = std::min(n, discretization.n_unknowns() / 4);
     if (n_wanted == 0)
       return {};
-    const double c = shift(discretization);
-    system.factorize(c);
+    const double              c = shift(discretization);
     const std::vector<double> squares =
-      lowest_squares(discretization.mass(), system, c, n_wanted + n_rigid);
+      lowest_squares(matrices, c, n_wanted + n_rigid);
     std::vector<double> result;
     for (std::size_t mode = n_rigid; mode < squares.size(); ++mode)
       {

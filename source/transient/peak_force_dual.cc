@@ -30,27 +30,6 @@ namespace PlateImpact
       return scheme.dt * scheme.dt / impactor.mass * in_steps;
     }
 
-
-
-    /// Shows the states of a plate, from rest, after steps under forces.
-    template <typename Function>
-    void
-    states_under(const Eigen::VectorXd    &forces,
-                 const NewmarkScheme      &scheme,
-                 const ContactIntegration &integration,
-                 SemidiscreteSystem       &plate,
-                 const Function           &show)
-    {
-      PlateStepper stepper(scheme, plate);
-      const double at_begin = integration.acts_at_begin() ? 1. : 0.;
-      for (Eigen::Index k = 0; k < forces.size(); ++k)
-        {
-          stepper.begin_step(
-            k == 0 ? 0. : integration.known_begin_force(forces[k - 1]));
-          stepper.end_step(at_begin * forces[k], forces[k]);
-          show(k + 1, stepper.unknowns());
-        }
-    }
   } // namespace
 
 
@@ -116,12 +95,12 @@ namespace PlateImpact
     for (Eigen::Index n = p - 1; n >= 0; --n)
       {
         const Eigen::Index n_after = p - 1 - n;
-        const double       known =
+        const double       of_later =
           compliance.segment(1, n_after).dot(mu.tail(n_after));
         double right_hand_side = n == p - 1 ? at_peak : -a[n + 1] * y_after;
-        right_hand_side -= b[n] * known;
+        right_hand_side -= b[n] * of_later;
         mu[n]   = right_hand_side / (1. + b[n] * compliance[0]);
-        y_after = known + compliance[0] * mu[n];
+        y_after = of_later + compliance[0] * mu[n];
       }
     return mu;
   }
@@ -146,27 +125,27 @@ namespace PlateImpact
     result.motion.setZero(plate.load().size(), n_times);
     result.dual = result.motion;
 
-    states_under(forces,
-                 scheme,
-                 integration,
-                 plate,
-                 [&](const Eigen::Index step, const Eigen::VectorXd &state) {
-                   if (step % stride == first)
-                     result.motion.col(step / stride) = state;
-                 });
-    states_under(weights.reverse(),
-                 scheme,
-                 integration,
-                 plate,
-                 [&](const Eigen::Index step, const Eigen::VectorXd &state) {
-                   const auto column = [&](const Eigen::Index beside) {
-                     return result.dual.col(n_times - 1 - beside / stride);
-                   };
-                   if (step % stride == 0 && step < p)
-                     column(step) += 0.5 * state;
-                   if ((step - 1) % stride == 0)
-                     column(step - 1) += 0.5 * state;
-                 });
+    step_under(forces,
+               scheme,
+               integration,
+               plate,
+               [&](const Eigen::Index step, const PlateStepper &stepper) {
+                 if (step % stride == first)
+                   result.motion.col(step / stride) = stepper.unknowns();
+               });
+    step_under(weights.reverse(),
+               scheme,
+               integration,
+               plate,
+               [&](const Eigen::Index step, const PlateStepper &stepper) {
+                 const auto column = [&](const Eigen::Index beside) {
+                   return result.dual.col(n_times - 1 - beside / stride);
+                 };
+                 if (step % stride == 0 && step < p)
+                   column(step) += 0.5 * stepper.unknowns();
+                 if ((step - 1) % stride == 0)
+                   column(step - 1) += 0.5 * stepper.unknowns();
+               });
     return result;
   }
 } // namespace PlateImpact

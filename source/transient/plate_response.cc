@@ -16,30 +16,17 @@ namespace PlateImpact
     , reversed(scheme.n_steps)
   {
     Assert(scheme.conserves_energy(), dealii::ExcInternalError());
-    PlateStepper stepper(scheme, plate);
-    const double at_begin = integration.acts_at_begin() ? 1. : 0.;
-    for (unsigned int step = 0; step < scheme.n_steps; ++step)
-      {
-        const double force = step == 0 ? 1. : 0.;
-        // a force at the end of a step is one at the beginning of the next
-        const double known =
-          step == 1 ? integration.known_begin_force(/*force_at_begin=*/1.) : 0.;
-        stepper.begin_step(known);
-        stepper.end_step(at_begin * force, force);
-        reversed[scheme.n_steps - 1 - step] = stepper.displacement();
-      }
+    step_under(Eigen::VectorXd::Unit(scheme.n_steps, 0),
+               scheme,
+               integration,
+               plate,
+               [this](const Eigen::Index step, const PlateStepper &stepper) {
+                 reversed[reversed.size() - step] = stepper.displacement();
+               });
     if (!reversed.allFinite())
       throw ComputationError(
         "the response of the plate to a unit force is not finite; try a "
         "smaller Time/Time step");
-  }
-
-
-
-  double
-  PlateResponse::displacement(const unsigned int j) const
-  {
-    return reversed[scheme.n_steps - 1 - j];
   }
 
 
@@ -50,11 +37,7 @@ namespace PlateImpact
                         const unsigned int n_steps) const
   {
     ImpactorStepper stepper(scheme, contact, integration, impactor);
-    Impact          result;
-    result.history.reserve(n_steps + 1);
-    result.history.add(stepper.state());
-
-    const double    compliance = reversed[scheme.n_steps - 1];
+    const double    compliance = displacement(0);
     Eigen::VectorXd forces(n_steps);
     unsigned int    n_forces = 0; // up to the last that is not zero
     double          energy   = 0.;
@@ -73,10 +56,7 @@ namespace PlateImpact
           begin + (integration.acts_at_begin() ? phi : 0.);
         energy += 0.5 * (force_begin + phi) * (w_end - w);
         stepper.end_step(phi, w_end, energy);
-        result.history.add(stepper.state());
       }
-    result.impulse         = stepper.impulse();
-    result.n_contact_steps = stepper.n_contact_steps();
-    return result;
+    return stepper.impact();
   }
 } // namespace PlateImpact

@@ -7,8 +7,7 @@ namespace PlateImpact
     : scheme(scheme)
     , plate(plate)
   {
-    plate.factorize(scheme.c0);
-    plate.solve(plate.load(), unit_response);
+    plate.solve(scheme.c0, plate.load(), unit_response);
     w_of_unit_response = plate.load().dot(unit_response);
 
     // at rest, without force
@@ -20,24 +19,17 @@ namespace PlateImpact
 
 
   double
-  PlateStepper::begin_step(const double known)
+  PlateStepper::begin_step(const double begin_force)
   {
     const double c1 = scheme.c1, c2 = scheme.c2;
-    right_hand_side = c1 * Mv - (1. + c2) * Kz + (c2 * known) * plate.load();
+    right_hand_side =
+      c1 * Mv - (1. + c2) * Kz + (c2 * begin_force) * plate.load();
     const bool is_at_rest = increment.size() == 0;
-    if (is_at_rest && known == 0.)
+    if (is_at_rest && begin_force == 0.)
       increment.setZero(z.size());
     else
-      plate.solve(right_hand_side, increment);
+      plate.solve(scheme.c0, right_hand_side, increment);
     return w + plate.load().dot(increment);
-  }
-
-
-
-  double
-  PlateStepper::unit_displacement() const
-  {
-    return w_of_unit_response;
   }
 
 
@@ -84,25 +76,23 @@ namespace PlateImpact
 
 
 
-  double
-  PlateStepper::displacement() const
+  void
+  step_under(
+    const Eigen::VectorXd                                         &forces,
+    const NewmarkScheme                                           &scheme,
+    const ContactIntegration                                      &integration,
+    SemidiscreteSystem                                            &plate,
+    const std::function<void(Eigen::Index, const PlateStepper &)> &show)
   {
-    return w;
-  }
-
-
-
-  double
-  PlateStepper::energy() const
-  {
-    return 0.5 * (v.dot(Mv) + z.dot(Kz));
-  }
-
-
-
-  const Eigen::VectorXd &
-  PlateStepper::unknowns() const
-  {
-    return z;
+    PlateStepper stepper(scheme, plate);
+    const double at_begin = integration.acts_at_begin() ? 1. : 0.;
+    for (Eigen::Index k = 0; k < forces.size(); ++k)
+      {
+        // a force at the end of a step is one at the beginning of the next
+        stepper.begin_step(
+          k == 0 ? 0. : integration.known_begin_force(forces[k - 1]));
+        stepper.end_step(at_begin * forces[k], forces[k]);
+        show(k + 1, stepper);
+      }
   }
 } // namespace PlateImpact

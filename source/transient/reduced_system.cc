@@ -100,14 +100,6 @@ namespace PlateImpact
 
 
 
-  const Eigen::VectorXd &
-  ReducedSystem::load() const
-  {
-    return u;
-  }
-
-
-
   void
   ReducedSystem::multiply_stiffness(const Eigen::VectorXd &x,
                                     Eigen::VectorXd       &y) const
@@ -131,13 +123,18 @@ namespace PlateImpact
         factor[i]         = beside[i - 1] * inverse_pivots[i - 1];
         inverse_pivots[i] = 1. / (diagonal[i] - factor[i] * beside[i - 1]);
       }
+    factorized_for = c;
   }
 
 
 
   void
-  ReducedSystem::solve(const Eigen::VectorXd &b, Eigen::VectorXd &x)
+  ReducedSystem::solve(const double           c,
+                       const Eigen::VectorXd &b,
+                       Eigen::VectorXd       &x)
   {
+    if (c != factorized_for)
+      factorize(c);
     const Eigen::Index n = u.size();
     x                    = b;
     for (Eigen::Index i = 1; i < n; ++i)
@@ -147,51 +144,4 @@ namespace PlateImpact
       x[i - 1] -= factor[i] * x[i];
   }
 
-
-
-  double
-  ReducedSystem::static_compliance()
-  {
-    return compliance;
-  }
-
-
-
-  unsigned int
-  ReducedSystem::n_vectors() const
-  {
-    return n;
-  }
-
-
-
-  Eigen::Ref<const Eigen::MatrixXd>
-  ReducedSystem::vectors() const
-  {
-    return basis.vectors().leftCols(n);
-  }
-
-
-
-  Eigen::MatrixXd
-  ReducedSystem::unknowns(const Eigen::Ref<const Eigen::MatrixXd> &states) const
-  {
-    return vectors() * states.topRows(n);
-  }
-
-
-
-  SemidiscreteSystem::Span
-  ReducedSystem::span(const Eigen::Ref<const Eigen::MatrixXd> &states) const
-  {
-    return {vectors(), states.topRows(n)};
-  }
-
-
-
-  unsigned int
-  ReducedSystem::n_states_at_once() const
-  {
-    return 500;
-  }
 } // namespace PlateImpact

@@ -22,7 +22,8 @@ namespace PlateImpact
 
 
   RitzBasis::RitzBasis(FullSystem &system, const double sigma)
-    : system(system)
+    : matrices(system.effective_stiffness())
+    , u(system.load())
     , sigma(sigma)
   {}
 
@@ -33,12 +34,11 @@ namespace PlateImpact
   {
     if (n_wanted <= n || complete)
       return;
-    system.factorize(sigma);
     if (n_wanted > Q.cols())
       {
         // twice as many, since all are copied; what is not used costs nothing
         const Eigen::Index room = 2 * n_wanted;
-        Q.conservativeResize(system.load().size(), room);
+        Q.conservativeResize(u.size(), room);
         diagonal.conservativeResize(room);
         subdiagonal.conservativeResize(room);
       }
@@ -52,20 +52,17 @@ namespace PlateImpact
   RitzBasis::append()
   {
     // A times the candidate is what it is solved for
-    system.solve(n == 0 ? system.load() : M_last, candidate);
-    if (n == 0)
-      A_candidate = system.load();
-    else if (n == 1)
+    A_candidate = n == 0 ? u : M_last;
+    matrices.solve(sigma, A_candidate, candidate);
+    if (n > 0)
       {
-        candidate -= diagonal[0] * Q.col(0);
-        A_candidate = M_last - diagonal[0] * A_last;
+        candidate -= diagonal[n - 1] * Q.col(n - 1);
+        A_candidate -= diagonal[n - 1] * A_last;
       }
-    else
+    if (n > 1)
       {
-        candidate -=
-          diagonal[n - 1] * Q.col(n - 1) + subdiagonal[n - 2] * Q.col(n - 2);
-        A_candidate =
-          M_last - diagonal[n - 1] * A_last - subdiagonal[n - 2] * A_before;
+        candidate -= subdiagonal[n - 2] * Q.col(n - 2);
+        A_candidate -= subdiagonal[n - 2] * A_before;
       }
     const double norm = orthogonalize();
     if (n == Q.rows() || (n > 0 && norm * sigma <= least_coupling))
@@ -75,9 +72,9 @@ namespace PlateImpact
       }
     Q.col(n) = candidate / norm;
     A_before.swap(A_last);
-    A_last = A_candidate / norm;
-    system.multiply_mass(Q.col(n), M_last);
-    diagonal[n] = Q.col(n).dot(M_last);
+    A_last           = A_candidate / norm;
+    M_last.noalias() = as_eigen(matrices.discretization.mass()) * Q.col(n);
+    diagonal[n]      = Q.col(n).dot(M_last);
     // T is positive, whatever round-off makes of it
     const double pivot =
       n == 0 ? diagonal[0] : diagonal[n] - norm * norm / last_pivot;
@@ -114,7 +111,7 @@ namespace PlateImpact
     if (!acts)
       return norm;
     candidate -= Q.leftCols(n) * overlap;
-    system.multiply_effective_stiffness(candidate, A_candidate);
+    matrices.multiply(sigma, candidate, A_candidate);
     const double left = norm_of_candidate();
     return overlap.norm() < most_overlap * left ? left : 0.;
   }
@@ -131,67 +128,4 @@ namespace PlateImpact
     return std::sqrt(std::max(0., square));
   }
 
-
-
-  unsigned int
-  RitzBasis::n_vectors() const
-  {
-    return n;
-  }
-
-
-
-  bool
-  RitzBasis::is_free() const
-  {
-    return system.is_free();
-  }
-
-
-
-  bool
-  RitzBasis::is_complete() const
-  {
-    return complete;
-  }
-
-
-
-  double
-  RitzBasis::shift() const
-  {
-    return sigma;
-  }
-
-
-
-  Eigen::Ref<const Eigen::MatrixXd>
-  RitzBasis::vectors() const
-  {
-    return Q.leftCols(n);
-  }
-
-
-
-  Eigen::Ref<const Eigen::VectorXd>
-  RitzBasis::mass_diagonal() const
-  {
-    return diagonal.head(n);
-  }
-
-
-
-  Eigen::Ref<const Eigen::VectorXd>
-  RitzBasis::mass_subdiagonal() const
-  {
-    return subdiagonal.head(n - 1);
-  }
-
-
-
-  double
-  RitzBasis::load() const
-  {
-    return load_norm;
-  }
 } // namespace PlateImpact

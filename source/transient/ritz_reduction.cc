@@ -9,7 +9,6 @@
 #include <cmath>
 #include <deque>
 #include <limits>
-#include <vector>
 
 namespace PlateImpact
 {
@@ -41,40 +40,93 @@ namespace PlateImpact
     /// Mean square of the difference of two histories over the steps in which
     /// they are not zero; none where one has no value.
     double
-    squared_difference(const std::vector<double> &a,
-                       const std::vector<double> &b)
+    squared_difference(const Eigen::ArrayXd &a, const Eigen::ArrayXd &b)
     {
-      double       sum      = 0.;
-      unsigned int n_counts = 0;
-      for (std::size_t n = 0; n < b.size(); ++n)
-        if (a[n] != 0. || b[n] != 0.)
-          {
-            const double difference = a[n] - b[n];
-            if (std::isfinite(difference))
-              sum += difference * difference;
-            ++n_counts;
-          }
-      return n_counts > 0 ? sum / n_counts : 0.;
+      const Eigen::ArrayXd difference = a - b;
+      const double         n          = ((a != 0.) || (b != 0.)).count();
+      return difference.isFinite().select(difference.square(), 0.).sum() /
+        std::max(1., n);
     }
 
 
 
     /// Estimated error of the last history of three, the root of its mean
-    /// square. Once waves no longer come
-    /// back from the end of the chain of vectors, the errors of different
-    /// bases are uncorrelated ringing: differences are |a - b|^2 = e_a^2 +
-    /// e_b^2, and three of them tell the error of each. An estimate below what
-    /// two equal errors would differ by is not trusted.
+    /// square. Once waves no longer come back from the end of the chain of
+    /// vectors, the errors of different bases are uncorrelated ringing:
+    /// differences are |a - b|^2 = e_a^2 + e_b^2, and three of them tell the
+    /// error of each. An estimate below what two equal errors would differ by
+    /// is not trusted.
     double
-    estimated_error(const std::vector<double> &first,
-                    const std::vector<double> &second,
-                    const std::vector<double> &third)
+    estimated_error(const Eigen::ArrayXd &first,
+                    const Eigen::ArrayXd &second,
+                    const Eigen::ArrayXd &third)
     {
-      const double of_last = squared_difference(second, third);
-      return std::sqrt(std::max(0.5 * of_last,
-                                0.5 *
-                                  (squared_difference(first, third) + of_last -
-                                   squared_difference(first, second))));
+      const double of_last = squared_difference(second, third),
+                   others  = squared_difference(first, third) -
+        squared_difference(first, second);
+      return std::sqrt(0.5 * std::max(of_last, of_last + others));
+    }
+
+
+
+    bool
+    are_right(const std::deque<Eigen::ArrayX2d> &last_three,
+              const double                       tolerance)
+    {
+      const auto is_right = [&](const unsigned int column) {
+        return estimated_error(last_three[0].col(column),
+                               last_three[1].col(column),
+                               last_three[2].col(column)) <= tolerance;
+      };
+      return last_three.size() == 3 && is_right(0) && is_right(1);
+    }
+
+
+
+    /// What a number of vectors is judged by, relative to the peak force: the
+    /// force, and without contact the displacement under the load times the
+    /// stiffness of the contact at the peak, which is the error that it would
+    /// bring into a force, for another impactor may be in contact when this one
+    /// is not. NaN with contact; zero without a peak.
+    Eigen::ArrayX2d
+    judged(const ContactHistory &history, const Contact &contact)
+    {
+      const ContactState &peak = history.peak();
+      Eigen::ArrayX2d     result =
+        Eigen::ArrayX2d::Zero(history.states().size(), 2);
+      if (peak.force <= 0.)
+        return result;
+      // on the curve of first loading
+      const double per_displacement =
+        contact.stiffness(peak.indentation) / peak.force;
+      for (std::size_t n = 0; n < history.states().size(); ++n)
+        {
+          const ContactState &state = history.states()[n];
+          result(n, 0)              = state.force / peak.force;
+          result(n, 1)              = state.force > 0. ?
+                         std::numeric_limits<double>::quiet_NaN() :
+                         per_displacement * state.plate_displacement;
+        }
+      return result;
+    }
+
+
+
+    /// Norm over all times of what coordinates from the first on hold of the
+    /// displacements, relative to that of all.
+    double
+    share_beyond(const unsigned int first, TimeStepper stepper)
+    {
+      const unsigned int interval = std::max(1u, stepper.n_steps() / 100);
+      const Eigen::Index n_beyond = stepper.displacement().size() - first;
+      double             beyond = 0., all = 0.;
+      for (unsigned int n = interval; n <= stepper.n_steps(); n += interval)
+        {
+          stepper.advance(interval);
+          beyond += stepper.displacement().tail(n_beyond).squaredNorm();
+          all += stepper.displacement().squaredNorm();
+        }
+      return all > 0. ? std::sqrt(beyond / all) : 0.;
     }
 
 
@@ -83,6 +135,44 @@ namespace PlateImpact
     frequency(const int half_octave)
     {
       return std::exp2(0.5 * half_octave);
+    }
+
+
+
+    /// Twice the logarithm to base 2 of the root of the shift [1/s].
+    int
+    half_octave(const double contact_time, const double end_time)
+    {
+      // The fewer vectors the smaller sigma is, for waves to run along them
+      // until the end time T; but below this number what is joined to their end
+      // shows in the force. Measured for 0.5 to 21 contact times, and rounded,
+      // so that impactors share bases.
+      const double duration = std::pow(std::min(end_time, contact_time), 0.6) *
+        std::pow(end_time, 0.4);
+      return std::lround(2. * std::log2(12. * std::acos(-1.) / duration));
+    }
+
+
+
+    /// Whether it is known beforehand that stepping on the mesh takes fewer
+    /// solves than vectors would.
+    bool
+    steps_are_fewer(const Parameters &scene, const double n_unknowns)
+    {
+      // Until waves come back from an edge, the terminator stands for the
+      // plate. After that a wave of frequency omega which is followed for T
+      // takes T (sigma + omega^2) / (2 sigma^{1/2}) vectors, T omega at the
+      // best sigma, and the waves of a contact reach up to some 5 pi /
+      // contact_time, where the mesh carries them: coarse ones have fewer
+      // vectors. Zener's contact is that of a point.
+      const TimeParameters &time = scene.time;
+      if (make_half_space_contact(scene)->hertz_coefficient() == std::nullopt ||
+          n_unknowns < 3. * time.end_time / time.time_step)
+        return false;
+      const ImpactEstimate expected(scene);
+      return time.end_time >
+        2. * scene.plate.distance_to_edge() / expected.wave.group_speed &&
+        expected.contact_time < 16. * time.time_step;
     }
 
 
@@ -105,12 +195,10 @@ namespace PlateImpact
     /// An impactor whose numbers are round in units of the plate, lighter,
     /// stiffer and faster: its contact is shorter, which takes more vectors.
     ImpactorParameters
-    nearby(ImpactorParameters     impactor,
-           const PlateParameters &plate,
-           const PlateSection    &section)
+    nearby(ImpactorParameters impactor, const PlateParameters &plate)
     {
-      const double h = plate.thickness, E = section.contact_modulus,
-                   density = plate.density;
+      const double h = plate.thickness, density = plate.density,
+                   E = PlateSection(plate).contact_modulus;
       impactor.mass =
         round_down(make_impactor(impactor).mass, density * h * h * h);
       impactor.density        = 0.; // what counts is the mass
@@ -124,157 +212,59 @@ namespace PlateImpact
 
 
   RitzReduction::RitzReduction(FullSystem               &full,
-                               const PlateParameters    &plate,
                                const TimeParameters     &time,
                                const ContactIntegration &integration,
                                const bool                needs_fields)
     : Integrator(time, integration)
     , full(full)
-    , plate(plate)
-    , section(plate)
     , needs_fields(needs_fields)
   {}
-
-
-
-  RitzReduction::Histories
-  RitzReduction::histories(ReducedSystem  &reduced,
-                           const Contact  &contact,
-                           const Impactor &impactor)
-  {
-    const NewmarkScheme scheme(time);
-    const auto          impact = [&] {
-      if (scheme.conserves_energy())
-        return response(reduced).impact(contact, impactor, scheme.n_steps);
-      TimeStepper stepper(time, reduced, contact, integration, impactor);
-      return step_to_end(stepper);
-    };
-    const ContactHistory history = impact().history;
-    const ContactState  &peak    = history.peak();
-    Histories            result;
-    if (peak.force <= 0.)
-      return result;
-    const double none = std::numeric_limits<double>::quiet_NaN();
-    // on the curve of first loading
-    const double per_displacement =
-      contact.stiffness(peak.indentation) / peak.force;
-    for (const ContactState &state : history.states())
-      {
-        const bool touches = state.force > 0.;
-        result.force.push_back(state.force / peak.force);
-        result.displacement.push_back(
-          touches ? none : per_displacement * state.plate_displacement);
-      }
-    return result;
-  }
-
-
-
-  double
-  RitzReduction::share_beyond(const unsigned int first,
-                              ReducedSystem     &reduced,
-                              const Contact     &contact,
-                              const Impactor    &impactor) const
-  {
-    TimeStepper        stepper(time, reduced, contact, integration, impactor);
-    const unsigned int interval = std::max(1u, stepper.n_steps() / 100);
-    const Eigen::Index n_beyond = reduced.load().size() - first;
-    double             beyond = 0., all = 0.;
-    for (unsigned int step = 1; step <= stepper.n_steps(); ++step)
-      {
-        stepper.advance();
-        if (step % interval != 0)
-          continue;
-        beyond += stepper.displacement().tail(n_beyond).squaredNorm();
-        all += stepper.displacement().squaredNorm();
-      }
-    return all > 0. ? std::sqrt(beyond / all) : 0.;
-  }
 
 
 
   SemidiscreteSystem &
   RitzReduction::system_for(const Parameters &parameters)
   {
-    Parameters                rounded  = parameters;
-    const ImpactorParameters &impactor = rounded.impactor =
-      nearby(parameters.impactor, plate, section);
-    const auto key   = std::make_pair(parameters.contact, impactor);
-    auto       known = settled.find(key);
-    if (known == settled.end())
-      {
-        const Contact  contact = make_contact(rounded);
-        const Impactor struck  = make_impactor(impactor);
-        ReducedSystem *reduced = nullptr;
-        if (!steps_are_fewer(make_half_space_contact(rounded), struck))
-          reduced = settle(contact, struck);
-        known = settled.emplace(key, reduced).first;
-      }
-    if (known->second == nullptr)
-      return full;
-    return *known->second;
+    Parameters rounded = parameters;
+    rounded.time       = time;
+    rounded.impactor   = nearby(parameters.impactor, parameters.plate);
+    const auto key     = std::make_pair(rounded.contact, rounded.impactor);
+    auto       found   = settled.find(key);
+    if (found == settled.end())
+      found = settled
+                .emplace(key,
+                         steps_are_fewer(rounded, full.load().size()) ?
+                           &full :
+                           settle(rounded))
+                .first;
+    return *found->second;
   }
 
 
 
-  bool
-  RitzReduction::steps_are_fewer(const Contact  &contact,
-                                 const Impactor &impactor) const
+  SemidiscreteSystem *
+  RitzReduction::settle(const Parameters &rounded)
   {
-    // Until waves come back from an edge, the terminator stands for the
-    // plate. After that a wave of frequency omega which
-    // is followed for T takes T (sigma + omega^2) / (2 sigma^{1/2}) vectors,
-    // T omega at the best sigma, and the waves of a contact reach up to some
-    // 5 pi / contact_time, where the mesh carries them: coarse ones have fewer
-    // vectors. Zener's contact is that of a point.
-    if (contact.first_loading().hertz_coefficient() == std::nullopt ||
-        full.load().size() < 3. * time.end_time / time.time_step)
-      return false;
-    const double contact_time =
-      2. * zener_peak(contact, impactor, section).time;
-    const double echo = 2. * plate.distance_to_edge() /
-      contact_wave(section, contact_time).group_speed;
-    return time.end_time > echo && contact_time < 16. * time.time_step;
-  }
-
-
-
-  int
-  RitzReduction::half_octave(const Contact  &contact,
-                             const Impactor &impactor) const
-  {
-    // The fewer vectors the smaller sigma is, for waves to run along them until
-    // the end time T; but below this number what is joined to their end shows
-    // in the force. Measured for 0.5 to 21 contact times, and rounded, so that
-    // impactors share bases.
-    const double contact_time =
-      std::min(time.end_time, 2. * zener_peak(contact, impactor, section).time);
-    const double duration =
-      std::pow(contact_time, 0.6) * std::pow(time.end_time, 0.4);
-    return std::lround(2. * std::log2(12. * std::acos(-1.) / duration));
-  }
-
-
-
-  ReducedSystem *
-  RitzReduction::settle(const Contact &contact, const Impactor &impactor)
-  {
+    const Contact  contact  = make_contact(rounded);
+    const Impactor impactor = make_impactor(rounded.impactor);
+    const int      octave   = half_octave(
+      2. * zener_peak(contact, impactor, PlateSection(rounded.plate)).time,
+      time.end_time);
     // Waves run along the vectors at this speed; a force is right when those
     // that the end reflects cannot be back before the end time. Fields may
     // follow with the third basis, the first that is judged.
-    const int    octave   = half_octave(contact, impactor);
-    const double distance = frequency(octave) * time.end_time;
-    const double n_first = std::max(12., 0.24 * distance), growth = 1.15;
+    const double n_first =
+                   std::max(12., 0.24 * frequency(octave) * time.end_time),
+                 growth = 1.15, n_unknowns = full.load().size();
     // once the vectors have cost as much as the steps would, or fill the
     // memory, the steps are made after all
     const double n_most =
       std::min(vectors_worth(time.end_time / time.time_step),
-               most_numbers / full.load().size());
-    const double n_unknowns = full.load().size();
+               most_numbers / n_unknowns);
     if (n_most < std::min(n_first * growth * growth, n_unknowns))
-      return nullptr;
-    std::deque<Histories> last_three;
-    unsigned int          n_before = 0;
+      return &full;
+    std::deque<Eigen::ArrayX2d> last_three;
+    unsigned int                n_before = 0;
     for (double n = n_first; n <= n_most; n *= growth)
       {
         const unsigned int n_wanted = static_cast<unsigned int>(n);
@@ -283,33 +273,30 @@ namespace PlateImpact
           return &reduced; // there are no more
         try
           {
-            last_three.push_back(histories(reduced, contact, impactor));
-            const auto is_settled =
-              [&](const std::vector<double> Histories::*of) {
-                return estimated_error(last_three[0].*of,
-                                       last_three[1].*of,
-                                       last_three[2].*of) <=
-                  time.ritz_tolerance;
-              };
+            const unsigned int n_steps = NewmarkScheme(time).n_steps;
+            last_three.push_back(
+              judged(impact(reduced, contact, impactor, n_steps).history,
+                     contact));
             // The force is a scalar product of displacements with the load,
             // and settles before they do.
-            if (last_three.size() == 3 && is_settled(&Histories::force) &&
-                is_settled(&Histories::displacement) &&
+            if (are_right(last_three, time.ritz_tolerance) &&
                 (!needs_fields ||
-                 share_beyond(n_before, reduced, contact, impactor) <=
+                 share_beyond(
+                   n_before,
+                   {time, reduced, contact, integration, impactor}) <=
                    field_tolerance))
               return &reduced;
           }
         catch (const ComputationError &)
           {
             // if it is not the reduction that fails, the mesh will tell
-            return nullptr;
+            return &full;
           }
         if (last_three.size() == 3)
           last_three.pop_front();
         n_before = n_wanted;
       }
-    return nullptr;
+    return &full;
   }
 
 

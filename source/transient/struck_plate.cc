@@ -5,7 +5,6 @@
 #include "plate_impact/plate/layer_response.h"
 #include "plate_impact/plate/load_distribution.h"
 #include "plate_impact/plate/plate_mesh.h"
-#include "plate_impact/transient/linear_solver.h"
 #include "plate_impact/transient/make_integrator.h"
 #include "plate_impact/transient/natural_frequencies.h"
 
@@ -44,42 +43,58 @@ namespace PlateImpact
   LoadedPlate
   StruckPlate::under(const Parameters &impact, const bool needs_states)
   {
-    const LoadKey key   = load_key(impact, needs_states);
-    auto          known = loads.find(key);
-    if (known == loads.end())
+    const LoadKey key(impact, needs_states);
+    auto          found = loads.find(key);
+    if (found == loads.end())
       {
         forget_loads();
-        known = loads.emplace(key, make_load(impact, needs_states)).first;
+        found = loads.emplace(key, make_load(impact, key)).first;
       }
-    return {impact, known->second};
+    return {impact, found->second};
+  }
+
+
+
+  StruckPlate::LoadKey::LoadKey(const Parameters &impact,
+                                const bool        needs_states)
+    : shape(impact.contact.load_distribution)
+    , patch_radius(impact.contact.patch_radius)
+    , local_response(impact.contact.local_response)
+    , integration(impact.contact.integration)
+    , impactor(impact.impactor.shape)
+    , length(impact.impactor.length)
+    , time(impact.time)
+    , needs_states(needs_states)
+  {
+    time.end_time = std::max(time.end_time, time.end_of_vectors);
   }
 
 
 
   std::shared_ptr<Load>
-  StruckPlate::make_load(const Parameters &impact, const bool needs_states)
+  StruckPlate::make_load(const Parameters &impact, const LoadKey &key)
   {
     assembled();
-    StageClock            clock;
+    StageClock               clock;
+    const ContactParameters &contact = impact.contact;
+    const double             finest_cell =
+      cell_sizes_near_load(*mesh,
+                           impact.impactor.contact_half_length(),
+                           contact.has_patch() ? contact.patch_radius : 0.)
+        .first;
+    const auto points =
+      on_meshed_part(make_load_distribution(contact, key.length, finest_cell),
+                     impact.plate);
     std::shared_ptr<Load> load(new Load{
-      FullSystem(
-        matrices,
-        plate.load(on_meshed_part(make_load_distribution(impact.contact,
-                                                         impact.impactor.length,
-                                                         finest_cell_under_load(
-                                                           impact)),
-                                  impact.plate),
-                   load_rotation_factor(impact.plate, impact.contact))),
-      layer_constant(impact.plate, impact.contact),
-      make_contact_integration(impact.contact.integration),
+      {matrices,
+       plate.load(points, load_rotation_factor(impact.plate, contact))},
+      layer_constant(impact.plate, contact),
+      make_contact_integration(key.integration),
       nullptr});
-    TimeParameters        to_horizon = impact.time;
-    to_horizon.end_time = std::max(impact.time.end_time, impact.time.horizon);
-    load->integrator    = make_integrator(to_horizon,
-                                       impact.plate,
+    load->integrator = make_integrator(key.time,
                                        load->system,
                                        *load->integration,
-                                       needs_states);
+                                       key.needs_states);
     ++n_loads;
     clock.charge(assembly_seconds);
     return load;
@@ -92,8 +107,7 @@ namespace PlateImpact
   {
     if (n == 0)
       return {};
-    FullSystem without_load(assembled(), Eigen::VectorXd());
-    return PlateImpact::natural_frequencies(plate, without_load, n);
+    return PlateImpact::natural_frequencies(*assembled(), n);
   }
 
 
@@ -105,24 +119,10 @@ namespace PlateImpact
       {
         StageClock clock;
         plate.assemble();
-        matrices = std::make_shared<EffectiveStiffness>(plate,
-                                                        make_linear_solver(
-                                                          linear_solver));
+        matrices = std::make_shared<EffectiveStiffness>(plate, linear_solver);
         clock.charge(assembly_seconds);
       }
     return matrices;
-  }
-
-
-
-  double
-  StruckPlate::finest_cell_under_load(const Parameters &impact) const
-  {
-    const ContactParameters &contact = impact.contact;
-    return cell_sizes_near_load(*mesh,
-                                impact.impactor.contact_half_length(),
-                                contact.has_patch() ? contact.patch_radius : 0.)
-      .first;
   }
 
 
@@ -143,32 +143,6 @@ namespace PlateImpact
 
 
 
-  StruckPlate::LoadKey
-  StruckPlate::load_key(const Parameters &impact, const bool needs_states)
-  {
-    ContactParameters contact    = impact.contact;
-    contact.law                  = {}; // whatever it is
-    contact.unloading            = {};
-    contact.critical_indentation = 0.;
-    TimeParameters time          = impact.time;
-    time.end_time                = std::max(time.end_time, time.horizon);
-    return {contact,
-            impact.impactor.shape,
-            impact.impactor.length,
-            time,
-            needs_states};
-  }
-
-
-
-  const PlateDiscretization &
-  StruckPlate::discretization() const
-  {
-    return plate;
-  }
-
-
-
   StruckPlate::Work
   StruckPlate::work() const
   {
@@ -179,11 +153,7 @@ namespace PlateImpact
     for (const auto &[key, load] : loads)
       work.ritz_vectors += n_vectors(*load);
     if (matrices != nullptr)
-      {
-        work.factorizations        = matrices->n_factorizations();
-        work.linear_solves         = matrices->n_solves();
-        work.factorization_seconds = matrices->factorization_seconds();
-      }
+      static_cast<EffectiveStiffness::Work &>(work) = matrices->work();
     return work;
   }
 } // namespace PlateImpact

@@ -3,7 +3,7 @@
 
 #include "plate_impact/base/parameters.h"
 #include "plate_impact/contact/zener.h"
-#include "plate_impact/transient/impact.h"
+#include "plate_impact/transient/impactor_stepper.h"
 
 #include <optional>
 #include <string>

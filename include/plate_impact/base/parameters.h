@@ -284,7 +284,7 @@ namespace PlateImpact
     // what follows from the entries
     bool   step_is_chosen = false; ///< by the program
     bool   end_is_chosen  = false; ///< that of the first contact
-    double horizon = 0.; ///< until when Ritz vectors serve, if after end_time
+    double end_of_vectors = 0.;    ///< of Ritz vectors, if after end_time
 
     auto
     members() const

@@ -5,7 +5,7 @@
 #include "plate_impact/transient/linear_solver.h"
 #include "plate_impact/transient/semidiscrete_system.h"
 
-#include <Eigen/Core>
+#include <Eigen/SparseCore>
 #include <Epetra_CrsMatrix.h>
 
 #include <memory>
@@ -13,34 +13,44 @@
 
 namespace PlateImpact
 {
+  /// The arrays of a matrix, for products without the allocations of
+  /// Epetra_CrsMatrix::Multiply().
+  Eigen::Map<const Eigen::SparseMatrix<double, Eigen::RowMajor>>
+  as_eigen(const Epetra_CrsMatrix &matrix);
+
+
   /// K + c M of a mesh, factorized for one c after another.
   class EffectiveStiffness
   {
   public:
     /// @param discretization  assembled; must outlive this object
-    EffectiveStiffness(const PlateDiscretization    &discretization,
-                       std::unique_ptr<LinearSolver> solver);
+    EffectiveStiffness(const PlateDiscretization &discretization,
+                       SolverType                 solver);
 
     /// Does nothing when the last factorization was for the same c.
     void
     factorize(double c);
 
-    /// (K + c M) x = b, with the last c.
+    /// (K + c M) x = b.
     void
-    solve(const Eigen::VectorXd &b, Eigen::VectorXd &x);
+    solve(double c, const Eigen::VectorXd &b, Eigen::VectorXd &x);
 
-    const Epetra_CrsMatrix &
-    matrix() const;
+    /// y = (K + c M) x.
+    void
+    multiply(double c, const Eigen::VectorXd &x, Eigen::VectorXd &y);
 
-    unsigned int
-    n_factorizations() const;
+    /// What was done so far.
+    struct Work
+    {
+      unsigned int factorizations = 0, linear_solves = 0;
+      double       factorization_seconds = 0.; ///< wall time [s]
+    };
 
-    unsigned int
-    n_solves() const;
-
-    /// Wall time of all factorizations. [s]
-    double
-    factorization_seconds() const;
+    const Work &
+    work() const
+    {
+      return done;
+    }
 
     const PlateDiscretization &discretization;
 
@@ -48,8 +58,7 @@ namespace PlateImpact
     std::unique_ptr<Epetra_CrsMatrix>   sum;
     const std::unique_ptr<LinearSolver> solver;
     std::optional<double>               factorized_for; ///< c [1/s^2]
-    unsigned int                        factorizations = 0, solves = 0;
-    double                              seconds = 0.;
+    Work                                done;
   };
 
 
@@ -58,49 +67,38 @@ namespace PlateImpact
   class FullSystem : public SemidiscreteSystem
   {
   public:
-    /// @param discretization  assembled; must outlive this object
-    /// @param load            u, as PlateDiscretization::load() returns it
-    FullSystem(const PlateDiscretization    &discretization,
-               const Eigen::VectorXd        &load,
-               std::unique_ptr<LinearSolver> solver);
-
-    FullSystem(std::shared_ptr<EffectiveStiffness> effective_stiffness,
+    /// @param load  u, as PlateDiscretization::load() returns it
+    FullSystem(std::shared_ptr<EffectiveStiffness> matrices,
                const Eigen::VectorXd              &load);
 
     const Eigen::VectorXd &
-    load() const override;
+    load() const override
+    {
+      return u;
+    }
 
     void
     multiply_stiffness(const Eigen::VectorXd &x,
                        Eigen::VectorXd       &y) const override;
     void
-    factorize(double c) override;
-    void
-    solve(const Eigen::VectorXd &b, Eigen::VectorXd &x) override;
+    solve(double c, const Eigen::VectorXd &b, Eigen::VectorXd &x) override;
     /// Factorizes K when it is first asked for.
     double
     static_compliance() override;
 
-    /// As PlateDiscretization::is_free().
-    bool
-    is_free() const;
-
-    /// y = M x.
-    void
-    multiply_mass(const Eigen::VectorXd &x, Eigen::VectorXd &y) const;
-
-    /// y = (K + c M) x.
-    void
-    multiply_effective_stiffness(const Eigen::VectorXd &x, Eigen::VectorXd &y);
+    EffectiveStiffness &
+    effective_stiffness() const
+    {
+      return *matrices;
+    }
 
   private:
     /// u^T K^-1 u; infinite where K cannot be inverted.
     double
     computed_compliance();
 
-    const std::shared_ptr<EffectiveStiffness> effective_stiffness;
+    const std::shared_ptr<EffectiveStiffness> matrices;
     const Eigen::VectorXd                     u;
-    double                                    c = 0.;     ///< [1/s^2]
     std::optional<double>                     compliance; ///< under u [m/N]
   };
 } // namespace PlateImpact

@@ -7,8 +7,26 @@
 #include "plate_impact/contact/impactor.h"
 #include "plate_impact/transient/newmark_scheme.h"
 
+#include <optional>
+
 namespace PlateImpact
 {
+  /// A transient from first touch on.
+  struct Impact
+  {
+    ContactHistory history;
+    double         impulse = 0.; ///< lost by the impactor [N s]
+
+    /// In which the contact equation had a solution other than no force.
+    unsigned int n_contact_steps = 0;
+
+    /// Time since when no further contact is possible; empty as long as one is,
+    /// for plates that are free to move and schemes that do not keep energy.
+    /// [s]
+    std::optional<double> separation_time;
+  };
+
+
   /// The impactor's side of a transient: one scalar contact equation per step
   /// and the rigid mass under Newmark's method (eqs. 28-31 of the paper). Of
   /// the plate it needs two numbers a step, the displacement under the load
@@ -44,16 +62,24 @@ namespace PlateImpact
     void
     end_step(double phi, double plate_displacement, double plate_energy);
 
+    /// From now on there is no contact force.
+    void
+    separate()
+    {
+      so_far.separation_time = current.time;
+    }
+
     const ContactState &
-    state() const;
+    state() const
+    {
+      return current;
+    }
 
-    /// Change of the impactor's momentum so far. [N s]
-    double
-    impulse() const;
-
-    /// Steps in which the contact equation had a solution other than no force.
-    unsigned int
-    n_contact_steps() const;
+    const Impact &
+    impact() const
+    {
+      return so_far;
+    }
 
   private:
     void
@@ -64,10 +90,9 @@ namespace PlateImpact
     const ContactIntegration &integration;
     Impactor                  impactor;
     ContactState              current;
-    unsigned int              step          = 0;
-    double                    known         = 0.;
-    double                    total_impulse = 0.;
-    unsigned int              n_contacts    = 0;
+    Impact                    so_far;
+    unsigned int              step        = 0;
+    double                    begin_force = 0.; ///< of the step [N]
   };
 } // namespace PlateImpact
 

@@ -8,7 +8,6 @@
 #include "plate_impact/transient/semidiscrete_system.h"
 
 #include <map>
-#include <memory>
 
 namespace PlateImpact
 {
@@ -32,7 +31,20 @@ namespace PlateImpact
 
     /// Vectors of reduced bases computed so far.
     virtual unsigned int
-    n_vectors() const;
+    n_vectors() const
+    {
+      return 0;
+    }
+
+    /// An impact on a system of this integrator: by its response where the
+    /// scheme conserves energy, otherwise in steps.
+    /// @param n_steps  at most those of the integrator
+    /// @throws ComputationError naming step and quantity
+    Impact
+    impact(SemidiscreteSystem &system,
+           const Contact      &contact,
+           const Impactor     &impactor,
+           unsigned int        n_steps);
 
     /// The response of a system of this integrator, kept for the next impactor;
     /// for schemes that conserve energy.
@@ -55,10 +67,16 @@ namespace PlateImpact
     /// @param full  must outlive the integrator
     NewmarkOnTheMesh(FullSystem               &full,
                      const TimeParameters     &time,
-                     const ContactIntegration &integration);
+                     const ContactIntegration &integration)
+      : Integrator(time, integration)
+      , full(full)
+    {}
 
     SemidiscreteSystem &
-    system_for(const Parameters &parameters) override;
+    system_for(const Parameters &) override
+    {
+      return full;
+    }
 
   private:
     FullSystem &full;

@@ -12,7 +12,6 @@ namespace PlateImpact
   /// @param needs_fields  whether more than the force is to be right
   std::unique_ptr<Integrator>
   make_integrator(const TimeParameters     &time,
-                  const PlateParameters    &plate,
                   FullSystem               &full,
                   const ContactIntegration &integration,
                   bool                      needs_fields);

@@ -1,7 +1,6 @@
 #ifndef plate_impact_transient_natural_frequencies_h
 #define plate_impact_transient_natural_frequencies_h
 
-#include "plate_impact/plate/plate_discretization.h"
 #include "plate_impact/transient/full_system.h"
 
 #include <vector>
@@ -14,15 +13,13 @@ namespace PlateImpact
   /// by Trilinos' Anasazi, block Krylov-Schur (Stewart 2002,
   /// doi:10.1137/S0895479800371529) with (K + c M)^{-1} M in the inner product
   /// of M. Motions as a rigid body are left out.
-  /// @param system  of the discretization; is factorized anew
-  /// @param n       how many; fewer where the mesh has less than four unknowns
-  ///                for each
+  /// @param matrices  is factorized anew
+  /// @param n         how many; fewer where the mesh has less than four
+  ///                  unknowns for each
   /// @return in ascending order [Hz]
   /// @throws ComputationError when they are not found or lost in round-off
   std::vector<double>
-  natural_frequencies(const PlateDiscretization &discretization,
-                      FullSystem                &system,
-                      unsigned int               n);
+  natural_frequencies(EffectiveStiffness &matrices, unsigned int n);
 } // namespace PlateImpact
 
 #endif

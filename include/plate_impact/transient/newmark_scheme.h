@@ -13,7 +13,7 @@ namespace PlateImpact
   struct NewmarkScheme
   {
     /// The smallest number of steps, none longer than the scene's.
-    explicit NewmarkScheme(const TimeParameters &time);
+    NewmarkScheme(const TimeParameters &time);
 
     /// Whether the scheme keeps the energy of a linear system without load and
     /// charges it with the work of a load, (f_0 + f_1) d / 2: average

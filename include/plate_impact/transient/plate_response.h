@@ -1,10 +1,7 @@
 #ifndef plate_impact_transient_plate_response_h
 #define plate_impact_transient_plate_response_h
 
-#include "plate_impact/contact/contact.h"
-#include "plate_impact/contact/contact_solver.h"
-#include "plate_impact/contact/impactor.h"
-#include "plate_impact/transient/impact.h"
+#include "plate_impact/transient/impactor_stepper.h"
 #include "plate_impact/transient/newmark_scheme.h"
 #include "plate_impact/transient/semidiscrete_system.h"
 
@@ -34,7 +31,10 @@ namespace PlateImpact
 
     /// R_j. [m/N]
     double
-    displacement(unsigned int j) const;
+    displacement(const unsigned int j) const
+    {
+      return reversed[reversed.size() - 1 - j];
+    }
 
     /// @param n_steps  at most those of the response
     /// @throws ComputationError naming step and quantity

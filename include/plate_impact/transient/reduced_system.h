@@ -6,6 +6,8 @@
 
 #include <Eigen/Core>
 
+#include <optional>
+
 namespace PlateImpact
 {
   /// A symmetric matrix of three diagonals.
@@ -39,37 +41,59 @@ namespace PlateImpact
                   unsigned int     n_terminator = 0);
 
     const Eigen::VectorXd &
-    load() const override;
+    load() const override
+    {
+      return u;
+    }
+
     void
     multiply_stiffness(const Eigen::VectorXd &x,
                        Eigen::VectorXd       &y) const override;
     void
-    factorize(double c) override;
-    void
-    solve(const Eigen::VectorXd &b, Eigen::VectorXd &x) override;
+    solve(double c, const Eigen::VectorXd &b, Eigen::VectorXd &x) override;
+
     double
-    static_compliance() override;
-    Eigen::MatrixXd
-    unknowns(const Eigen::Ref<const Eigen::MatrixXd> &states) const override;
+    static_compliance() override
+    {
+      return compliance;
+    }
+
     Span
-    span(const Eigen::Ref<const Eigen::MatrixXd> &states) const override;
-    unsigned int
-    n_states_at_once() const override;
+    span(const Eigen::Ref<const Eigen::MatrixXd> &states) const override
+    {
+      return {vectors(), states.topRows(n)};
+    }
 
     unsigned int
-    n_vectors() const;
+    n_states_at_once() const override
+    {
+      return 500;
+    }
+
+    unsigned int
+    n_vectors() const
+    {
+      return n;
+    }
 
     /// Unknowns of the mesh by the vectors used.
     Eigen::Ref<const Eigen::MatrixXd>
-    vectors() const;
+    vectors() const
+    {
+      return basis.vectors().leftCols(n);
+    }
 
   private:
+    void
+    factorize(double c);
+
     const RitzBasis        &basis;
     const unsigned int      n;
     const TridiagonalMatrix mass;      ///< T [s^2], with what is joined to it
     const TridiagonalMatrix stiffness; ///< I - sigma T
     const Eigen::VectorXd   u;
     const double            compliance;
+    std::optional<double>   factorized_for;         ///< c [1/s^2]
     Eigen::VectorXd         inverse_pivots, factor; ///< of K + c M
   };
 } // namespace PlateImpact

@@ -29,41 +29,64 @@ namespace PlateImpact
     RitzBasis(FullSystem &system, double sigma);
 
     /// Adds vectors, one solve each, until there are n or, when the space is
-    /// exhausted, as many as there can be. Factorizes K + sigma M unless the
-    /// system holds it.
+    /// exhausted, as many as there can be.
     void
     grow(unsigned int n);
 
     unsigned int
-    n_vectors() const;
+    n_vectors() const
+    {
+      return n;
+    }
 
     /// Whether the plate can move as a rigid body.
     bool
-    is_free() const;
+    is_free() const
+    {
+      return matrices.discretization.is_free();
+    }
 
     /// Whether further vectors would be round-off, or hardly coupled to these:
     /// the basis then holds every motion that the load can excite.
     bool
-    is_complete() const;
+    is_complete() const
+    {
+      return complete;
+    }
 
     double
-    shift() const;
+    shift() const
+    {
+      return sigma;
+    }
 
     /// Unknowns of the plate by number of vectors.
     Eigen::Ref<const Eigen::MatrixXd>
-    vectors() const;
+    vectors() const
+    {
+      return Q.leftCols(n);
+    }
 
     /// Diagonal of T, the mass in the basis. [s^2]
     Eigen::Ref<const Eigen::VectorXd>
-    mass_diagonal() const;
+    mass_diagonal() const
+    {
+      return diagonal.head(n);
+    }
 
     /// Its other diagonals. [s^2]
     Eigen::Ref<const Eigen::VectorXd>
-    mass_subdiagonal() const;
+    mass_subdiagonal() const
+    {
+      return subdiagonal.head(n - 1);
+    }
 
     /// The load in the basis, this times the first unit vector.
     double
-    load() const;
+    load() const
+    {
+      return load_norm;
+    }
 
   private:
     /// Adds a vector, unless nothing is left of it.
@@ -76,10 +99,11 @@ namespace PlateImpact
     double
     norm_of_candidate() const;
 
-    FullSystem     &system;
-    const double    sigma;
-    unsigned int    n         = 0;
-    bool            complete  = false;
+    EffectiveStiffness    &matrices;
+    const Eigen::VectorXd &u;
+    const double           sigma;
+    unsigned int           n        = 0;
+    bool                   complete = false;
     bool            is_second = false; ///< next to one that had lost digits
     double          load_norm = 0., last_pivot = 0.; ///< of T
     Eigen::MatrixXd Q;                               ///< with room for more

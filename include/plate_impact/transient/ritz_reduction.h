@@ -2,17 +2,12 @@
 #define plate_impact_transient_ritz_reduction_h
 
 #include "plate_impact/base/parameters.h"
-#include "plate_impact/contact/contact.h"
-#include "plate_impact/contact/contact_solver.h"
-#include "plate_impact/contact/impactor.h"
-#include "plate_impact/plate/plate_section.h"
 #include "plate_impact/transient/integrator.h"
 #include "plate_impact/transient/reduced_system.h"
 #include "plate_impact/transient/ritz_basis.h"
 
 #include <map>
 #include <utility>
-#include <vector>
 
 namespace PlateImpact
 {
@@ -33,7 +28,6 @@ namespace PlateImpact
     /// @param integration   must outlive the reduction
     /// @param needs_fields  whether more than the force is to be right
     RitzReduction(FullSystem               &full,
-                  const PlateParameters    &plate,
                   const TimeParameters     &time,
                   const ContactIntegration &integration,
                   bool                      needs_fields);
@@ -47,47 +41,18 @@ namespace PlateImpact
     n_vectors() const override;
 
   private:
-    /// @return null when it takes more solves than steps
-    ReducedSystem *
-    settle(const Contact &contact, const Impactor &impactor);
-    /// Whether it is known beforehand that stepping on the mesh takes fewer
-    /// solves than vectors would.
-    bool
-    steps_are_fewer(const Contact &contact, const Impactor &impactor) const;
-    /// Twice the logarithm to base 2 of the root of the shift [1/s].
-    int
-    half_octave(const Contact &contact, const Impactor &impactor) const;
-    /// What a number of vectors is judged by, relative to the peak force: the
-    /// force, and without contact the displacement under the load times the
-    /// stiffness of the contact at the peak, which is the error that it would
-    /// bring into a force, for another impactor may be in contact when this one
-    /// is not. NaN with contact.
-    struct Histories
-    {
-      std::vector<double> force, displacement;
-    };
-
-    Histories
-    histories(ReducedSystem  &reduced,
-              const Contact  &contact,
-              const Impactor &impactor);
-    /// Norm over all times of what coordinates from the first on hold of the
-    /// displacements, relative to that of all.
-    double
-    share_beyond(unsigned int    first,
-                 ReducedSystem  &reduced,
-                 const Contact  &contact,
-                 const Impactor &impactor) const;
+    /// @return a reduced system, or that of the mesh
+    SemidiscreteSystem *
+    settle(const Parameters &rounded);
     ReducedSystem &
     reduced_system(int half_octave, unsigned int n);
 
-    FullSystem           &full;
-    const PlateParameters plate;
-    const PlateSection    section;
-    const bool            needs_fields;
+    FullSystem &full;
+    const bool  needs_fields;
 
     /// By the law's section and the impactor in round numbers.
-    std::map<std::pair<ContactParameters, ImpactorParameters>, ReducedSystem *>
+    std::map<std::pair<ContactParameters, ImpactorParameters>,
+             SemidiscreteSystem *>
       settled;
     /// By the half octave of the shift, and by the number of vectors.
     std::map<int, RitzBasis>                              bases;

@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
+
 namespace PlateImpact
 {
   /// The plate for the time stepper, M z'' + K z = f u: a stiffness, one
@@ -21,26 +23,19 @@ namespace PlateImpact
     virtual void
     multiply_stiffness(const Eigen::VectorXd &x, Eigen::VectorXd &y) const = 0;
 
-    /// Factorizes K + c M, eq. 6 with c = 1/(beta dt^2) [1/s^2].
+    /// Solves (K + c M) x = b, eq. 6 with c = 1/(beta dt^2) [1/s^2]. The
+    /// factorization is kept until another c is asked for.
     virtual void
-    factorize(double c) = 0;
-
-    /// Solves (K + c M) x = b.
-    virtual void
-    solve(const Eigen::VectorXd &b, Eigen::VectorXd &x) = 0;
+    solve(double c, const Eigen::VectorXd &b, Eigen::VectorXd &x) = 0;
 
     /// u^T K^-1 u, the displacement under a constant unit force, or any bound
     /// above it; infinite for a plate that is free to move. [m/N]
     virtual double
     static_compliance() = 0;
 
-    /// Unknowns of the mesh in states of this system, a column each; by default
-    /// the states themselves.
-    virtual Eigen::MatrixXd
-    unknowns(const Eigen::Ref<const Eigen::MatrixXd> &states) const;
-
-    /// What spans those unknowns: a column of them for each of the first rows
-    /// of a state, which are its coordinates.
+    /// What spans the unknowns of the mesh in states of this system: a column
+    /// of them for each of the first rows of a state, which are its
+    /// coordinates.
     struct Span
     {
       Eigen::Ref<const Eigen::MatrixXd> vectors;
@@ -50,13 +45,27 @@ namespace PlateImpact
     /// @param states  must outlive the result, a column each; by default every
     ///                one is a vector of its own
     virtual Span
-    span(const Eigen::Ref<const Eigen::MatrixXd> &states) const;
+    span(const Eigen::Ref<const Eigen::MatrixXd> &states) const
+    {
+      return {states, Eigen::MatrixXd::Identity(states.cols(), states.cols())};
+    }
+
+    /// Those unknowns, a column per state.
+    Eigen::MatrixXd
+    unknowns(const Eigen::Ref<const Eigen::MatrixXd> &states) const
+    {
+      const Span in_mesh = span(states);
+      return in_mesh.vectors * in_mesh.coordinates;
+    }
 
     /// How many states are best looked at together on the mesh: many where they
     /// span few vectors. By default enough to make matrix products fast, and
     /// fewer on large meshes, where one is work enough, to save memory.
     virtual unsigned int
-    n_states_at_once() const;
+    n_states_at_once() const
+    {
+      return std::clamp<Eigen::Index>(2400000 / load().size(), 1, 16);
+    }
   };
 } // namespace PlateImpact
 

@@ -41,40 +41,58 @@ namespace PlateImpact
     natural_frequencies(unsigned int n);
 
     const PlateDiscretization &
-    discretization() const;
+    discretization() const
+    {
+      return plate;
+    }
 
     /// What was made so far.
-    struct Work
+    struct Work : EffectiveStiffness::Work
     {
-      unsigned int loads          = 0; ///< with time steps
-      unsigned int factorizations = 0;
-      unsigned int linear_solves  = 0;
-      unsigned int ritz_vectors   = 0; ///< a solve each
-
-      /// Wall time of matrices and loads, and of factorizations. [s]
-      double assembly_seconds = 0., factorization_seconds = 0.;
+      unsigned int loads            = 0;  ///< with time steps
+      unsigned int ritz_vectors     = 0;  ///< a solve each
+      double       assembly_seconds = 0.; ///< of matrices and loads, wall time
     };
 
     Work
     work() const;
 
   private:
-    /// What makes the load and the steps of an impact: of the contact all but
-    /// the contact, of the impactor shape and length, the time up to the horizon,
-    /// and whether states are needed.
-    using LoadKey = std::
-      tuple<ContactParameters, ImpactorShape, double, TimeParameters, bool>;
+    /// All of an impact that a load and its steps depend on; the rest is the
+    /// impactor's own.
+    struct LoadKey
+    {
+      LoadKey(const Parameters &impact, bool needs_states);
 
-    static LoadKey
-    load_key(const Parameters &impact, bool needs_states);
+      LoadShape        shape;
+      double           patch_radius;
+      LocalResponse    local_response;
+      ForceIntegration integration;
+      ImpactorShape    impactor;
+      double           length; ///< of a cylinder
+      TimeParameters   time;   ///< to the end of the vectors
+      bool             needs_states;
+
+      auto
+      members() const
+      {
+        return std::tie(shape,
+                        patch_radius,
+                        local_response,
+                        integration,
+                        impactor,
+                        length,
+                        time,
+                        needs_states);
+      }
+    };
+
     /// Assembled when it is first needed.
     const std::shared_ptr<EffectiveStiffness> &
     assembled();
+    /// @param key  of the impact
     std::shared_ptr<Load>
-    make_load(const Parameters &impact, bool needs_states);
-    /// Size of the smallest cell that the load falls on. [m]
-    double
-    finest_cell_under_load(const Parameters &impact) const;
+    make_load(const Parameters &impact, const LoadKey &key);
     /// Makes room for another one.
     void
     forget_loads();

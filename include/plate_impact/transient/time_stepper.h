@@ -1,16 +1,11 @@
 #ifndef plate_impact_transient_time_stepper_h
 #define plate_impact_transient_time_stepper_h
 
-#include "plate_impact/base/parameters.h"
-#include "plate_impact/transient/impact.h"
 #include "plate_impact/transient/impactor_stepper.h"
 #include "plate_impact/transient/plate_stepper.h"
 #include "plate_impact/transient/semidiscrete_system.h"
 
 #include <Eigen/Core>
-
-#include <functional>
-#include <optional>
 
 namespace PlateImpact
 {
@@ -24,9 +19,8 @@ namespace PlateImpact
   class TimeStepper
   {
   public:
-    /// Factorizes the effective stiffness and computes the unit response.
     /// Plate, law and integration must outlive the stepper.
-    TimeStepper(const TimeParameters     &time,
+    TimeStepper(const NewmarkScheme      &scheme,
                 SemidiscreteSystem       &plate,
                 const Contact            &contact,
                 const ContactIntegration &integration,
@@ -34,34 +28,36 @@ namespace PlateImpact
 
     /// Steps that it takes to the end time.
     unsigned int
-    n_steps() const;
+    n_steps() const
+    {
+      return scheme.n_steps;
+    }
 
-    /// One step.
+    /// Takes steps.
     /// @throws ComputationError naming step and quantity when a value is not
     ///         finite or the contact equation is not solved
     void
-    advance();
+    advance(unsigned int n_steps = 1);
 
     const ContactState &
-    state() const;
+    state() const
+    {
+      return impactor_stepper.state();
+    }
 
     /// z, the unknowns of the plate.
     const Eigen::VectorXd &
-    displacement() const;
+    displacement() const
+    {
+      return plate_stepper.unknowns();
+    }
 
-    /// Change of the impactor's momentum so far. [N s]
-    double
-    impulse() const;
-
-    /// Time since when no further contact is possible; empty as long as one is,
-    /// for plates that are free to move and schemes that do not keep energy.
-    /// [s]
-    std::optional<double>
-    separation_time() const;
-
-    /// Steps in which the contact equation had a solution other than no force.
-    unsigned int
-    n_contact_steps() const;
+    /// So far.
+    const Impact &
+    impact() const
+    {
+      return impactor_stepper.impact();
+    }
 
   private:
     /// Whether the plate can never reach the impactor again.
@@ -73,17 +69,7 @@ namespace PlateImpact
     const ContactIntegration &integration;
     PlateStepper              plate_stepper;
     ImpactorStepper           impactor_stepper;
-    std::optional<double>     separated_at;
   };
-
-
-  /// Steps to the end time.
-  /// @param listener  told after every step, from 1
-  /// @return the impact from the present state on
-  /// @throws ComputationError as TimeStepper::advance()
-  Impact
-  step_to_end(TimeStepper                             &stepper,
-              const std::function<void(unsigned int)> &listener = {});
 } // namespace PlateImpact
 
 #endif
