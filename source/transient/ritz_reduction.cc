@@ -3,6 +3,7 @@
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/contact/make_contact_law.h"
 #include "plate_impact/contact/zener.h"
+#include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/transient/time_stepper.h"
 
 #include <algorithm>
@@ -231,7 +232,7 @@ namespace PlateImpact
         full.load().size() < 3. * time.end_time / time.time_step)
       return false;
     const double contact_time = 2. * zener_peak(law, impactor, section).time;
-    const double echo         = 2. * plate.distance_to_edge() /
+    const double echo         = 2. * geometry_of(plate)->distance_to_edge() /
       contact_wave(section, contact_time).group_speed;
     return time.end_time > echo && contact_time < 16. * time.time_step;
   }
