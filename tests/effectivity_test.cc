@@ -110,10 +110,10 @@ namespace PlateImpact
               const Resultants e_recovered =
                 right - recovered.col(c).segment<5>(5 * q);
               const double weight = model.shape(c).weights[q];
-              e2[c] += weight * model.section().energy_density(e);
+              e2[c] += weight * model.section().squared_energy_norm(e);
               recovered_e2 +=
-                weight * model.section().energy_density(e_recovered);
-              total_u2 += weight * model.section().energy_density(r);
+                weight * model.section().squared_energy_norm(e_recovered);
+              total_u2 += weight * model.section().squared_energy_norm(r);
             }
           total_e2 += e2[c];
         }

@@ -1,6 +1,6 @@
 // Plates struck off their centre: what symmetry leaves is meshed.
 #include "plate_impact/plate/load_distribution.h"
-#include "plate_impact/plate/plate_mesh.h"
+#include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/transient/struck_plate.h"
 #include "program_fixture.h"
 #include "test_plate.h"
@@ -99,7 +99,7 @@ namespace PlateImpact
               return {{1., 0., 0.}};
             }));
           EXPECT_NEAR(rigid.dot(multiply(model.mass(), rigid)),
-                      model.section().mass,
+                      model.section().mass_per_area,
                       1e-12);
         }
     }
@@ -278,7 +278,7 @@ namespace PlateImpact
                              make_plate_mesh(plate, {{8, 8}}));
           const PlateSection &section = struck.discretization().section();
           const double        unit =
-            std::sqrt(section.bending_stiffness(0, 0) / section.mass) /
+            std::sqrt(section.bending_stiffness(0, 0) / section.mass_per_area) /
             (2. * numbers::PI);
           const auto frequencies = struck.natural_frequencies(2);
           ASSERT_EQ(frequencies.size(), 2u);

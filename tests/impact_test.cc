@@ -4,7 +4,7 @@
 #include <deal.II/grid/grid_generator.h>
 
 #include "plate_impact/analysis/impact_analysis.h"
-#include "plate_impact/plate/plate_mesh.h"
+#include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/scene/scene.h"
 #include "plate_impact/transient/struck_plate.h"
 #include "test_plate.h"

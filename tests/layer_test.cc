@@ -44,18 +44,18 @@ namespace PlateImpact
           const double radius   = response.patch_radius();
           EXPECT_NEAR(radius, std::sqrt(nu / (1. - nu)), 1e-14);
           EXPECT_NEAR(response.rotation_factor(radius), 0., 1e-15);
-          EXPECT_NEAR(response.sphere_compliance(radius), Lambda, 1e-6);
+          EXPECT_NEAR(response.sphere_constant(radius), Lambda, 1e-6);
           if (nu == 0.3)
-            record("nu 0.3", response.sphere_compliance(radius));
+            record("nu 0.3", response.sphere_constant(radius));
         }
       const double pi      = std::acos(-1.);
       const auto   mindlin = layer(0.3, pi * pi / 12., LoadShape::Hertz_disc);
       EXPECT_NEAR(mindlin.patch_radius(), 0.668914, 1e-6);
-      EXPECT_NEAR(mindlin.sphere_compliance(mindlin.patch_radius()),
+      EXPECT_NEAR(mindlin.sphere_constant(mindlin.patch_radius()),
                   -0.208983,
                   1e-6);
       const auto uniform = layer(0.3, 5. / 6., LoadShape::uniform_disc);
-      EXPECT_NEAR(uniform.sphere_compliance(uniform.patch_radius()),
+      EXPECT_NEAR(uniform.sphere_constant(uniform.patch_radius()),
                   -0.212552,
                   1e-6);
     }
@@ -85,7 +85,7 @@ namespace PlateImpact
         {
           const auto response = layer(one.nu, one.kappa, one.load);
           EXPECT_NEAR(response.rotation_factor(one.radius), one.beta, 1e-6);
-          EXPECT_NEAR(response.sphere_compliance(one.radius),
+          EXPECT_NEAR(response.sphere_constant(one.radius),
                       one.Lambda,
                       one.load == LoadShape::uniform_disc ? 1e-4 : 2e-6);
         }

@@ -4,7 +4,7 @@
 #include <deal.II/grid/manifold_lib.h>
 
 #include "plate_impact/base/exceptions.h"
-#include "plate_impact/plate/plate_file_reader.h"
+#include "plate_impact/plate/plate_file.h"
 #include "program_fixture.h"
 #include "test_plate.h"
 
@@ -163,8 +163,8 @@ namespace PlateImpact
       const auto plate = read_plate_file((directory / "plate.msh").string());
       ASSERT_EQ(plate->arcs.size(), 1u);
       expect_near(plate->area, 0.01 * numbers::PI, 1e-3);
-      expect_near(plate->distance_to_edge({{0.03, 0.04}}), 0.05, 1e-3);
-      EXPECT_LT(plate->distance_to_edge({{0.08, 0.08}}), 0.);
+      expect_near(plate->distance_to_edge({0.03, 0.04}), 0.05, 1e-3);
+      EXPECT_LT(plate->distance_to_edge({0.08, 0.08}), 0.);
       const auto last = last_with(sets + file);
       for (const std::string key :
            {"peak_force", "impulse", "final_impactor_velocity"})
@@ -205,15 +205,21 @@ namespace PlateImpact
         read_plate_file(write(msh(mesh, {{0, "rim"}, {1, "hole"}})));
       ASSERT_EQ(plate->arcs.size(), 1u);
       EXPECT_NEAR(plate->arcs[0].radius, 0.02, 1e-12);
-      for (const auto &side : plate->sides)
-        EXPECT_EQ(side.arc.has_value(), plate->edges[side.edge] == "hole");
+      for (const auto &face : plate->mesh.active_face_iterators())
+        {
+          if (!face->at_boundary())
+            continue;
+          const std::string &edge =
+            plate->edges[face->boundary_id() - edge_named];
+          EXPECT_EQ(face->manifold_id() == 0, edge == "hole");
+        }
       expect_near(plate->area,
                   plate->extent[0] * plate->extent[1] -
                     numbers::PI * 0.02 * 0.02,
                   1e-5);
-      EXPECT_LT(plate->distance_to_edge({{0., 0.}}), 0.);
-      EXPECT_NEAR(plate->distance_to_edge({{0.03, 0.}}), 0.01, 1e-4);
-      EXPECT_NEAR(plate->distance_to_edge({{0.03, 0.}}, 0), 0.01, 1e-4);
+      EXPECT_LT(plate->distance_to_edge({0., 0.}), 0.);
+      EXPECT_NEAR(plate->distance_to_edge({0.03, 0.}), 0.01, 1e-4);
+      EXPECT_NEAR(plate->distance_to_edge({0.03, 0.}, 0), 0.01, 1e-4);
     }
 
 
@@ -302,7 +308,7 @@ namespace PlateImpact
         plate.outline.shape = PlateOutline::file;
         const PlateElement        element(ElementType::MITC9);
         const PlateDiscretization model(mesh, element, plate, 1.);
-        return model.dofs().n_dofs() - model.n_unknowns();
+        return model.dof_handler().n_dofs() - model.n_unknowns();
       };
       // on the edge of n vertices and midsides: deflection and one rotation, at
       // the six corners both

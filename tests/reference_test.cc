@@ -120,8 +120,9 @@ namespace PlateImpact
         struck.discretization().section().bending_stiffness(0, 0);
       std::vector<double> result;
       for (const double frequency : struck.natural_frequencies(n))
-        result.push_back(2. * numbers::PI * frequency *
-                         std::sqrt(struck.discretization().section().mass / D));
+        result.push_back(
+          2. * numbers::PI * frequency *
+          std::sqrt(struck.discretization().section().mass_per_area / D));
       return result;
     }
 

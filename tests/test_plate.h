@@ -6,6 +6,7 @@
 #include "plate_impact/base/parameters.h"
 #include "plate_impact/estimator/energy_norm_estimator.h"
 #include "plate_impact/plate/plate_discretization.h"
+#include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
 #include "plate_impact/transient/full_system.h"
 #include "plate_impact/transient/time_stepper.h"

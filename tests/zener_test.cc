@@ -55,7 +55,7 @@ namespace PlateImpact
       const Impactor     impactor{0.03, 0., 1.};
       const ExpectedPeak peak = zener_peak(hertz, impactor, section);
       const double       impedance =
-        8. * std::sqrt(section.bending_stiffness(0, 0) * section.mass);
+        8. * std::sqrt(section.bending_stiffness(0, 0) * section.mass_per_area);
       EXPECT_NEAR(peak.force / impedance, 1., 2e-3);
     }
 

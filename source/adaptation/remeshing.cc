@@ -3,6 +3,7 @@
 #include <deal.II/grid/grid_tools.h>
 
 #include "plate_impact/base/exceptions.h"
+#include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
 
 #include <algorithm>

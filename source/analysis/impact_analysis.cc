@@ -7,6 +7,7 @@
 #include "plate_impact/analysis/stage_charges.h"
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/stage_clock.h"
+#include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
 #include "plate_impact/transient/newmark_scheme.h"
 

@@ -3,6 +3,7 @@
 #include "plate_impact/base/text.h"
 #include "plate_impact/contact/contact_area.h"
 #include "plate_impact/contact/zener.h"
+#include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_section.h"
 
 #include <algorithm>
@@ -260,7 +261,7 @@ namespace PlateImpact
                       "linear plate does not have",
                       about(deflection * thickness, "m"),
                       about(deflection)));
-      const double to_edge = parameters.plate.distance_to_edge();
+      const double to_edge = geometry_of(parameters.plate)->distance_to_edge();
       if (parameters.contact.local_response == LocalResponse::layer &&
           to_edge < 2. * thickness)
         leave_model(
@@ -290,9 +291,10 @@ namespace PlateImpact
           (!end && rise == history.states().back().time))
         return;
       const PlateSection section(parameters.plate);
-      const double       transit    = std::sqrt(parameters.plate.thickness *
-                                       section.mass / section.shear_modulus);
-      const double       n_transits = end.value_or(2. * rise) / transit;
+      const double       transit =
+        std::sqrt(parameters.plate.thickness * section.mass_per_area /
+                  section.shear_modulus);
+      const double n_transits = end.value_or(2. * rise) / transit;
       // however short, the force is never far off
       if (n_transits < 10.)
         leave_model(

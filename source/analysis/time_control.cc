@@ -1,6 +1,7 @@
 #include "plate_impact/analysis/time_control.h"
 
 #include "plate_impact/analysis/adaptation_control.h"
+#include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/transient/contact_end.h"
 #include "plate_impact/transient/newmark_scheme.h"
 
@@ -39,7 +40,8 @@ namespace PlateImpact
     , is_for_peak(scene.adaptivity.is_adaptive() &&
                   scene.adaptivity.goal == AdaptationGoal::peak_force)
     , length_of_rise(2.5 * expected.peak.time)
-    , echo(2. * scene.plate.distance_to_edge() / expected.wave.group_speed)
+    , echo(2. * geometry_of(scene.plate)->distance_to_edge() /
+           expected.wave.group_speed)
   {}
 
 

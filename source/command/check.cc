@@ -3,7 +3,7 @@
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/command/expectation.h"
-#include "plate_impact/plate/plate_mesh.h"
+#include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_section.h"
 #include "plate_impact/scene/scene_reader.h"
 #include "plate_impact/scene/sweep_plan.h"

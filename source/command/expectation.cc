@@ -5,6 +5,7 @@
 #include "plate_impact/base/text.h"
 #include "plate_impact/contact/impactor.h"
 #include "plate_impact/contact/make_contact.h"
+#include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
 #include "plate_impact/plate/plate_section.h"
 #include "plate_impact/transient/struck_plate.h"
@@ -39,12 +40,13 @@ namespace PlateImpact
                   const double      expected_contact_time,
                   const double      wavelength)
     {
-      std::array<unsigned int, 2> n_cells = {{8, 8}};
+      std::array<unsigned int, 2> n_cells  = {{8, 8}};
+      const auto                  geometry = geometry_of(scene.plate);
       // Zener's equation, which gives short waves, is of no help for a cylinder
       for (unsigned int d = 0; d < 2; ++d)
         if (scene.impactor.is_cylinder())
           n_cells[d] = static_cast<unsigned int>(std::clamp(
-            2. * (scene.plate.end(d) - scene.plate.begin(d)) / wavelength + 1.,
+            2. * (geometry->end(d) - geometry->begin(d)) / wavelength + 1.,
             8.,
             32.));
       Parameters parameters      = scene;
@@ -78,11 +80,11 @@ namespace PlateImpact
                     const double       end_time,
                     const double       target_error)
     {
-      const PlateParameters &plate = parameters.plate;
-      const double           reach = 3. * wave.group_speed * end_time;
-      const double           area =
-        std::min(plate.area(), std::acos(-1.) * reach * reach) /
-        plate.n_parts();
+      const auto   geometry = geometry_of(parameters.plate);
+      const double reach    = 3. * wave.group_speed * end_time;
+      const double area =
+        std::min(geometry->area(), std::acos(-1.) * reach * reach) /
+        geometry->n_parts();
       return 20. * area / (wave.length * wave.length) * 0.05 / target_error;
     }
   } // namespace
@@ -100,14 +102,14 @@ namespace PlateImpact
   double
   distance_to_edge(const Parameters &parameters)
   {
-    const PlateParameters &plate   = parameters.plate;
-    const double           patch   = parameters.contact.patch_radius;
-    const double           along_x = parameters.contact.load_has_length() ?
-                0.5 * parameters.impactor.length :
-                patch;
+    const auto   geometry = geometry_of(parameters.plate);
+    const double patch    = parameters.contact.patch_radius;
+    const double along_x  = parameters.contact.load_has_length() ?
+       0.5 * parameters.impactor.length :
+       patch;
     return std::max(0.,
-                    std::min(plate.distance_to_edge(0) - along_x,
-                             plate.distance_to_edge(1) -
+                    std::min(geometry->distance_to_edge(0) - along_x,
+                             geometry->distance_to_edge(1) -
                                (parameters.contact.load_is_line() ? 0. :
                                                                     patch)));
   }
@@ -166,7 +168,9 @@ namespace PlateImpact
   Expectation::cells(const Parameters &parameters) const
   {
     const AdaptivityParameters &adaptivity = parameters.adaptivity;
-    const double                initial    = n_initial_cells(parameters);
+    const double                initial =
+      geometry_of(parameters.plate)
+        ->n_initial_cells(parameters.discretization.initial_cells);
     if (!adaptivity.is_adaptive())
       return initial;
     // eta falls with the number of cells, which are spread over the levels of

@@ -109,7 +109,7 @@ namespace PlateImpact
     const LayerResponse layer(plate, contact.load_distribution);
     const double        radius = contact.patch_radius / plate.thickness;
     return contact.law == ForceLaw::line ? layer.line_constant(radius) :
-                                           layer.sphere_compliance(radius);
+                                           layer.sphere_constant(radius);
   }
 
 

@@ -19,7 +19,7 @@ namespace PlateImpact
     impedance(const PlateSection &section)
     {
       return 8. * std::sqrt(section.mean_bending_stiffness()) *
-        std::sqrt(section.mass);
+        std::sqrt(section.mass_per_area);
     }
 
 
@@ -244,7 +244,7 @@ namespace PlateImpact
     const double pi        = std::acos(-1.);
     const double frequency = pi / contact_time;
     const double speed     = std::sqrt(frequency) *
-      std::pow(section.mean_bending_stiffness() / section.mass, 0.25);
+      std::pow(section.mean_bending_stiffness() / section.mass_per_area, 0.25);
     return {2. * contact_time * speed, 2. * speed};
   }
 

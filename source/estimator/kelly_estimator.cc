@@ -91,9 +91,9 @@ namespace PlateImpact
     rotations.set(deflection, false);
     const Eigen::MatrixXd squares =
       discretization.section().mean_shear_stiffness() *
-        squared_jumps(discretization.dofs(), states, slopes) +
+        squared_jumps(discretization.dof_handler(), states, slopes) +
       discretization.section().mean_bending_stiffness() *
-        squared_jumps(discretization.dofs(), states, rotations);
+        squared_jumps(discretization.dof_handler(), states, rotations);
     for (unsigned int n = 0; n < times.size(); ++n)
       {
         const double    sum    = squares.col(n).sum();

@@ -2,7 +2,9 @@
 
 #include "plate_impact/estimator/energy_norm_estimator.h"
 #include "plate_impact/estimator/kelly_estimator.h"
+#include "plate_impact/plate/plate_geometry.h"
 
+#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -37,10 +39,12 @@ namespace PlateImpact
       -1.;
     const bool   is_interior =
       parameters.adaptivity.recovery_patches == RecoveryPatches::interior;
-    const PlateParameters &plate = parameters.plate;
+    const auto                geometry = geometry_of(parameters.plate);
+    const std::array<bool, 2> mirrors  = {
+       {geometry->is_symmetric(0), geometry->is_symmetric(1)}};
     return StressRecovery(mesh, [=](const Point<2> &point) {
-      const bool is_on_plane = (plate.is_symmetric(0) && point[0] == 0.) ||
-        (plate.is_symmetric(1) && point[1] == 0.);
+      const bool is_on_plane =
+        (mirrors[0] && point[0] == 0.) || (mirrors[1] && point[1] == 0.);
       return (point[1] == 0. && std::abs(point[0]) <= line) ||
         (is_interior && is_on_plane);
     });

@@ -162,9 +162,9 @@ namespace PlateImpact
             const Resultants reference = exact.col(n).segment<5>(5 * p);
             const Resultants error     = reference - field.col(n);
             e2[n] +=
-              weights[p] * discretization.section().energy_density(error);
-            u2[n] +=
-              weights[p] * discretization.section().energy_density(reference);
+              weights[p] * discretization.section().squared_energy_norm(error);
+            u2[n] += weights[p] *
+              discretization.section().squared_energy_norm(reference);
           }
       }
     return integral_of_root(times, e2) / integral_of_root(times, u2);

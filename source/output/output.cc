@@ -13,6 +13,7 @@
 #include "plate_impact/output/mirrored_fields.h"
 #include "plate_impact/output/summary.h"
 #include "plate_impact/page/mesh_picture.h"
+#include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
 
 #include <algorithm>
@@ -133,11 +134,12 @@ namespace PlateImpact
                            });
     if (scene.parameters.output.write_meshes)
       directory.write_file("mesh" + suffix + ".svg", [&](std::ostream &out) {
-        write_mesh_svg(out,
-                       mesh,
-                       caption_of(result,
-                                  scene.parameters.plate.n_parts() == 4.),
-                       result.element_errors());
+        write_mesh_svg(
+          out,
+          mesh,
+          caption_of(result,
+                     geometry_of(scene.parameters.plate)->n_parts() == 4.),
+          result.element_errors());
       });
     if (scene.parameters.output.write_report)
       report.add_cycle(cycle);

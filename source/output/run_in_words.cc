@@ -4,6 +4,7 @@
 #include "plate_impact/base/text.h"
 #include "plate_impact/contact/impactor.h"
 #include "plate_impact/contact/zener.h"
+#include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_section.h"
 
 #include <algorithm>
@@ -80,10 +81,11 @@ namespace PlateImpact
   std::string
   scene_in_words(const Parameters &parameters)
   {
-    const PlateParameters &plate = parameters.plate;
+    const PlateParameters &plate    = parameters.plate;
+    const auto             geometry = geometry_of(plate);
     const PrefixedUnit     side("m",
-                            std::max(plate.side_length(0),
-                                     plate.side_length(1))),
+                            std::max(geometry->side_length(0),
+                                     geometry->side_length(1))),
       thickness("m", plate.thickness);
     const std::string extent = plate.is_circle() ?
       "round plate of " + side.text(plate.side_lengths[0]) + " diameter, " :
@@ -91,8 +93,8 @@ namespace PlateImpact
            std::filesystem::path(plate.outline.file).filename().string() +
            ") of " :
                               "plate of ") +
-        number(side(plate.side_length(0))) + " × " +
-        side.text(plate.side_length(1)) + ", ";
+        number(side(geometry->side_length(0))) + " × " +
+        side.text(geometry->side_length(1)) + ", ";
     const std::string target = extent + thickness.text(plate.thickness) +
       " thick, " +
       (plate.is_laminate() ? "plies " + plate.layup.text + ", " : "") +

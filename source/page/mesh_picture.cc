@@ -2,6 +2,8 @@
 
 #include <deal.II/grid/grid_tools.h>
 
+#include "plate_impact/plate/plate_geometry.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -189,7 +191,8 @@ namespace PlateImpact
   std::string
   meshed_part_in_words(const PlateParameters &plate)
   {
-    const bool left = plate.is_symmetric(0), lower = plate.is_symmetric(1);
+    const bool left  = geometry_of(plate)->is_symmetric(0),
+               lower = geometry_of(plate)->is_symmetric(1);
     if (left && lower)
       return "A quarter of the plate; the impact is at the lower left corner.";
     if (left || lower)

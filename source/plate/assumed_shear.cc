@@ -8,37 +8,28 @@ namespace PlateImpact
 
   namespace
   {
-    /// Lagrange polynomial of the points of a rule that is 1 at point i.
-    double
-    lagrange(const Quadrature<1> &rule, const unsigned int i, const double x)
+    /// Lagrange polynomials of the points of a rule.
+    std::vector<Polynomials::Polynomial<double>>
+    lagrange_polynomials(const Quadrature<1> &rule)
     {
-      double value = 1.;
-      for (unsigned int j = 0; j < rule.size(); ++j)
-        if (j != i)
-          value *=
-            (x - rule.point(j)[0]) / (rule.point(i)[0] - rule.point(j)[0]);
-      return value;
+      return Polynomials::generate_complete_Lagrange_basis(rule.get_points());
     }
 
 
 
-    /// Tensor product of a rule in xi and one in eta, xi running fastest.
-    std::vector<Point<2>>
-    tensor_points(const Quadrature<1> &xi, const Quadrature<1> &eta)
+    /// First those of the strain along xi, then of that along eta; xi running
+    /// fastest in both.
+    Quadrature<2>
+    points_of_mixed_shear()
     {
-      std::vector<Point<2>> points;
-      for (const Point<1> &y : eta.get_points())
-        for (const Point<1> &x : xi.get_points())
-          points.emplace_back(x[0], y[0]);
-      return points;
-    }
-
-
-
-    std::vector<Point<2>>
-    joined(std::vector<Point<2>> points, const std::vector<Point<2>> &more)
-    {
-      points.insert(points.end(), more.begin(), more.end());
+      const QGauss<1>        linear(2);
+      const QGaussLobatto<1> quadratic(3);
+      std::vector<Point<2>>  points;
+      for (const auto &part : {QAnisotropic<2>(linear, quadratic),
+                               QAnisotropic<2>(quadratic, linear)})
+        points.insert(points.end(),
+                      part.get_points().begin(),
+                      part.get_points().end());
       return points;
     }
   } // namespace
@@ -46,17 +37,9 @@ namespace PlateImpact
 
 
   ShearAtGaussPoints::ShearAtGaussPoints(const unsigned int n)
-    : rule(n)
-    , points(tensor_points(rule, rule))
+    : AssumedShear(QGauss<2>(n))
+    , lagrange(lagrange_polynomials(QGauss<1>(n)))
   {}
-
-
-
-  const Quadrature<2> &
-  ShearAtGaussPoints::tying_points() const
-  {
-    return points;
-  }
 
 
 
@@ -65,46 +48,27 @@ namespace PlateImpact
                                   const FEValues<2> &,
                                   const FEValues<2> &values) const
   {
-    const unsigned int n      = values.n_quadrature_points;
-    CellOperator       result = CellOperator::Zero(2 * n, n_cell_dofs);
-    for (unsigned int q = 0; q < n; ++q)
+    const unsigned int n_points = values.n_quadrature_points,
+                       n        = lagrange.size();
+    CellOperator result         = CellOperator::Zero(2 * n_points, n_cell_dofs);
+    for (unsigned int q = 0; q < n_points; ++q)
       {
         const Point<2> &p = values.get_quadrature().point(q);
-        for (unsigned int j = 0; j < rule.size(); ++j)
-          for (unsigned int i = 0; i < rule.size(); ++i)
-            result.middleRows<2>(2 * q) += lagrange(rule, i, p[0]) *
-              lagrange(rule, j, p[1]) *
-              tied.middleRows<2>(2 * (rule.size() * j + i));
+        for (unsigned int j = 0; j < n; ++j)
+          for (unsigned int i = 0; i < n; ++i)
+            result.middleRows<2>(2 * q) += lagrange[i].value(p[0]) *
+              lagrange[j].value(p[1]) * tied.middleRows<2>(2 * (n * j + i));
       }
     return result;
   }
 
 
 
-  ReducedShear::ReducedShear()
-    : ShearAtGaussPoints(2)
-  {}
-
-
-
-  FullShear::FullShear()
-    : ShearAtGaussPoints(3)
-  {}
-
-
-
   MixedShear::MixedShear()
-    : points(joined(tensor_points(QGauss<1>(2), QGaussLobatto<1>(3)),
-                    tensor_points(QGaussLobatto<1>(3), QGauss<1>(2))))
+    : AssumedShear(points_of_mixed_shear())
+    , linear(lagrange_polynomials(QGauss<1>(2)))
+    , quadratic(lagrange_polynomials(QGaussLobatto<1>(3)))
   {}
-
-
-
-  const Quadrature<2> &
-  MixedShear::tying_points() const
-  {
-    return points;
-  }
 
 
 
@@ -122,10 +86,8 @@ namespace PlateImpact
       return J[0][a] * tied.row(2 * t) + J[1][a] * tied.row(2 * t + 1);
     };
 
-    const QGauss<1>        linear(2);
-    const QGaussLobatto<1> quadratic(3);
-    const unsigned int     n      = values.n_quadrature_points;
-    CellOperator           result = CellOperator::Zero(2 * n, n_cell_dofs);
+    const unsigned int n      = values.n_quadrature_points;
+    CellOperator       result = CellOperator::Zero(2 * n, n_cell_dofs);
     for (unsigned int q = 0; q < n; ++q)
       {
         const Point<2> &p        = values.get_quadrature().point(q);
@@ -133,10 +95,10 @@ namespace PlateImpact
         for (unsigned int j = 0; j < 3; ++j)
           for (unsigned int i = 0; i < 2; ++i)
             {
-              along[0] += lagrange(linear, i, p[0]) *
-                lagrange(quadratic, j, p[1]) * covariant(2 * j + i, 0);
-              along[1] += lagrange(quadratic, j, p[0]) *
-                lagrange(linear, i, p[1]) * covariant(6 + 3 * i + j, 1);
+              along[0] += linear[i].value(p[0]) * quadratic[j].value(p[1]) *
+                covariant(2 * j + i, 0);
+              along[1] += quadratic[j].value(p[0]) * linear[i].value(p[1]) *
+                covariant(6 + 3 * i + j, 1);
             }
         const auto &inverse = values.inverse_jacobian(q);
         for (unsigned int d = 0; d < 2; ++d)

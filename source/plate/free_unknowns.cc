@@ -44,22 +44,6 @@ namespace PlateImpact
 
 
 
-  unsigned int
-  FreeUnknowns::size() const
-  {
-    return components.size();
-  }
-
-
-
-  unsigned int
-  FreeUnknowns::component(const unsigned int unknown) const
-  {
-    return components[unknown];
-  }
-
-
-
   std::vector<types::global_dof_index>
   FreeUnknowns::of_cell(const unsigned int cell) const
   {

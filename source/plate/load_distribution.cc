@@ -3,6 +3,8 @@
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/quadrature_lib.h>
 
+#include "plate_impact/plate/plate_geometry.h"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -140,9 +142,10 @@ namespace PlateImpact
   on_meshed_part(const std::vector<LoadPoint> &of_quadrant,
                  const PlateParameters        &plate)
   {
-    std::vector<LoadPoint> points = of_quadrant;
+    const auto             geometry = geometry_of(plate);
+    std::vector<LoadPoint> points   = of_quadrant;
     for (unsigned int d = 0; d < 2; ++d)
-      if (!plate.is_symmetric(d))
+      if (!geometry->is_symmetric(d))
         for (std::size_t p = 0, n = points.size(); p < n; ++p)
           if (points[p].point[d] != 0.)
             {

@@ -3,11 +3,10 @@
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
-#include <deal.II/lac/vector.h>
 #include <deal.II/numerics/vector_tools_interpolate.h>
 
 #include "plate_impact/base/exceptions.h"
-#include "plate_impact/plate/edge_constraints.h"
+#include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
 #include "plate_impact/plate/support.h"
 
@@ -104,7 +103,7 @@ namespace PlateImpact
   PlateDiscretization::PlateDiscretization(const Triangulation<2> &mesh,
                                            const PlateElement     &element,
                                            const PlateParameters  &plate)
-    : PlateDiscretization(mesh, element, plate, plate.n_parts())
+    : PlateDiscretization(mesh, element, plate, geometry_of(plate)->n_parts())
   {}
 
 
@@ -116,28 +115,16 @@ namespace PlateImpact
     : plate_element(element)
     , plate_section(plate)
     , multiplicity(multiplicity)
-    , dof_handler(mesh)
+    , dofs(mesh)
+    , holds_deflection(hold_deflection(geometry_of(plate)->supports()))
   {
-    dof_handler.distribute_dofs(element.finite_element());
-    const auto supports = supports_of(plate);
-    for (const auto &[edge, support] : supports)
-      holds_deflection = holds_deflection || support.deflection;
-    constrain(supports);
-    unknowns.reinit(dof_handler, constraints);
-    find_shapes();
-  }
-
-
-
-  void
-  PlateDiscretization::constrain(
-    const std::map<types::boundary_id, Support> &supports)
-  {
-    DoFTools::make_hanging_node_constraints(dof_handler, constraints);
-    plate_element.add_internal_constraints(dof_handler, constraints);
-
-    hold_edges(dof_handler, supports, constraints);
+    dofs.distribute_dofs(element.finite_element());
+    DoFTools::make_hanging_node_constraints(dofs, constraints);
+    plate_element.add_internal_constraints(dofs, constraints);
+    hold_edges(dofs, geometry_of(plate)->supports(), constraints);
     constraints.close();
+    unknowns.reinit(dofs, constraints);
+    find_shapes();
   }
 
 
@@ -145,7 +132,7 @@ namespace PlateImpact
   void
   PlateDiscretization::find_shapes()
   {
-    const auto  &mesh      = dof_handler.get_triangulation();
+    const auto  &mesh      = dofs.get_triangulation();
     const double tolerance = 1e-10 * mesh.begin_active(0)->diameter();
     std::map<std::array<long, 6>, unsigned int> known;
     shape_of_cell.resize(mesh.n_active_cells());
@@ -232,30 +219,6 @@ namespace PlateImpact
                             values.data(),
                             columns.data());
       }
-  }
-
-
-
-  unsigned int
-  PlateDiscretization::n_unknowns() const
-  {
-    return unknowns.size();
-  }
-
-
-
-  const Epetra_CrsMatrix &
-  PlateDiscretization::stiffness() const
-  {
-    return *K;
-  }
-
-
-
-  const Epetra_CrsMatrix &
-  PlateDiscretization::mass() const
-  {
-    return *M;
   }
 
 
@@ -353,63 +316,12 @@ namespace PlateImpact
   Eigen::VectorXd
   PlateDiscretization::interpolate(const Function<2> &field) const
   {
-    Vector<double> values(dof_handler.n_dofs());
-    VectorTools::interpolate(mapping_of(dof_handler.get_triangulation()),
-                             dof_handler,
+    Vector<double> values(dofs.n_dofs());
+    VectorTools::interpolate(mapping_of(dofs.get_triangulation()),
+                             dofs,
                              field,
                              values);
     return unknowns.of_nodal_values(values);
-  }
-
-
-
-  void
-  PlateDiscretization::cell_values(
-    const unsigned int                       cell,
-    const Eigen::Ref<const Eigen::MatrixXd> &vectors,
-    Eigen::MatrixXd                         &values) const
-  {
-    unknowns.cell_values(cell, vectors, values);
-  }
-
-
-
-  Vector<double>
-  PlateDiscretization::nodal_values(const Eigen::VectorXd &vector) const
-  {
-    return unknowns.nodal_values(vector);
-  }
-
-
-
-  const DoFHandler<2> &
-  PlateDiscretization::dofs() const
-  {
-    return dof_handler;
-  }
-
-
-
-  const CellShape &
-  PlateDiscretization::shape(const unsigned int cell) const
-  {
-    return shapes[shape_of_cell[cell]];
-  }
-
-
-
-  const Triangulation<2> &
-  PlateDiscretization::mesh() const
-  {
-    return dof_handler.get_triangulation();
-  }
-
-
-
-  double
-  PlateDiscretization::n_parts() const
-  {
-    return multiplicity;
   }
 
 
@@ -422,29 +334,5 @@ namespace PlateImpact
       return std::find(ids.begin(), ids.end(), id) != ids.end();
     };
     return {{has(symmetry_x), has(symmetry_y)}};
-  }
-
-
-
-  bool
-  PlateDiscretization::is_free() const
-  {
-    return !holds_deflection;
-  }
-
-
-
-  const PlateElement &
-  PlateDiscretization::element() const
-  {
-    return plate_element;
-  }
-
-
-
-  const PlateSection &
-  PlateDiscretization::section() const
-  {
-    return plate_section;
   }
 } // namespace PlateImpact

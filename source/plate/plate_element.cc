@@ -10,11 +10,19 @@ namespace PlateImpact
 
   namespace
   {
-    template <typename Shear>
+    template <unsigned int n>
     std::unique_ptr<const AssumedShear>
-    make()
+    at_gauss_points()
     {
-      return std::make_unique<Shear>();
+      return std::make_unique<ShearAtGaussPoints>(n);
+    }
+
+
+
+    std::unique_ptr<const AssumedShear>
+    mixed()
+    {
+      return std::make_unique<MixedShear>();
     }
 
 
@@ -27,11 +35,11 @@ namespace PlateImpact
     };
 
     const std::vector<ElementRow> elements = {
-      {ElementType::serendipity, {{true, true, true}}, make<ReducedShear>},
-      {ElementType::serendipity_full, {{true, true, true}}, make<FullShear>},
-      {ElementType::heterosis, {{true, false, false}}, make<ReducedShear>},
-      {ElementType::Lagrange, {{false, false, false}}, make<ReducedShear>},
-      {ElementType::MITC9, {{false, false, false}}, make<MixedShear>}};
+      {ElementType::serendipity, {{true, true, true}}, at_gauss_points<2>},
+      {ElementType::serendipity_full, {{true, true, true}}, at_gauss_points<3>},
+      {ElementType::heterosis, {{true, false, false}}, at_gauss_points<2>},
+      {ElementType::Lagrange, {{false, false, false}}, at_gauss_points<2>},
+      {ElementType::MITC9, {{false, false, false}}, mixed}};
 
 
 
@@ -55,30 +63,6 @@ namespace PlateImpact
     , quadrature_points(3)
     , samples(2)
   {}
-
-
-
-  const FESystem<2> &
-  PlateElement::finite_element() const
-  {
-    return element;
-  }
-
-
-
-  const Quadrature<2> &
-  PlateElement::quadrature() const
-  {
-    return quadrature_points;
-  }
-
-
-
-  const Quadrature<2> &
-  PlateElement::sample_points() const
-  {
-    return samples;
-  }
 
 
 
@@ -220,7 +204,7 @@ namespace PlateImpact
             element.system_to_component_index(j);
           if (component_i == component_j)
             M(i, j) = scalar_mass(node_i, node_j) *
-              (component_i == deflection ? section.mass :
+              (component_i == deflection ? section.mass_per_area :
                                            section.rotary_inertia);
         }
     return M;

@@ -51,7 +51,7 @@ namespace PlateImpact
   {
     const double t = thickness;
     coupling_stiffness.setZero();
-    mass           = plate.density * t;
+    mass_per_area  = plate.density * t;
     rotary_inertia = plate.density * t * t * t / 12.;
     if (plate.is_laminate())
       set_laminate(plate);
@@ -198,7 +198,7 @@ namespace PlateImpact
 
 
   double
-  PlateSection::energy_density(const Resultants &resultants) const
+  PlateSection::squared_energy_norm(const Resultants &resultants) const
   {
     const auto M = resultants.head<3>();
     const auto Q = resultants.tail<2>();

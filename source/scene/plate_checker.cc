@@ -2,7 +2,8 @@
 
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/text.h"
-#include "plate_impact/plate/plate_file_reader.h"
+#include "plate_impact/plate/plate_file.h"
+#include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_section.h"
 
 #include <algorithm>
@@ -179,9 +180,10 @@ namespace PlateImpact
   {
     if (is_unknown)
       return;
-    const PlateParameters &plate = scene.plate;
+    const PlateParameters &plate    = scene.plate;
+    const auto             geometry = geometry_of(plate);
     const double           half_side =
-      0.5 * std::min(plate.side_length(0), plate.side_length(1));
+      0.5 * std::min(geometry->side_length(0), geometry->side_length(1));
     if (plate.thickness > half_side)
       mistakes.refuse(
         {"Plate/Thickness", "Plate/Side lengths"},
@@ -191,26 +193,26 @@ namespace PlateImpact
     check_edges();
     check_extent();
     const double to_edge =
-      scene.has_impactor() ? plate.distance_to_edge() : half_side;
+      scene.has_impactor() ? geometry->distance_to_edge() : half_side;
     if (to_edge <= 0. && plate.is_from_file())
       return mistakes.refuse(
         {"Plate/Impact point", "Plate/Outline"},
         "m lies outside of the plate of " + plate.outline.file +
           ", or on an edge; expected a point from the middle of "
           "its " +
-          number(plate.side_length(0)) + " x " + number(plate.side_length(1)) +
-          " m");
+          number(geometry->side_length(0)) + " x " +
+          number(geometry->side_length(1)) + " m");
     if (to_edge <= 0.)
       return mistakes.refuse(
         {"Plate/Impact point", "Plate/Side lengths"},
         plate.is_circle() ?
           "m lies outside of the plate; expected less than its "
           "radius, " +
-            number(0.5 * plate.side_length(0)) + " m, from the centre" :
+            number(0.5 * geometry->side_length(0)) + " m, from the centre" :
           "m lies outside of the plate; expected less than half of "
           "the sides, " +
-            number(0.5 * plate.side_length(0)) + ", " +
-            number(0.5 * plate.side_length(1)) + " m");
+            number(0.5 * geometry->side_length(0)) + ", " +
+            number(0.5 * geometry->side_length(1)) + " m");
     if (scene.contact.has_patch() && scene.contact.patch_radius > to_edge)
       mistakes.refuse(
         {"Contact/Patch radius", "Plate/Side lengths", "Plate/Impact point"},

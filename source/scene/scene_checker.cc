@@ -6,7 +6,7 @@
 #include "plate_impact/contact/contact_area.h"
 #include "plate_impact/contact/make_contact.h"
 #include "plate_impact/plate/layer_response.h"
-#include "plate_impact/plate/plate_mesh.h"
+#include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_section.h"
 #include "plate_impact/scene/plate_checker.h"
 
@@ -164,7 +164,8 @@ namespace PlateImpact
             "needs a load patch; expected Load distribution = Hertz disc, "
             "uniform disc or strip, or Local response = half-space");
       }
-    if (scene.contact.load_is_line() && !scene.plate.is_symmetric(1))
+    if (scene.contact.load_is_line() &&
+        !geometry_of(scene.plate)->is_symmetric(1))
       mistakes.refuse(
         {"Contact/Load distribution",
          "Plate/Impact point",
@@ -173,7 +174,7 @@ namespace PlateImpact
         "is a line along which the shear force jumps, and has its stress "
         "recovered only where the plate mirrors in it; expected Load "
         "distribution = strip for this impact point, outline and lay-up");
-    const double longest = 2. * scene.plate.distance_to_edge(0);
+    const double longest = 2. * geometry_of(scene.plate)->distance_to_edge(0);
     if (is_cylinder && longest > 0. && scene.impactor.length > longest)
       mistakes.refuse(
         {"Impactor/Length", "Plate/Side lengths", "Plate/Impact point"},
@@ -413,7 +414,7 @@ namespace PlateImpact
         return;
       }
     const double thickness = scene.plate.thickness;
-    const double to_edge   = scene.plate.distance_to_edge();
+    const double to_edge   = geometry_of(scene.plate)->distance_to_edge();
     if (is_layer)
       {
         // the functional with div theta stands in for radii that are too small

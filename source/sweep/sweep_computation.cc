@@ -5,6 +5,7 @@
 #include "plate_impact/analysis/reliability.h"
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/text.h"
+#include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
 #include "plate_impact/transient/contact_end.h"
 

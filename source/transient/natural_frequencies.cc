@@ -68,7 +68,8 @@ namespace PlateImpact
       double              area    = 0.;
       for (const auto &cell : discretization.mesh().active_cell_iterators())
         area += cell->measure();
-      return section.mean_bending_stiffness() / section.mass / (area * area);
+      return section.mean_bending_stiffness() / section.mass_per_area /
+        (area * area);
     }
 
 

@@ -3,6 +3,7 @@
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/contact/make_contact.h"
 #include "plate_impact/contact/zener.h"
+#include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/transient/time_stepper.h"
 
 #include <algorithm>
@@ -170,8 +171,8 @@ namespace PlateImpact
           n_unknowns < 3. * time.end_time / time.time_step)
         return false;
       const ImpactEstimate expected(scene);
-      return time.end_time >
-        2. * scene.plate.distance_to_edge() / expected.wave.group_speed &&
+      return time.end_time > 2. * geometry_of(scene.plate)->distance_to_edge() /
+          expected.wave.group_speed &&
         expected.contact_time < 16. * time.time_step;
     }
 

@@ -6,7 +6,7 @@
 #include "plate_impact/analysis/impact_analysis.h"
 #include "plate_impact/contact/make_contact.h"
 #include "plate_impact/estimator/energy_norm_estimator.h"
-#include "plate_impact/plate/plate_mesh.h"
+#include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/scene/scene.h"
 #include "plate_impact/transient/ritz_reduction.h"
 

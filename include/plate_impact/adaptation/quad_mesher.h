@@ -1,14 +1,15 @@
 #ifndef plate_impact_adaptation_quad_mesher_h
 #define plate_impact_adaptation_quad_mesher_h
 
-#include "plate_impact/base/plate_file.h"
-
 #include <array>
 #include <string>
 #include <vector>
 
 namespace PlateImpact
 {
+  /// A point in the plane of the plate. [m]
+  using PlanePoint = std::array<double, 2>;
+
   /// Target sizes of a mesh, bilinear in quadrilaterals that cover its domain.
   struct SizeField
   {

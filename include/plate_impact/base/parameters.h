@@ -2,11 +2,8 @@
 #define plate_impact_base_parameters_h
 
 #include "plate_impact/base/choices.h"
-#include "plate_impact/base/plate_file.h"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <memory>
 #include <string>
 #include <tuple>
@@ -17,6 +14,8 @@
 /// (declarations.cc), and printed by `plate-impact defaults`. SI units.
 namespace PlateImpact
 {
+  struct PlateFile;
+
   /// What the entry Plate/Outline says.
   struct Outline
   {
@@ -90,88 +89,6 @@ namespace PlateImpact
     is_from_file() const
     {
       return outline.shape == PlateOutline::file;
-    }
-
-    /// Of the rectangle around the plate.
-    double
-    side_length(const unsigned int d) const
-    {
-      return is_from_file() ? file->extent[d] :
-                              side_lengths[is_circle() ? 0 : d];
-    }
-
-    double
-    area() const
-    {
-      if (is_from_file())
-        return file->area;
-      return (is_circle() ? 0.25 * std::acos(-1.) : 1.) * side_length(0) *
-        side_length(1);
-    }
-
-    /// Whether the plate mirrors in the line x = 0 (d = 0) or y = 0 (d = 1)
-    /// through the impact: what is meshed is then one side of it. A file holds
-    /// the whole mesh, and a plate that twists when bent mirrors in no line.
-    bool
-    is_symmetric(const unsigned int d) const
-    {
-      return !is_from_file() && !twists_when_bent && impact_point[d] == 0.;
-    }
-
-    /// Parts like the one that is meshed in the plate.
-    double
-    n_parts() const
-    {
-      return (is_symmetric(0) ? 2. : 1.) * (is_symmetric(1) ? 2. : 1.);
-    }
-
-    /// Where the part that is meshed begins and ends along an axis, from the
-    /// impact.
-    double
-    begin(const unsigned int d) const
-    {
-      return is_symmetric(d) ? 0. : -0.5 * side_length(d) - impact_point[d];
-    }
-
-    double
-    end(const unsigned int d) const
-    {
-      return 0.5 * side_length(d) - impact_point[d];
-    }
-
-    /// From the impact to the nearer of the edges along an axis; negative for a
-    /// point that is not on the plate.
-    double
-    distance_to_edge(const unsigned int d) const
-    {
-      if (is_from_file())
-        return file->distance_to_edge(impact_point, d);
-      const double half = 0.5 * side_length(d), across = impact_point[1 - d];
-      const double to_edge = is_circle() ?
-        std::sqrt(std::max(0., half * half - across * across)) :
-        half;
-      return to_edge - std::abs(impact_point[d]);
-    }
-
-    double
-    distance_to_edge() const
-    {
-      if (is_from_file())
-        return file->distance_to_edge(impact_point);
-      return is_circle() ?
-        0.5 * side_length(0) - std::hypot(impact_point[0], impact_point[1]) :
-        std::min(distance_to_edge(0), distance_to_edge(1));
-    }
-
-    /// How many of n cells of a rectangle along an axis lie on the negative
-    /// side of the impact, which is a vertex; 0 where it begins the mesh, or
-    /// for one cell.
-    unsigned int
-    cells_before_impact(const unsigned int d, const unsigned int n) const
-    {
-      return is_symmetric(d) || n == 1 ?
-        0 :
-        std::clamp<long>(std::lround(-begin(d) / side_length(d) * n), 1, n - 1);
     }
   };
 

@@ -1,13 +1,13 @@
 #ifndef plate_impact_plate_assumed_shear_h
 #define plate_impact_plate_assumed_shear_h
 
-#include <deal.II/base/point.h>
+#include <deal.II/base/polynomial.h>
 #include <deal.II/base/quadrature.h>
-#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 
 #include <Eigen/Core>
 
+#include <vector>
 
 namespace PlateImpact
 {
@@ -29,8 +29,11 @@ namespace PlateImpact
     virtual ~AssumedShear() = default;
 
     /// Points of the reference cell where the strain is tied.
-    virtual const dealii::Quadrature<2> &
-    tying_points() const = 0;
+    const dealii::Quadrature<2> &
+    tying_points() const
+    {
+      return points;
+    }
 
     /// The assumed strain, two Cartesian components a point.
     /// @param tied    strains from deflection and rotations at the tying points
@@ -41,6 +44,14 @@ namespace PlateImpact
     interpolate(const CellOperator        &tied,
                 const dealii::FEValues<2> &tying,
                 const dealii::FEValues<2> &values) const = 0;
+
+  protected:
+    explicit AssumedShear(const dealii::Quadrature<2> &points)
+      : points(points)
+    {}
+
+  private:
+    const dealii::Quadrature<2> points;
   };
 
 
@@ -48,37 +59,19 @@ namespace PlateImpact
   /// polynomials of degree n - 1 in each direction: the same as integrating the
   /// shear energy with these points only (Malkus & Hughes, Comput Methods Appl
   /// Mech Engng 15, 1978, 63-81), since they integrate the square of such a
-  /// strain exactly on parallelograms.
+  /// strain exactly on parallelograms. As the rest of the element has 3 x 3
+  /// points, nothing is assumed with n = 3.
   class ShearAtGaussPoints : public AssumedShear
   {
   public:
     explicit ShearAtGaussPoints(unsigned int n);
-    const dealii::Quadrature<2> &
-    tying_points() const override;
     CellOperator
     interpolate(const CellOperator        &tied,
                 const dealii::FEValues<2> &tying,
                 const dealii::FEValues<2> &values) const override;
 
   private:
-    const dealii::QGauss<1>     rule;
-    const dealii::Quadrature<2> points;
-  };
-
-
-  /// 2x2 points.
-  class ReducedShear : public ShearAtGaussPoints
-  {
-  public:
-    ReducedShear();
-  };
-
-
-  /// 3x3 points, as for the rest of the element: nothing is assumed.
-  class FullShear : public ShearAtGaussPoints
-  {
-  public:
-    FullShear();
+    const std::vector<dealii::Polynomials::Polynomial<double>> lagrange;
   };
 
 
@@ -98,17 +91,15 @@ namespace PlateImpact
   {
   public:
     MixedShear();
-    const dealii::Quadrature<2> &
-    tying_points() const override;
     CellOperator
     interpolate(const CellOperator        &tied,
                 const dealii::FEValues<2> &tying,
                 const dealii::FEValues<2> &values) const override;
 
   private:
-    const dealii::Quadrature<2> points;
+    const std::vector<dealii::Polynomials::Polynomial<double>> linear,
+      quadratic;
   };
-
 } // namespace PlateImpact
 
 #endif

@@ -26,11 +26,17 @@ namespace PlateImpact
            const dealii::AffineConstraints<double> &constraints);
 
     unsigned int
-    size() const;
+    size() const
+    {
+      return components.size();
+    }
 
     /// Deflection or rotation that an unknown is a value of.
     unsigned int
-    component(unsigned int unknown) const;
+    component(unsigned int unknown) const
+    {
+      return components[unknown];
+    }
 
     /// Those of a cell, in ascending order.
     std::vector<dealii::types::global_dof_index>

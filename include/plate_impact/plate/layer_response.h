@@ -37,7 +37,7 @@ namespace PlateImpact
     /// Lambda of the compliance Lambda / (G h) in series with the law of a
     /// sphere, negative: layer less half-space less plate.
     double
-    sphere_compliance(double radius) const;
+    sphere_constant(double radius) const;
 
     /// Lambda of the plate's side of a line contact, F' (1 - nu) / (pi G) (ln
     /// (h/a) + Lambda), with F' the force per length and a the half-width of

@@ -10,13 +10,11 @@
 #include "plate_impact/plate/load_distribution.h"
 #include "plate_impact/plate/plate_element.h"
 #include "plate_impact/plate/plate_section.h"
-#include "plate_impact/plate/support.h"
 
 #include <Eigen/Core>
 #include <Epetra_CrsMatrix.h>
 
 #include <array>
-#include <map>
 #include <memory>
 #include <vector>
 
@@ -52,13 +50,22 @@ namespace PlateImpact
     assemble();
 
     unsigned int
-    n_unknowns() const;
+    n_unknowns() const
+    {
+      return unknowns.size();
+    }
 
     const Epetra_CrsMatrix &
-    stiffness() const;
+    stiffness() const
+    {
+      return *K;
+    }
 
     const Epetra_CrsMatrix &
-    mass() const;
+    mass() const
+    {
+      return *M;
+    }
 
     /// Forces conjugate to the unknowns under a unit force on the whole plate,
     /// distributed over these points; its product with the unknowns is the
@@ -80,24 +87,42 @@ namespace PlateImpact
     void
     cell_values(unsigned int                             cell,
                 const Eigen::Ref<const Eigen::MatrixXd> &vectors,
-                Eigen::MatrixXd                         &values) const;
+                Eigen::MatrixXd                         &values) const
+    {
+      unknowns.cell_values(cell, vectors, values);
+    }
 
     const CellShape &
-    shape(unsigned int cell) const;
+    shape(unsigned int cell) const
+    {
+      return shapes[shape_of_cell[cell]];
+    }
 
-    /// The same for all nodes, by degree of freedom of dofs().
+    /// The same for all nodes, by degree of freedom of dof_handler().
     dealii::Vector<double>
-    nodal_values(const Eigen::VectorXd &vector) const;
+    nodal_values(const Eigen::VectorXd &vector) const
+    {
+      return unknowns.nodal_values(vector);
+    }
 
     const dealii::DoFHandler<2> &
-    dofs() const;
+    dof_handler() const
+    {
+      return dofs;
+    }
 
     const dealii::Triangulation<2> &
-    mesh() const;
+    mesh() const
+    {
+      return dofs.get_triangulation();
+    }
 
     /// Parts like the one that is meshed in the plate.
     double
-    n_parts() const;
+    n_parts() const
+    {
+      return multiplicity;
+    }
 
     /// Whether x = 0, y = 0 is a plane of symmetry that bounds the mesh.
     std::array<bool, 2>
@@ -106,18 +131,24 @@ namespace PlateImpact
     /// Whether no support holds the deflection, so that the plate can move as
     /// a rigid body.
     bool
-    is_free() const;
+    is_free() const
+    {
+      return !holds_deflection;
+    }
 
     const PlateElement &
-    element() const;
+    element() const
+    {
+      return plate_element;
+    }
 
     const PlateSection &
-    section() const;
+    section() const
+    {
+      return plate_section;
+    }
 
   private:
-    void
-    constrain(const std::map<dealii::types::boundary_id, Support> &supports);
-
     void
     find_shapes();
 
@@ -146,10 +177,10 @@ namespace PlateImpact
     const PlateElement               &plate_element;
     const PlateSection                plate_section;
     const double                      multiplicity;
-    dealii::DoFHandler<2>             dof_handler;
+    dealii::DoFHandler<2>             dofs;
     dealii::AffineConstraints<double> constraints;
 
-    bool         holds_deflection = false;
+    const bool   holds_deflection;
     FreeUnknowns unknowns;
 
     std::vector<unsigned int> shape_of_cell;

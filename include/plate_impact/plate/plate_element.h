@@ -57,15 +57,13 @@ namespace PlateImpact
   /// Constrained to -1/4 of the corners plus 1/2 of the midsides, the centre
   /// node turns FE_Q(2) into the 8-node serendipity element exactly.
   ///  - `serendipity`, the paper's: all components constrained, shear
-  ///  integrated
-  ///    with 2x2 points (ReducedShear);
-  ///  - `serendipity full`: the same with 3x3 points for the shear (FullShear),
-  ///    which locks on plates that are thin for their cells;
+  ///    integrated with 2x2 points;
+  ///  - `serendipity full`: the same with 3x3 points for the shear, which locks
+  ///    on plates that are thin for their cells;
   ///  - `heterosis` (Hughes & Cohen, Comput Struct 9, 1978, 445-450): the
   ///    deflection constrained, 2x2 points;
   ///  - `Lagrange`: nothing constrained, 2x2 points; has a spurious zero-energy
-  ///  mode
-  ///    that the assembly of a uniform mesh does not suppress;
+  ///    mode that the assembly of a uniform mesh does not suppress;
   ///  - `MITC9`: nothing constrained, MixedShear.
   class PlateElement
   {
@@ -73,14 +71,23 @@ namespace PlateImpact
     explicit PlateElement(ElementType type);
 
     const dealii::FESystem<2> &
-    finite_element() const;
+    finite_element() const
+    {
+      return element;
+    }
 
     const dealii::Quadrature<2> &
-    quadrature() const;
+    quadrature() const
+    {
+      return quadrature_points;
+    }
 
     /// The 2x2 superconvergent points, where stresses are sampled.
     const dealii::Quadrature<2> &
-    sample_points() const;
+    sample_points() const
+    {
+      return samples;
+    }
 
     /// Adds the constraints that make this element of FE_Q(2).
     void

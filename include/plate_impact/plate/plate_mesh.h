@@ -4,24 +4,11 @@
 #include <deal.II/fe/mapping.h>
 #include <deal.II/grid/tria.h>
 
-#include "plate_impact/base/parameters.h"
-
 #include <memory>
 #include <utility>
 
 namespace PlateImpact
 {
-  /// Boundary ids of a mesh, which has the impact at the origin.
-  enum PlateBoundary : dealii::types::boundary_id
-  {
-    symmetry_x = 0, ///< the plane of symmetry x = 0
-    edge_x     = 1, ///< edges of the plate across x
-    symmetry_y = 2, ///< the plane of symmetry y = 0
-    edge_y     = 3, ///< edges across y
-    edge_round = 4, ///< the edge of a circle
-    edge_named = 5  ///< the first edge of a file, followed by the others
-  };
-
   /// Of second order, so that round edges are not polygons, on which a simple
   /// support is another (Babuska's paradox).
   const dealii::Mapping<2> &
@@ -34,25 +21,6 @@ namespace PlateImpact
   /// curved_mapping() for meshes that have curved sides.
   const dealii::Mapping<2> &
   mapping_of(const dealii::Triangulation<2> &mesh);
-
-  /// Cells of the first mesh.
-  double
-  n_initial_cells(const Parameters &parameters);
-
-  /// Longest side of the cells of the first mesh. [m]
-  double
-  initial_cell_size(const Parameters &parameters);
-
-  /// What symmetry leaves of the plate, in rectangular cells, equal in size for
-  /// an impact at the centre; the impact is a vertex, unless a single cell lies
-  /// across an axis. A circle has a few cells, halved until there are as many;
-  /// a file has its own.
-  /// Refinement keeps neighbours, across vertices too, within
-  /// one level of each other: patches of the stress recovery then mix cells of
-  /// similar size only.
-  std::unique_ptr<dealii::Triangulation<2>>
-  make_plate_mesh(const PlateParameters             &plate,
-                  const std::array<unsigned int, 2> &n_cells);
 
   std::unique_ptr<dealii::Triangulation<2>>
   copy_of(const dealii::Triangulation<2> &mesh);

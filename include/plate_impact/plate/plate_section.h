@@ -40,7 +40,7 @@ namespace PlateImpact
     Eigen::Matrix3d coupling_stiffness;
 
     /// rho t. [kg/m^2]
-    double mass;
+    double mass_per_area;
 
     /// rho t^3 / 12. [kg]
     double rotary_inertia;
@@ -85,16 +85,16 @@ namespace PlateImpact
     bool
     is_unsymmetric() const;
 
-    /// Twice the strain energy density of resultants, sigma^T D^-1 sigma, of
-    /// the norms in Table 1 of the paper. [J/m^2]
+    /// sigma^T D^-1 sigma of resultants, the square of the energy norm in Table
+    /// 1 of the paper per area: twice their strain energy. [J/m^2]
     double
-    energy_density(const Resultants &resultants) const;
+    squared_energy_norm(const Resultants &resultants) const;
 
     /// Resultants per strains; its bending part is bending_stiffness.
     Eigen::Matrix<double, 5, 5>
     stiffness() const;
 
-    /// R, upper triangular, with energy_density(s) = |R s|^2.
+    /// R, upper triangular, with squared_energy_norm(s) = |R s|^2.
     Eigen::Matrix<double, 5, 5>
     root_of_compliance() const;
 

@@ -2,39 +2,31 @@
 #define plate_impact_plate_support_h
 
 #include <deal.II/base/types.h>
-#include <deal.II/fe/component_mask.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/lac/affine_constraints.h>
 
-#include "plate_impact/base/parameters.h"
+#include "plate_impact/base/choices.h"
 
 #include <map>
 
-
 namespace PlateImpact
 {
-  /// What a support holds on an edge of the plate.
-  struct Support
-  {
-    bool deflection;
-    bool normal_rotation;     ///< theta_n, in the plane across the edge
-    bool tangential_rotation; ///< theta_s, in the plane along the edge
+  /// What holds each edge of a mesh, by its boundary id.
+  using SupportOfEdge = std::map<dealii::types::boundary_id, EdgeSupport>;
 
-    /// Components of the unknowns that it holds where the normal of the edge is
-    /// x, or else y.
-    dealii::ComponentMask
-    held_components(bool normal_is_x) const;
-  };
+  /// Whether any of them holds the deflection.
+  bool
+  hold_deflection(const SupportOfEdge &supports);
 
-
-  const Support &
-  find_support(EdgeSupport name);
-
-  /// Those of the edges of a plate by their boundary ids.
-  std::map<dealii::types::boundary_id, Support>
-  supports_of(const PlateParameters &plate);
-
-  /// What a plane of symmetry holds: it mirrors the plate.
-  const Support &
-  symmetry_plane();
+  /// Holds what supports and planes of symmetry hold of deflection and
+  /// rotations. Along an edge that runs in any direction a rotation is held
+  /// along its tangent, an arc's too; where such edges meet at an angle, both
+  /// rotations.
+  /// @param constraints  are added to, and not closed
+  void
+  hold_edges(const dealii::DoFHandler<2>       &dof_handler,
+             const SupportOfEdge               &supports,
+             dealii::AffineConstraints<double> &constraints);
 } // namespace PlateImpact
 
 #endif

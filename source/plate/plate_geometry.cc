@@ -1,0 +1,112 @@
+#include "plate_impact/plate/plate_geometry.h"
+
+#include "plate_impact/plate/plate_mesh.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace PlateImpact
+{
+  using namespace dealii;
+
+  PlateGeometry::PlateGeometry(const PlateParameters &plate)
+    : plate(plate)
+  {}
+
+
+
+  bool
+  PlateGeometry::is_symmetric(const unsigned int d) const
+  {
+    return !plate.twists_when_bent && plate.impact_point[d] == 0.;
+  }
+
+
+
+  double
+  PlateGeometry::n_parts() const
+  {
+    return (is_symmetric(0) ? 2. : 1.) * (is_symmetric(1) ? 2. : 1.);
+  }
+
+
+
+  double
+  PlateGeometry::begin(const unsigned int d) const
+  {
+    return is_symmetric(d) ? 0. : -0.5 * side_length(d) - plate.impact_point[d];
+  }
+
+
+
+  double
+  PlateGeometry::end(const unsigned int d) const
+  {
+    return 0.5 * side_length(d) - plate.impact_point[d];
+  }
+
+
+
+  double
+  PlateGeometry::n_initial_cells(const CellNumbers &n_cells) const
+  {
+    return static_cast<double>(n_cells[0]) * n_cells[1];
+  }
+
+
+
+  double
+  PlateGeometry::initial_cell_size(const CellNumbers &n_cells) const
+  {
+    Triangulation<2> mesh;
+    make_mesh(mesh, n_cells);
+    double longest = 0.;
+    for (const auto &cell : mesh.active_cell_iterators())
+      longest = std::max(longest, cell_size(cell));
+    return longest;
+  }
+
+
+
+  namespace
+  {
+    const std::vector<
+      std::pair<PlateOutline, decltype(&make_rectangular_plate)>>
+      outlines = {{PlateOutline::rectangle, make_rectangular_plate},
+                  {PlateOutline::circle, make_circular_plate},
+                  {PlateOutline::file, make_plate_from_file}};
+  } // namespace
+
+
+
+  std::unique_ptr<const PlateGeometry>
+  geometry_of(const PlateParameters &plate)
+  {
+    for (const auto &[outline, make] : outlines)
+      if (outline == plate.outline.shape)
+        return make(plate);
+    throw std::logic_error("no such outline");
+  }
+
+
+
+  std::unique_ptr<Triangulation<2>>
+  make_plate_mesh(const PlateParameters             &plate,
+                  const std::array<unsigned int, 2> &n_cells)
+  {
+    auto mesh = std::make_unique<Triangulation<2>>(
+      Triangulation<2>::limit_level_difference_at_vertices);
+    geometry_of(plate)->make_mesh(*mesh, n_cells);
+    return mesh;
+  }
+
+
+
+  double
+  initial_cell_size(const Parameters &parameters)
+  {
+    return geometry_of(parameters.plate)
+      ->initial_cell_size(parameters.discretization.initial_cells);
+  }
+} // namespace PlateImpact
