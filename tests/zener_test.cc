@@ -183,7 +183,7 @@ namespace PlateImpact
       const ContactState &last      = pushed.states().back();
       const double        impedance = 8. *
         std::sqrt(steel_section(0.001).bending_stiffness(0, 0) *
-                  steel_section(0.001).mass);
+                  steel_section(0.001).mass_per_area);
       EXPECT_NEAR(last.plate_displacement * impedance /
                     (0.5 * (1. - last.impactor_velocity)),
                   1.,

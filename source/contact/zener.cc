@@ -156,7 +156,7 @@ namespace PlateImpact
                    const PlateSection &section)
   {
     PlateSection immovable = section;
-    immovable.mass *= 1e12;
+    immovable.mass_per_area *= 1e12;
     return zener_peak(contact, impactor, immovable);
   }
 

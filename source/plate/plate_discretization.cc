@@ -1,8 +1,10 @@
 #include "plate_impact/plate/plate_discretization.h"
 
+#include <deal.II/base/bounding_box.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/numerics/rtree.h>
 #include <deal.II/numerics/vector_tools_interpolate.h>
 
 #include "plate_impact/base/exceptions.h"
@@ -17,6 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <optional>
 
@@ -224,44 +227,37 @@ namespace PlateImpact
 
 
   Eigen::VectorXd
-  PlateDiscretization::load(std::vector<LoadPoint> points,
-                            const double           rotation_factor) const
+  PlateDiscretization::load(const std::vector<LoadPoint> &points,
+                            const double                  rotation_factor) const
   {
-    Eigen::VectorXd u       = Eigen::VectorXd::Zero(n_unknowns());
-    const auto      is_left = [](const LoadPoint &p, const LoadPoint &q) {
-      return p.point[0] < q.point[0];
-    };
-    std::sort(points.begin(), points.end(), is_left);
-    std::vector<bool> is_found(points.size(), false);
-    std::size_t       n_found = 0;
-
+    std::vector<Triangulation<2>::active_cell_iterator> cells;
+    std::vector<BoundingBox<2>>                         boxes;
     for (const auto &cell : mesh().active_cell_iterators())
       {
-        const auto box = cell->bounding_box();
+        cells.push_back(cell);
+        boxes.push_back(cell->bounding_box());
         // a curved cell reaches beyond the box of its corners, by a part of it
-        const double beyond =
-          &mapping_of(cell) == &curved_mapping() ? 0.25 : 1e-9;
-        const double left = box.lower_bound(0), right = box.upper_bound(0),
-                     margin = beyond * (right - left);
-        const LoadPoint leftmost{Point<2>(left - margin, 0.), 0.};
-        for (std::size_t p = std::lower_bound(points.begin(),
-                                              points.end(),
-                                              leftmost,
-                                              is_left) -
-               points.begin();
-             p < points.size() && points[p].point[0] <= right + margin;
-             ++p)
-          if (!is_found[p] && box.point_inside(points[p].point, beyond))
-            if (const auto unit = position_in(cell, points[p].point))
-              {
-                is_found[p] = true;
-                ++n_found;
-                add_load(cell, *unit, points[p].weight, rotation_factor, u);
-              }
-        if (n_found == points.size())
-          return u;
+        boxes.back().extend(
+          (&mapping_of(cell) == &curved_mapping() ? 0.25 : 1e-9) *
+          std::max(boxes.back().side_length(0), boxes.back().side_length(1)));
       }
-    throw ComputationError("the load distribution reaches beyond the mesh");
+    const auto      tree = pack_rtree_of_indices(boxes);
+    Eigen::VectorXd u    = Eigen::VectorXd::Zero(n_unknowns());
+    for (const auto &[point, weight] : points)
+      {
+        std::vector<std::size_t> near;
+        tree.query(boost::geometry::index::intersects(point),
+                   std::back_inserter(near));
+        std::sort(near.begin(), near.end());
+        std::optional<Point<2>> unit;
+        for (std::size_t i = 0; i < near.size() && !unit; ++i)
+          if ((unit = position_in(cells[near[i]], point)))
+            add_load(cells[near[i]], *unit, weight, rotation_factor, u);
+        if (!unit)
+          throw ComputationError(
+            "the load distribution reaches beyond the mesh");
+      }
+    return u;
   }
 
 

@@ -74,7 +74,8 @@ namespace PlateImpact
     /// @param rotation_factor  beta [m^2]
     /// @throws ComputationError when a point lies outside of the mesh
     Eigen::VectorXd
-    load(std::vector<LoadPoint> points, double rotation_factor = 0.) const;
+    load(const std::vector<LoadPoint> &points,
+         double                        rotation_factor = 0.) const;
 
     /// The unknowns of a given field of deflection and rotations.
     Eigen::VectorXd
@@ -92,17 +93,17 @@ namespace PlateImpact
       unknowns.cell_values(cell, vectors, values);
     }
 
-    const CellShape &
-    shape(unsigned int cell) const
-    {
-      return shapes[shape_of_cell[cell]];
-    }
-
-    /// The same for all nodes, by degree of freedom of dof_handler().
+    /// Values at all nodes, by degree of freedom of dof_handler().
     dealii::Vector<double>
     nodal_values(const Eigen::VectorXd &vector) const
     {
       return unknowns.nodal_values(vector);
+    }
+
+    const CellShape &
+    shape(unsigned int cell) const
+    {
+      return shapes[shape_of_cell[cell]];
     }
 
     const dealii::DoFHandler<2> &
