@@ -1,7 +1,7 @@
 // The estimator against the known solution of a static plate.
 #include <deal.II/fe/mapping_q1.h>
 
-#include "plate_impact/estimator/recovered_resultants.h"
+#include "plate_impact/estimator/recovered_field.h"
 #include "test_plate.h"
 
 #include <gtest/gtest.h>

@@ -199,7 +199,7 @@ namespace PlateImpact
       cycle(Cycle &cycle) override
       {
         EXPECT_EQ(cycle.mesh().n_active_cells(), cycle.result.cells);
-        EXPECT_TRUE(cycle.result.over_limit);
+        EXPECT_TRUE(cycle.result.error_ratios);
         cells.push_back(cycle.result.cells);
       }
 

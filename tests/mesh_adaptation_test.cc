@@ -1,4 +1,3 @@
-#include "plate_impact/adaptation/make_mesh_adaptation.h"
 #include "plate_impact/adaptation/mesh_adaptation.h"
 #include "test_plate.h"
 
@@ -32,11 +31,11 @@ namespace PlateImpact
 
 
 
-    ErrorOverLimit
+    ErrorRatios
     errors(const Triangulation<2>                        &mesh,
            const std::function<double(const Point<2> &)> &xi)
     {
-      ErrorOverLimit error;
+      ErrorRatios error;
       for (const auto &cell : mesh.active_cell_iterators())
         error.elements.push_back(xi(cell->center()));
       return error;
@@ -49,7 +48,7 @@ namespace PlateImpact
     bool
     adapt(const AdaptivityParameters &parameters,
           Triangulation<2>           &mesh,
-          const ErrorOverLimit       &error,
+          const ErrorRatios          &error,
           const double                contact_half_length = 0.)
     {
       std::vector<std::string> warnings;
@@ -254,7 +253,7 @@ namespace PlateImpact
         {
           const auto mesh       = unit_square(4);
           const auto parameters = adaptivity(AdaptationStrategy::graded, 0.01);
-          const ErrorOverLimit none;
+          const ErrorRatios none;
           for (const double theta : {1., 0.5, 0.25})
             {
               EXPECT_TRUE(adapt(parameters, *mesh, none, half_length));
@@ -281,7 +280,7 @@ namespace PlateImpact
       const auto mesh          = unit_square(4);
       auto       parameters    = adaptivity(AdaptationStrategy::graded);
       parameters.maximum_cells = 500;
-      const ErrorOverLimit none;
+      const ErrorRatios none;
       EXPECT_TRUE(adapt(parameters, *mesh, none, 0.5));
       EXPECT_LE(mesh->n_active_cells(), 500u);
       EXPECT_GT(mesh->n_active_cells(), 200u);
@@ -310,7 +309,7 @@ namespace PlateImpact
       const auto mesh = unit_square(3);
       mesh->begin_active()->set_refine_flag();
       mesh->execute_coarsening_and_refinement();
-      const ErrorOverLimit error =
+      const ErrorRatios error =
         errors(*mesh, [](const Point<2> &) { return 2.; });
       // the large cells could be halved, the four small ones not
       EXPECT_FALSE(

@@ -1,8 +1,8 @@
 // The error of the peak force: what displacements weigh in it, and the estimate
 // of the mesh's against finer meshes.
-#include "plate_impact/analysis/peak_force_bar.h"
 #include "plate_impact/contact/hertz_law.h"
 #include "plate_impact/contact/yielding_law.h"
+#include "plate_impact/estimator/peak_force_error.h"
 #include "plate_impact/transient/peak_force_dual.h"
 #include "program_fixture.h"
 #include "test_plate.h"

@@ -3,7 +3,6 @@
 #include <deal.II/grid/grid_tools.h>
 
 #include "plate_impact/estimator/error_estimator.h"
-#include "plate_impact/estimator/error_over_limit.h"
 #include "plate_impact/estimator/recovered_field.h"
 #include "test_plate.h"
 
@@ -50,11 +49,8 @@ namespace PlateImpact
           std::vector<Point<2>> points;
           for (const Point<2> &unit : unit_points)
             points.push_back(mapping.transform_unit_to_real_cell(cell, unit));
-          recovered.evaluate(cell->active_cell_index(),
-                             unit_points,
-                             points,
-                             values);
-          recovered.finish(cell->active_cell_index());
+          recovered.evaluate(cell, unit_points, values);
+          recovered.finish(cell);
           for (unsigned int q = 0; q < points.size(); ++q)
             {
               const Resultants exact = field(points[q]);
@@ -331,12 +327,12 @@ namespace PlateImpact
       EXPECT_NEAR(std::sqrt(sum), 0.5 * estimate.eta, 1e-12);
 
       // cells at their limit together make the target
-      const ErrorOverLimit over_limit = error_over_limit(estimate, 0.05);
-      EXPECT_NEAR(over_limit.element_limit * std::sqrt(15.), 0.05, 1e-15);
-      EXPECT_NEAR(over_limit.elements[0] * over_limit.element_limit,
+      const ErrorRatios ratios = estimate.ratios(0.05);
+      EXPECT_NEAR(ratios.element_limit * std::sqrt(15.), 0.05, 1e-15);
+      EXPECT_NEAR(ratios.elements[0] * ratios.element_limit,
                   estimate.element_errors[0],
                   1e-15);
-      EXPECT_NEAR(over_limit.overall, estimate.eta / 0.05, 1e-15);
+      EXPECT_NEAR(ratios.overall, estimate.eta / 0.05, 1e-15);
     }
 
 

@@ -1,5 +1,6 @@
 #include <deal.II/grid/grid_tools.h>
 
+#include "plate_impact/adaptation/quad_mesher.h"
 #include "plate_impact/adaptation/remeshing.h"
 #include "plate_impact/base/exceptions.h"
 #include "test_plate.h"
@@ -15,11 +16,11 @@ namespace PlateImpact
 
   namespace
   {
-    const std::vector<PlanePoint> square = {{{0., 0.}},
-                                            {{0.3, 0.}},
-                                            {{1., 0.}},
-                                            {{1., 1.}},
-                                            {{0., 1.}}};
+    const std::vector<Point<2>> square = {{0., 0.},
+                                          {0.3, 0.},
+                                          {1., 0.},
+                                          {1., 1.},
+                                          {0., 1.}};
 
 
 
@@ -27,7 +28,7 @@ namespace PlateImpact
     SizeField
     constant_size(const double size)
     {
-      return {{{{{{{0., 0.}}, {{1., 0.}}, {{1., 1.}}, {{0., 1.}}}},
+      return {{{{{{0., 0.}, {1., 0.}, {1., 1.}, {0., 1.}}},
                 {{size, size, size, size}}}}};
     }
 
@@ -40,8 +41,8 @@ namespace PlateImpact
       for (const auto &cell : mesh.cells)
         for (unsigned int v = 0; v < 4; ++v)
           {
-            const PlanePoint &a = mesh.vertices[cell[v]],
-                             &b = mesh.vertices[cell[(v + 1) % 4]];
+            const Point<2> &a = mesh.vertices[cell[v]],
+                           &b = mesh.vertices[cell[(v + 1) % 4]];
             result += 0.5 * (a[0] * b[1] - a[1] * b[0]);
           }
       return result;
@@ -50,15 +51,17 @@ namespace PlateImpact
 
 
     QuadMesh
-    mesh_square(const QuadMesher &mesher,
-                const double      size,
-                const bool        expects_warning)
+    mesh_square(
+      const double                       size,
+      const std::vector<MesherSettings> &attempts = default_mesher_settings(),
+      const bool                         expects_warning = false)
     {
       std::vector<std::string> warnings;
-      const QuadMesh mesh = mesher.mesh(square, constant_size(size), warnings);
+      const QuadMesh           mesh =
+        mesh_by_gmsh(square, {}, constant_size(size), warnings, attempts);
       EXPECT_EQ(warnings.size(), expects_warning ? 1u : 0u);
       EXPECT_NEAR(area(mesh), 1., 1e-12);
-      for (const PlanePoint &corner : square)
+      for (const Point<2> &corner : square)
         EXPECT_EQ(std::count(mesh.vertices.begin(),
                              mesh.vertices.end(),
                              corner),
@@ -72,7 +75,7 @@ namespace PlateImpact
     {
       for (const double size : {0.02, 0.1, 0.3})
         {
-          const QuadMesh mesh = mesh_square(QuadMesher(), size, false);
+          const QuadMesh mesh = mesh_square(size);
           EXPECT_GT(mesh.worst_scaled_jacobian(), 0.5) << size;
           EXPECT_GT(mesh.cells.size(), 0.7 / (size * size));
           EXPECT_LT(mesh.cells.size(), 2.5 / (size * size));
@@ -83,8 +86,7 @@ namespace PlateImpact
 
     TEST(QuadMesher, GivesTheSameMeshForTheSameSizes)
     {
-      const QuadMesh once  = mesh_square(QuadMesher(), 0.05, false),
-                     again = mesh_square(QuadMesher(), 0.05, false);
+      const QuadMesh once = mesh_square(0.05), again = mesh_square(0.05);
       EXPECT_EQ(once.vertices, again.vertices);
       EXPECT_EQ(once.cells, again.cells);
     }
@@ -96,7 +98,7 @@ namespace PlateImpact
       testing::internal::CaptureStdout();
       testing::internal::CaptureStderr();
       std::vector<std::string> warnings;
-      QuadMesher().mesh(square, constant_size(0.1), warnings);
+      mesh_by_gmsh(square, {}, constant_size(0.1), warnings);
       EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
       EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
     }
@@ -109,10 +111,11 @@ namespace PlateImpact
 
     TEST(QuadMesher, TriesSaferSettingsWhereTrianglesAreLeft)
     {
-      const QuadMesher mesher({triangles, QuadMesher::default_settings()[1]});
-      const QuadMesh   mesh = mesh_square(mesher, 0.1, true);
+      const std::vector<MesherSettings> attempts =
+        {triangles, default_mesher_settings()[1]};
+      const QuadMesh           mesh = mesh_square(0.1, attempts, true);
       std::vector<std::string> warnings;
-      mesher.mesh(square, constant_size(0.1), warnings);
+      mesh_by_gmsh(square, {}, constant_size(0.1), warnings, attempts);
       EXPECT_NE(warnings.front().find("triangles are left"), std::string::npos)
         << warnings.front();
       EXPECT_GT(mesh.worst_scaled_jacobian(), 0.3);
@@ -127,8 +130,11 @@ namespace PlateImpact
       std::vector<std::string> warnings;
       try
         {
-          QuadMesher({triangles, triangles})
-            .mesh(square, constant_size(0.1), warnings);
+          mesh_by_gmsh(square,
+                       {},
+                       constant_size(0.1),
+                       warnings,
+                       {triangles, triangles});
           FAIL() << "a mesh of triangles was accepted";
         }
       catch (const ComputationError &error)
@@ -144,16 +150,16 @@ namespace PlateImpact
     TEST(QuadMesher, MeasuresTheWorstCorner)
     {
       QuadMesh mesh;
-      mesh.vertices = {{{0., 0.}}, {{1., 0.}}, {{1., 1.}}, {{0., 1.}}};
+      mesh.vertices = {{0., 0.}, {1., 0.}, {1., 1.}, {0., 1.}};
       mesh.cells    = {{{0, 1, 2, 3}}};
       EXPECT_NEAR(mesh.worst_scaled_jacobian(), 1., 1e-15);
-      mesh.vertices[2] = {{0.75, 0.5}};
+      mesh.vertices[2] = Point<2>(0.75, 0.5);
       EXPECT_GT(mesh.worst_scaled_jacobian(), 0.);
-      mesh.vertices[2] = {{0.25, 0.25}}; // a re-entrant corner
+      mesh.vertices[2] = Point<2>(0.25, 0.25); // a re-entrant corner
       EXPECT_LT(mesh.worst_scaled_jacobian(), 0.);
       mesh.vertices[2] = mesh.vertices[1]; // a side without length
       EXPECT_FALSE(mesh.worst_scaled_jacobian() > 0.);
-      mesh.vertices[2] = {{1., 1.}};
+      mesh.vertices[2] = Point<2>(1., 1.);
       mesh.cells       = {{{0, 3, 2, 1}}}; // clockwise
       EXPECT_LT(mesh.worst_scaled_jacobian(), 0.);
     }
@@ -189,10 +195,10 @@ namespace PlateImpact
 
     /// Errors as large as a size field with cells of `fine` at the impact asks
     /// for.
-    ErrorOverLimit
+    ErrorRatios
     errors(const Triangulation<2> &mesh, const double fine)
     {
-      ErrorOverLimit error;
+      ErrorRatios error;
       error.overall = 2.;
       for (const auto &cell : mesh.active_cell_iterators())
         {
@@ -298,7 +304,7 @@ namespace PlateImpact
       // every cell to be half as long, as its error has it
       const auto      mesh = quadrant();
       const Remeshing remeshing(adaptivity(), 0.);
-      ErrorOverLimit  error;
+      ErrorRatios     error;
       error.overall = 4.;
       error.elements.assign(mesh->n_active_cells(), 4.);
       const double expected = remeshing.n_wanted_cells(*mesh, error);
@@ -333,8 +339,8 @@ namespace PlateImpact
       unsigned int    n_meshes = 0;
       for (bool is_changed = true; is_changed && n_meshes < 10; ++n_meshes)
         {
-          ErrorOverLimit error = errors(*mesh, 0.004);
-          error.overall        = 0.8;
+          ErrorRatios error = errors(*mesh, 0.004);
+          error.overall     = 0.8;
           std::vector<std::string> warnings;
           is_changed = remeshing.adapt(*mesh, error, warnings);
         }
@@ -348,7 +354,7 @@ namespace PlateImpact
       const auto      mesh = quadrant();
       const Remeshing remeshing(adaptivity(), 0.);
       remesh_with(remeshing, *mesh, 0.01);
-      ErrorOverLimit error;
+      ErrorRatios error;
       error.elements.assign(mesh->n_active_cells(), 1e-4);
       std::vector<std::string> warnings;
       EXPECT_TRUE(remeshing.adapt(*mesh, error, warnings));

@@ -6,7 +6,6 @@
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
 
-#include "plate_impact/adaptation/make_mesh_adaptation.h"
 #include "plate_impact/adaptation/mesh_adaptation.h"
 #include "plate_impact/contact/impactor.h"
 #include "plate_impact/contact/make_contact.h"
@@ -91,7 +90,7 @@ namespace PlateImpact
     adaptivity.size_exponent     = 1.;
     adaptivity.minimum_cell_size = 0.;
     adaptivity.maximum_cell_size = std::numeric_limits<double>::max();
-    ErrorOverLimit error;
+    ErrorRatios error;
     error.overall = 20.;
     for (const auto &cell : mesh.active_cell_iterators())
       error.elements.push_back(cell_size(cell) /

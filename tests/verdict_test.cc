@@ -1,4 +1,4 @@
-#include "plate_impact/analysis/reliability.h"
+#include "plate_impact/analysis/warnings.h"
 #include "plate_impact/scene/scene.h"
 #include "program_fixture.h"
 
@@ -141,7 +141,10 @@ namespace PlateImpact
       const auto      numbers    = [&](const std::vector<double> &forces) {
         std::string text;
         for (const std::string &warning :
-             impact_warnings(parameters, 5e-6, with_forces(forces)).numerical)
+             impact_warnings(parameters,
+                             with_forces(forces),
+                             ImpactEstimate(parameters))
+               .numerical)
           text += warning + '\n';
         return text;
       };

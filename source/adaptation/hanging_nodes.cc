@@ -77,7 +77,8 @@ namespace PlateImpact
 
     /// Flags cells off their target level; a family is coarsened when all of
     /// its cells are too fine, to the finest of their levels.
-    void
+    /// @return whether there are any
+    bool
     flag(Triangulation<2> &mesh)
     {
       for (const auto &cell : mesh.active_cell_iterators())
@@ -90,45 +91,32 @@ namespace PlateImpact
             cell->set_coarsen_flag();
         }
       mesh.prepare_coarsening_and_refinement();
+      bool is_flagged = false;
       for (const auto &cell : mesh.active_cell_iterators())
-        if (cell->coarsen_flag_set())
-          {
-            const auto parent = cell->parent();
-            int        wanted = 0;
-            for (unsigned int child = 0; child < parent->n_children(); ++child)
-              wanted = std::max(wanted, inherited_level(parent->child(child)));
-            set_level(parent, wanted);
-          }
-    }
-
-
-
-    bool
-    is_flagged(const Triangulation<2> &mesh)
-    {
-      for (const auto &cell : mesh.active_cell_iterators())
-        if (cell->refine_flag_set() || cell->coarsen_flag_set())
-          return true;
-      return false;
+        {
+          is_flagged |= cell->refine_flag_set() || cell->coarsen_flag_set();
+          if (cell->coarsen_flag_set())
+            {
+              const auto parent = cell->parent();
+              int        wanted = 0;
+              for (const auto &child : parent->child_iterators())
+                wanted = std::max(wanted, inherited_level(child));
+              set_level(parent, wanted);
+            }
+        }
+      return is_flagged;
     }
   } // namespace
 
 
 
-  HangingNodeAdaptation::HangingNodeAdaptation(
-    const AdaptivityParameters &adaptivity)
-    : adaptivity(adaptivity)
-  {}
-
-
-
   bool
-  HangingNodeAdaptation::adapt(Triangulation<2>     &mesh,
-                               const ErrorOverLimit &error,
+  HangingNodeAdaptation::adapt(Triangulation<2>  &mesh,
+                               const ErrorRatios &error,
                                std::vector<std::string> &) const
   {
     const std::vector<CellId> before = sorted_cells(mesh);
-    const std::vector<double> sizes  = target_sizes(mesh, error, adaptivity);
+    const std::vector<double> sizes  = wanted_sizes(mesh, error);
     mesh.clear_user_data();
     for (const auto &cell : mesh.active_cell_iterators())
       set_level(cell,
@@ -140,24 +128,17 @@ namespace PlateImpact
     // flagged to be coarsened again; prepare_coarsening_and_refinement() takes
     // such flags back, which ends the loop. The bound is for meshes where it
     // does not.
-    for (unsigned int pass = 0; pass < 64; ++pass)
-      {
-        flag(mesh);
-        if (!is_flagged(mesh))
-          break;
-        mesh.execute_coarsening_and_refinement();
-      }
+    for (unsigned int pass = 0; pass < 64 && flag(mesh); ++pass)
+      mesh.execute_coarsening_and_refinement();
     return sorted_cells(mesh) != before;
   }
 
 
 
-  double
-  HangingNodeAdaptation::n_wanted_cells(const Triangulation<2> &mesh,
-                                        const ErrorOverLimit   &error) const
+  std::vector<double>
+  HangingNodeAdaptation::wanted_sizes(const Triangulation<2> &mesh,
+                                      const ErrorRatios      &error) const
   {
-    return n_cells_of_sizes(mesh,
-                            target_sizes(mesh, error, adaptivity),
-                            adaptivity);
+    return target_sizes(mesh, error, adaptivity);
   }
 } // namespace PlateImpact

@@ -11,7 +11,7 @@ namespace PlateImpact
 
   std::vector<double>
   target_sizes(const Triangulation<2>     &mesh,
-               const ErrorOverLimit       &error,
+               const ErrorRatios          &error,
                const AdaptivityParameters &adaptivity)
   {
     std::vector<double> sizes(mesh.n_active_cells());
@@ -75,20 +75,29 @@ namespace PlateImpact
 
 
 
+  MeshAdaptation::MeshAdaptation(const AdaptivityParameters &adaptivity,
+                                 const double contact_half_length)
+    : adaptivity(adaptivity)
+    , contact_half_length(contact_half_length)
+  {}
+
+
+
   double
   MeshAdaptation::n_wanted_cells(const Triangulation<2> &mesh,
-                                 const ErrorOverLimit &) const
+                                 const ErrorRatios      &error) const
   {
-    return mesh.n_active_cells();
+    const std::vector<double> sizes = wanted_sizes(mesh, error);
+    return sizes.empty() ? mesh.n_active_cells() :
+                           n_cells_of_sizes(mesh, sizes, adaptivity);
   }
 
 
 
-  bool
-  KeptMesh::adapt(Triangulation<2> &,
-                  const ErrorOverLimit &,
-                  std::vector<std::string> &) const
+  std::vector<double>
+  MeshAdaptation::wanted_sizes(const Triangulation<2> &,
+                               const ErrorRatios &) const
   {
-    return false;
+    return {};
   }
 } // namespace PlateImpact

@@ -1,5 +1,8 @@
 #include "plate_impact/adaptation/quad_mesher.h"
 
+#include <deal.II/base/bounding_box.h>
+#include <deal.II/base/tensor.h>
+
 #include "plate_impact/adaptation/gmsh_session.h"
 #include "plate_impact/base/exceptions.h"
 
@@ -12,47 +15,45 @@
 
 namespace PlateImpact
 {
+  using namespace dealii;
+
   namespace
   {
-    /// Gmsh compares lengths with absolute tolerances: domains are scaled to a
-    /// longest side of one.
-    double
-    longest_extent(const std::vector<PlanePoint> &corners)
+    /// Gmsh's numbers of types of elements.
+    constexpr int triangle = 2, quadrangle = 3;
+
+    /// Of the scaled Jacobian.
+    constexpr double least_quality = 0.15;
+
+
+
+    int
+    add_point(const Point<2> &point, const double scale)
     {
-      double extent = 0.;
-      for (const PlanePoint &a : corners)
-        for (const PlanePoint &b : corners)
-          extent =
-            std::max({extent, std::abs(a[0] - b[0]), std::abs(a[1] - b[1])});
-      return extent;
+      return gmsh::model::geo::addPoint(point[0] / scale, point[1] / scale, 0.);
     }
 
 
 
-    /// @return the tags of the sides, each from a corner to the next
-    std::vector<int>
-    add_domain(const std::vector<PlanePoint> &corners,
-               const std::vector<PlanePoint> &inside,
-               const double                   scale)
+    void
+    add_domain(const std::vector<Point<2>> &corners,
+               const std::vector<Point<2>> &inside,
+               const double                 scale)
     {
-      std::vector<int> points, sides;
-      for (const PlanePoint &corner : corners)
-        points.push_back(
-          gmsh::model::geo::addPoint(corner[0] / scale, corner[1] / scale, 0.));
+      std::vector<int> points, sides, embedded;
+      for (const Point<2> &corner : corners)
+        points.push_back(add_point(corner, scale));
       for (unsigned int i = 0; i < points.size(); ++i)
         sides.push_back(
           gmsh::model::geo::addLine(points[i],
                                     points[(i + 1) % points.size()]));
       const int surface = gmsh::model::geo::addPlaneSurface(
         {gmsh::model::geo::addCurveLoop(sides)});
-      std::vector<int> embedded;
-      for (const PlanePoint &point : inside)
-        embedded.push_back(
-          gmsh::model::geo::addPoint(point[0] / scale, point[1] / scale, 0.));
+      for (const Point<2> &point : inside)
+        embedded.push_back(add_point(point, scale));
       gmsh::model::geo::synchronize();
       if (!embedded.empty())
         gmsh::model::mesh::embed(0, embedded, 2, surface);
-      return sides;
     }
 
 
@@ -65,7 +66,7 @@ namespace PlateImpact
       for (const SizeField::Patch &patch : sizes.patches)
         {
           for (const unsigned int d : {0, 1})
-            for (const PlanePoint &corner : patch.corners)
+            for (const Point<2> &corner : patch.corners)
               data.push_back(corner[d] / scale);
           data.insert(data.end(), 4, 0.);
           for (const double size : patch.sizes)
@@ -99,44 +100,21 @@ namespace PlateImpact
 
 
 
-    /// Puts the vertices of a straight side exactly on it, and its ends on the
-    /// corners.
-    void
-    snap(const int                                            side,
-         const PlanePoint                                    &begin,
-         const PlanePoint                                    &end,
-         const std::unordered_map<std::size_t, unsigned int> &index_of_tag,
-         std::vector<PlanePoint>                             &vertices)
+    /// Nodes of all elements of a type, by Gmsh's number for it.
+    std::vector<std::size_t>
+    nodes_of_elements(const int type)
     {
-      std::vector<std::size_t> tags;
-      std::vector<double>      coordinates, parameters;
-      gmsh::model::mesh::getNodes(tags,
-                                  coordinates,
-                                  parameters,
-                                  1,
-                                  side,
-                                  /*includeBoundary=*/false);
-      for (const std::size_t tag : tags)
-        for (const unsigned int d : {0, 1})
-          if (begin[d] == end[d])
-            vertices[index_of_tag.at(tag)][d] = begin[d];
-      const auto distance = [&](const PlanePoint &vertex) {
-        return std::hypot(vertex[0] - begin[0], vertex[1] - begin[1]);
-      };
-      *std::min_element(vertices.begin(),
-                        vertices.end(),
-                        [&](const PlanePoint &a, const PlanePoint &b) {
-                          return distance(a) < distance(b);
-                        }) = begin;
+      std::vector<std::size_t> tags, nodes;
+      gmsh::model::mesh::getElementsByType(type, tags, nodes);
+      return nodes;
     }
 
 
 
-    /// The mesh that Gmsh holds.
+    /// The mesh that Gmsh holds. Coordinates that are a corner's but for
+    /// round-off are exactly that.
     QuadMesh
-    read_mesh(const std::vector<PlanePoint> &corners,
-              const std::vector<int>        &sides,
-              const double                   scale)
+    read_mesh(const std::vector<Point<2>> &corners, const double scale)
     {
       QuadMesh                                      mesh;
       std::unordered_map<std::size_t, unsigned int> index_of_tag;
@@ -145,38 +123,22 @@ namespace PlateImpact
       gmsh::model::mesh::getNodes(tags, coordinates, parameters);
       for (unsigned int i = 0; i < tags.size(); ++i)
         {
-          index_of_tag[tags[i]] = mesh.vertices.size();
-          mesh.vertices.push_back(
-            {{scale * coordinates[3 * i], scale * coordinates[3 * i + 1]}});
+          index_of_tag[tags[i]] = i;
+          Point<2> vertex;
+          for (const unsigned int d : {0, 1})
+            {
+              vertex[d] = scale * coordinates[3 * i + d];
+              for (const Point<2> &corner : corners)
+                if (std::abs(vertex[d] - corner[d]) < 1e-10 * scale)
+                  vertex[d] = corner[d];
+            }
+          mesh.vertices.push_back(vertex);
         }
-      for (unsigned int i = 0; i < sides.size(); ++i)
-        snap(sides[i],
-             corners[i],
-             corners[(i + 1) % corners.size()],
-             index_of_tag,
-             mesh.vertices);
-
-      constexpr int            quadrangle = 3; // Gmsh's number of the type
-      std::vector<std::size_t> cell_tags, nodes;
-      gmsh::model::mesh::getElementsByType(quadrangle, cell_tags, nodes);
-      for (unsigned int c = 0; c < cell_tags.size(); ++c)
-        {
-          mesh.cells.emplace_back();
-          for (unsigned int v = 0; v < 4; ++v)
-            mesh.cells.back()[v] = index_of_tag.at(nodes[4 * c + v]);
-        }
+      const std::vector<std::size_t> nodes = nodes_of_elements(quadrangle);
+      mesh.cells.resize(nodes.size() / 4);
+      for (unsigned int i = 0; i < nodes.size(); ++i)
+        mesh.cells[i / 4][i % 4] = index_of_tag.at(nodes[i]);
       return mesh;
-    }
-
-
-
-    unsigned int
-    n_triangles()
-    {
-      constexpr int            triangle = 2; // Gmsh's number of the type
-      std::vector<std::size_t> tags, nodes;
-      gmsh::model::mesh::getElementsByType(triangle, tags, nodes);
-      return tags.size();
     }
 
 
@@ -184,24 +146,26 @@ namespace PlateImpact
     /// One attempt.
     /// @throws std::string, as Gmsh does, saying why there is no mesh
     QuadMesh
-    attempt(const std::vector<PlanePoint> &corners,
-            const std::vector<PlanePoint> &inside,
-            const SizeField               &sizes,
-            const MesherSettings          &settings)
+    attempt(const std::vector<Point<2>> &corners,
+            const std::vector<Point<2>> &inside,
+            const SizeField             &sizes,
+            const MesherSettings        &settings)
     {
       const GmshSession session;
-      const double      scale = longest_extent(corners);
+      // Gmsh compares lengths with absolute tolerances
+      const BoundingBox<2> box(corners);
+      const double scale = std::max(box.side_length(0), box.side_length(1));
       set_options(settings);
-      const std::vector<int> sides = add_domain(corners, inside, scale);
+      add_domain(corners, inside, scale);
       set_sizes(sizes, scale, settings.size_factor);
       gmsh::model::mesh::generate(2);
-      if (const unsigned int n = n_triangles())
+      if (const auto n = nodes_of_elements(triangle).size() / 3)
         throw std::string(std::to_string(n) + " triangles are left");
-      const QuadMesh mesh = read_mesh(corners, sides, scale);
+      const QuadMesh mesh = read_mesh(corners, scale);
       if (mesh.cells.empty())
         throw std::string("there are no cells");
       if (const double worst = mesh.worst_scaled_jacobian();
-          !(worst >= QuadMesher::least_quality))
+          !(worst >= least_quality))
         throw std::string("the worst scaled Jacobian is " +
                           std::to_string(worst));
       return mesh;
@@ -217,14 +181,11 @@ namespace PlateImpact
     for (const auto &cell : cells)
       for (unsigned int v = 0; v < 4; ++v)
         {
-          const PlanePoint &corner = vertices[cell[v]],
-                           &next   = vertices[cell[(v + 1) % 4]],
-                           &last   = vertices[cell[(v + 3) % 4]];
-          const double a[]         = {next[0] - corner[0], next[1] - corner[1]},
-                       b[]         = {last[0] - corner[0], last[1] - corner[1]};
-          const double lengths =
-            std::hypot(a[0], a[1]) * std::hypot(b[0], b[1]);
-          const double area = a[0] * b[1] - a[1] * b[0];
+          const Point<2>    &corner = vertices[cell[v]];
+          const Tensor<1, 2> a      = vertices[cell[(v + 1) % 4]] - corner,
+                             b      = vertices[cell[(v + 3) % 4]] - corner;
+          const double lengths      = a.norm() * b.norm(),
+                       area         = a[0] * b[1] - a[1] * b[0];
           worst = std::min(worst, lengths > 0. ? area / lengths : 0.);
         }
     return worst;
@@ -233,7 +194,7 @@ namespace PlateImpact
 
 
   std::vector<MesherSettings>
-  QuadMesher::default_settings()
+  default_mesher_settings()
   {
     // full-quad recombination halves the edges of a twice coarser mesh;
     // cutting triangles halves theirs
@@ -243,17 +204,12 @@ namespace PlateImpact
 
 
 
-  QuadMesher::QuadMesher(const std::vector<MesherSettings> &attempts)
-    : attempts(attempts)
-  {}
-
-
-
   QuadMesh
-  QuadMesher::mesh(const std::vector<PlanePoint> &corners,
-                   const SizeField               &sizes,
-                   std::vector<std::string>      &warnings,
-                   const std::vector<PlanePoint> &inside) const
+  mesh_by_gmsh(const std::vector<Point<2>>       &corners,
+               const std::vector<Point<2>>       &inside,
+               const SizeField                   &sizes,
+               std::vector<std::string>          &warnings,
+               const std::vector<MesherSettings> &attempts)
   {
     std::string failures;
     for (const MesherSettings &settings : attempts)

@@ -2,6 +2,7 @@
 
 #include <deal.II/grid/grid_tools.h>
 
+#include "plate_impact/adaptation/quad_mesher.h"
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
@@ -9,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
+#include <utility>
 
 namespace PlateImpact
 {
@@ -24,7 +27,7 @@ namespace PlateImpact
     constexpr double refinement_margin = 0.85;
 
     /// Cells grow to their target size over this.
-    constexpr double coarsening_margin = 1.6;
+    constexpr double growth_margin = 1.6;
 
     /// Sizes are rounded to so many an octave: the last digits, in which
     /// processors differ, would change Gmsh's whole mesh.
@@ -93,8 +96,7 @@ namespace PlateImpact
           unsigned int i = 0;
           for (const unsigned int v : {0, 1, 3, 2}) // counter-clockwise
             {
-              field.patches.back().corners[i] = {
-                {cell->vertex(v)[0], cell->vertex(v)[1]}};
+              field.patches.back().corners[i] = cell->vertex(v);
               field.patches.back().sizes[i++] = sizes[cell->vertex_index(v)];
             }
         }
@@ -103,18 +105,13 @@ namespace PlateImpact
 
 
 
-    /// Corners of a rectangle.
-    struct Rectangle
-    {
-      Point<2> begin, end;
-    };
+    using Corners = std::pair<Point<2>, Point<2>>;
 
-    Rectangle
-    rectangle_around(const Triangulation<2> &mesh)
+    /// The first and the last corner of the rectangle that is meshed.
+    Corners
+    corners_of(const Triangulation<2> &mesh)
     {
-      const auto box = GridTools::compute_bounding_box(mesh);
-      return {box.get_boundary_points().first,
-              box.get_boundary_points().second};
+      return GridTools::compute_bounding_box(mesh).get_boundary_points();
     }
 
 
@@ -122,32 +119,22 @@ namespace PlateImpact
     /// The side of the mesh that a face of the boundary lies on. Planes of
     /// symmetry go through the impact, edges of the plate do not.
     PlateBoundary
-    side_of(const Triangulation<2>::face_iterator &face, const Rectangle &sides)
+    side_of(const Triangulation<2>::face_iterator &face, const Corners &sides)
     {
-      const auto lies_on = [&face](const unsigned int d, const double value) {
-        return face->vertex(0)[d] == value && face->vertex(1)[d] == value;
-      };
-      if (lies_on(0, sides.begin[0]))
-        return sides.begin[0] == 0. ? symmetry_x : edge_x;
-      if (lies_on(1, sides.begin[1]))
-        return sides.begin[1] == 0. ? symmetry_y : edge_y;
-      if (lies_on(0, sides.end[0]))
-        return edge_x;
-      AssertThrow(lies_on(1, sides.end[1]),
-                  ExcMessage("a face of the boundary lies on no side"));
-      return edge_y;
+      for (const unsigned int d : {0, 1})
+        for (const double side : {sides.first[d], sides.second[d]})
+          if (face->vertex(0)[d] == side && face->vertex(1)[d] == side)
+            return side == 0. ? (d == 0 ? symmetry_x : symmetry_y) :
+                                (d == 0 ? edge_x : edge_y);
+      throw std::logic_error("a face of the boundary lies on no side");
     }
 
 
 
     void
-    rebuild(Triangulation<2> &mesh,
-            const QuadMesh   &quads,
-            const Rectangle  &sides)
+    rebuild(Triangulation<2> &mesh, const QuadMesh &quads, const Corners &sides)
     {
-      std::vector<Point<2>> vertices;
-      for (const PlanePoint &vertex : quads.vertices)
-        vertices.emplace_back(vertex[0], vertex[1]);
+      std::vector<Point<2>>    vertices = quads.vertices;
       std::vector<CellData<2>> cells;
       for (const auto &quad : quads.cells)
         {
@@ -163,23 +150,42 @@ namespace PlateImpact
         if (face->at_boundary())
           face->set_boundary_id(side_of(face, sides));
     }
+
+
+
+    /// Corners of the domain, and vertices within it: the impact and the ends
+    /// of a line contact are among them.
+    std::pair<std::vector<Point<2>>, std::vector<Point<2>>>
+    required_vertices(const Corners &sides, const double contact_half_length)
+    {
+      const auto &[begin, end] = sides;
+      std::vector<Point<2>> corners{begin,
+                                    {end[0], begin[1]},
+                                    end,
+                                    {begin[0], end[1]}},
+        inside;
+      std::vector<double> on_axis = {0.};
+      if (contact_half_length > 0.)
+        on_axis = {-contact_half_length, 0., contact_half_length};
+      for (const double x : on_axis)
+        if (x == 0. || (x > begin[0] && x < end[0]))
+          {
+            if (begin[1] < 0. && begin[0] < x)
+              inside.emplace_back(x, 0.);
+            else if (begin[1] < 0.) // on the plane x = 0
+              corners.emplace_back(x, 0.);
+            else if (begin[0] < x) // on the plane y = 0
+              corners.emplace(corners.end() - 3, x, 0.);
+          }
+      return {corners, inside};
+    }
   } // namespace
-
-
-
-  Remeshing::Remeshing(const AdaptivityParameters &adaptivity,
-                       const double                contact_half_length,
-                       const QuadMesher           &mesher)
-    : adaptivity(adaptivity)
-    , contact_half_length(contact_half_length)
-    , mesher(mesher)
-  {}
 
 
 
   std::vector<double>
   Remeshing::wanted_sizes(const Triangulation<2> &mesh,
-                          const ErrorOverLimit   &error) const
+                          const ErrorRatios      &error) const
   {
     std::vector<double> sizes = target_sizes(mesh, error, adaptivity);
     for (const auto &cell : mesh.active_cell_iterators())
@@ -189,7 +195,7 @@ namespace PlateImpact
         size                 = size < present ?
                           std::max(refinement_margin * size,
                    std::min(adaptivity.minimum_cell_size, present)) :
-                          std::max(size / coarsening_margin, present);
+                          std::max(size / growth_margin, present);
         size                 = allowed_size(rounded_size(size), adaptivity);
       }
     return sizes;
@@ -199,7 +205,7 @@ namespace PlateImpact
 
   bool
   Remeshing::is_worth_it(const Triangulation<2>    &mesh,
-                         const ErrorOverLimit      &error,
+                         const ErrorRatios         &error,
                          const std::vector<double> &sizes) const
   {
     const double limit = error.overall > 1. ? 1. : scatter;
@@ -214,37 +220,9 @@ namespace PlateImpact
 
 
 
-  Remeshing::Outline
-  Remeshing::outline(const Triangulation<2> &mesh) const
-  {
-    const auto [begin, end] = rectangle_around(mesh);
-    // the impact and the ends of a line contact
-    std::vector<PlanePoint> on_axis = {{{0., 0.}}};
-    for (const double x : {-contact_half_length, contact_half_length})
-      if (contact_half_length > 0. && x > begin[0] && x < end[0])
-        on_axis.push_back({{x, 0.}});
-    std::sort(on_axis.begin(), on_axis.end());
-
-    Outline result;
-    result.corners = {{{begin[0], begin[1]}},
-                      {{end[0], begin[1]}},
-                      {{end[0], end[1]}},
-                      {{begin[0], end[1]}}};
-    for (const PlanePoint &point : on_axis)
-      if (begin[1] < 0. && begin[0] < point[0])
-        result.inside.push_back(point);
-      else if (begin[1] < 0.) // on the plane x = 0
-        result.corners.push_back(point);
-      else if (begin[0] < point[0]) // on the plane y = 0
-        result.corners.insert(result.corners.end() - 3, point);
-    return result;
-  }
-
-
-
   bool
   Remeshing::adapt(Triangulation<2>         &mesh,
-                   const ErrorOverLimit     &error,
+                   const ErrorRatios        &error,
                    std::vector<std::string> &warnings) const
   {
     for (const types::boundary_id id : mesh.get_boundary_ids())
@@ -253,22 +231,12 @@ namespace PlateImpact
     const std::vector<double> sizes = wanted_sizes(mesh, error);
     if (!is_worth_it(mesh, error, sizes))
       return false;
-    const Outline domain = outline(mesh);
+    const Corners sides = corners_of(mesh);
+    const auto [corners, inside] =
+      required_vertices(sides, contact_half_length);
     rebuild(mesh,
-            mesher.mesh(domain.corners,
-                        size_field(mesh, sizes),
-                        warnings,
-                        domain.inside),
-            rectangle_around(mesh));
+            mesh_by_gmsh(corners, inside, size_field(mesh, sizes), warnings),
+            sides);
     return true;
-  }
-
-
-
-  double
-  Remeshing::n_wanted_cells(const Triangulation<2> &mesh,
-                            const ErrorOverLimit   &error) const
-  {
-    return n_cells_of_sizes(mesh, wanted_sizes(mesh, error), adaptivity);
   }
 } // namespace PlateImpact

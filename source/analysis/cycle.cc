@@ -1,7 +1,7 @@
 #include "plate_impact/analysis/cycle.h"
 
 #include "plate_impact/estimator/make_error_estimator.h"
-#include "plate_impact/estimator/recovered_resultants.h"
+#include "plate_impact/estimator/recovered_field.h"
 #include "plate_impact/plate/plate_mesh.h"
 
 #include <utility>
@@ -13,10 +13,10 @@ namespace PlateImpact
   Cycle::Cycle(const unsigned int                number,
                const Parameters                 &parameters,
                std::unique_ptr<Triangulation<2>> mesh_of_quadrant)
-    : plate(parameters.plate,
+    : parameters(parameters)
+    , plate(parameters.plate,
             parameters.discretization,
             std::move(mesh_of_quadrant))
-    , parameters(parameters)
   {
     result.cycle              = number;
     result.cells              = mesh().n_active_cells();
@@ -25,22 +25,6 @@ namespace PlateImpact
     result.cell_size_at_load =
       cell_sizes_near_load(mesh(), parameters.impactor.contact_half_length())
         .second;
-  }
-
-
-
-  const PlateDiscretization &
-  Cycle::discretization() const
-  {
-    return plate.discretization();
-  }
-
-
-
-  const Triangulation<2> &
-  Cycle::mesh() const
-  {
-    return discretization().mesh();
   }
 
 

@@ -1,12 +1,8 @@
 #include "plate_impact/analysis/impact_analysis.h"
 
 #include "plate_impact/adaptation/graded_refinement.h"
-#include "plate_impact/adaptation/make_mesh_adaptation.h"
 #include "plate_impact/analysis/observe.h"
-#include "plate_impact/analysis/reliability.h"
-#include "plate_impact/analysis/stage_charges.h"
 #include "plate_impact/base/exceptions.h"
-#include "plate_impact/base/stage_clock.h"
 #include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
 #include "plate_impact/transient/newmark_scheme.h"
@@ -20,25 +16,11 @@ namespace PlateImpact
 {
   using namespace dealii;
 
-  namespace
-  {
-    /// Times the target of the peak force.
-    constexpr double near_target = 3.;
-  } // namespace
-
-
-
-  ImpactAnalysis::ImpactAnalysis(const Parameters &parameters)
-    : ImpactAnalysis(parameters, nullptr, wanted_by(parameters))
-  {}
-
-
-
   ImpactAnalysis::ImpactAnalysis(const Parameters                 &parameters,
                                  std::unique_ptr<Triangulation<2>> first_mesh,
-                                 const Wanted                     &wanted)
+                                 const std::optional<Wanted>      &wanted)
     : parameters(parameters)
-    , wanted(wanted)
+    , wanted(wanted.value_or(wanted_by(parameters)))
     , adaptation(
         make_mesh_adaptation(parameters.adaptivity,
                              parameters.impactor.contact_half_length()))
@@ -55,8 +37,7 @@ namespace PlateImpact
       {
         mesh = make_plate_mesh(parameters.plate,
                                parameters.discretization.initial_cells);
-        if (parameters.adaptivity.is_adaptive() &&
-            parameters.adaptivity.goal == AdaptationGoal::peak_force)
+        if (parameters.adaptivity.is_for_peak_force())
           refine_towards_load(*mesh, parameters);
       }
     if (time_control)
@@ -136,8 +117,8 @@ namespace PlateImpact
 
 
 
-  Parameters
-  ImpactAnalysis::plan(AnalysisListener &listener)
+  void
+  ImpactAnalysis::observe(AnalysisListener &listener)
   {
     CycleResult &result = current->result;
     StageCharges charges(current->plate, result.seconds);
@@ -145,33 +126,30 @@ namespace PlateImpact
       listener.stage(result.cycle, "end of the contact");
     Parameters impact =
       time_control->impact(window, current->plate, wanted.errors);
-    if (steps_or_vectors.vectors_are_too_many(impact.time,
-                                              result.degrees_of_freedom))
+    if (result.degrees_of_freedom >= unknowns_in_vain &&
+        NewmarkScheme(impact.time).n_steps <= steps_in_vain)
       impact.time.integrator = IntegratorType::Newmark;
-    if (window.extent == Extent::scouted)
+    if (window.extent == Extent::peak_search)
       result.history =
         current->plate.under(impact, wanted.errors).strike().history;
     charges.charge(&Seconds::stepping);
-    return impact;
-  }
-
-
-
-  void
-  ImpactAnalysis::observe(AnalysisListener &listener)
-  {
-    const Parameters impact = plan(listener);
-    if (window.extent == Extent::scouted)
+    if (window.extent == Extent::peak_search)
       return;
+
     Observation seen = PlateImpact::observe(*current, impact, wanted, listener);
     StageClock  clock;
-    CycleResult &result = current->result;
     seen.seconds += result.seconds;
     static_cast<Observation &>(result) = std::move(seen);
     static_cast<Judgement &>(result)   = judgement();
     if (result.peak_force_error)
       peak_here = PeakOnMesh{result.history->peak().force, mesh_part_of_bar()};
-    steps_or_vectors.note(result);
+    if (result.new_vectors > 0.7 * result.steps ||
+        (result.new_vectors > 0 &&
+         result.new_solves >= result.new_vectors + 0.5 * result.steps))
+      {
+        unknowns_in_vain = result.degrees_of_freedom / 2;
+        steps_in_vain    = result.steps;
+      }
     clock.charge(result.seconds.estimation);
   }
 
@@ -182,8 +160,7 @@ namespace PlateImpact
   {
     const CycleResult          &result     = current->result;
     const AdaptivityParameters &adaptivity = parameters.adaptivity;
-    if (adaptivity.is_adaptive() && !result.peak_force_error &&
-        adaptivity.goal == AdaptationGoal::peak_force)
+    if (adaptivity.is_for_peak_force() && !result.peak_force_error)
       throw ComputationError("cycle " + std::to_string(result.cycle) +
                              ": the error of the peak force cannot be "
                              "estimated, with no force or more than 20000 "
@@ -195,9 +172,9 @@ namespace PlateImpact
         PeakForceBar{*space, *result.time_error, result.vector_error};
     if (!result.error)
       return worth;
-    worth.over_limit = error_over_limit(*result.error, adaptivity.target_error);
+    worth.error_ratios = result.error->ratios(adaptivity.target_error);
     for (const auto &cell : current->mesh().active_cell_iterators())
-      if (worth.over_limit->elements[cell->active_cell_index()] >= 1.)
+      if (worth.error_ratios->elements[cell->active_cell_index()] >= 1.)
         {
           ++worth.cells_above_limit;
           if (is_smallest(cell, adaptivity))
@@ -230,59 +207,18 @@ namespace PlateImpact
 
 
 
-  ErrorOverLimit
-  ImpactAnalysis::over_limit(const double target) const
-  {
-    const CycleResult &result = current->result;
-    if (parameters.adaptivity.goal == AdaptationGoal::energy_norm)
-      return error_over_limit(*result.error, target);
-    // What the time step leaves to the mesh, but a tenth of what there is at
-    // most: estimates on coarse meshes do not tell more.
-    const double   of_time = result.time_error.value_or(0.);
-    ErrorOverLimit error =
-      error_over_limit(*result.peak_force_error,
-                       std::max({0.5 * target,
-                                 target - of_time,
-                                 0.1 * bar_of_mesh(*result.peak_force_error)}));
-    // Near the target no cell grows: the estimate knows nothing of the waves
-    // that a coarser mesh turns back after the window.
-    if (error.overall < near_target)
-      for (double &ratio : error.elements)
-        ratio = std::max(ratio, 1. / near_target);
-    if (!result.peak_force_bar && result.time_error)
-      refine_at_load(error);
-    return error;
-  }
-
-
-
-  void
-  ImpactAnalysis::refine_at_load(ErrorOverLimit &error) const
-  {
-    const double halving = std::exp2(1. / parameters.adaptivity.size_exponent);
-    for (const auto &cell : current->mesh().active_cell_iterators())
-      if (is_near_load(cell, parameters.impactor.contact_half_length()))
-        {
-          double &ratio = error.elements[cell->active_cell_index()];
-          ratio         = std::max(ratio, halving);
-        }
-    error.overall = std::max(error.overall, halving);
-  }
-
-
-
   std::optional<Outcome>
   ImpactAnalysis::adapt(AdaptationControl &control, AnalysisListener &listener)
   {
     listener.stage(n_cycles, "next mesh");
     const unsigned int most_cells = parameters.adaptivity.maximum_cells;
     StageClock         clock;
-    ErrorOverLimit     error;
+    ErrorRatios        error;
     do
       {
         // whoever keeps the last cycle needs its mesh: adapt a copy
         auto adapted = copy_of(current->mesh());
-        error        = over_limit(control.target_error());
+        error        = control.error_ratios(*current);
         // before there is a mesh that does not fit into the memory
         if (adaptation->n_wanted_cells(*adapted, error) > most_cells)
           return Outcome::maximum_cells;
@@ -340,30 +276,6 @@ namespace PlateImpact
       Verification{plate.discretization().mesh().n_active_cells(),
                    impact.history.peak().force};
     clock.charge(result.seconds.estimation);
-  }
-
-
-
-  const Cycle &
-  ImpactAnalysis::last_cycle() const
-  {
-    return *current;
-  }
-
-
-
-  Cycle &
-  ImpactAnalysis::last_cycle()
-  {
-    return *current;
-  }
-
-
-
-  const std::vector<std::string> &
-  ImpactAnalysis::warnings() const
-  {
-    return adaptation_warnings;
   }
 
 

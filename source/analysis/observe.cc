@@ -1,8 +1,10 @@
 #include "plate_impact/analysis/observe.h"
 
-#include "plate_impact/analysis/stage_charges.h"
-#include "plate_impact/analysis/transient_record.h"
+#include "plate_impact/estimator/make_error_estimator.h"
 
+#include <algorithm>
+#include <cstdint>
+#include <memory>
 #include <utility>
 
 namespace PlateImpact
@@ -19,6 +21,162 @@ namespace PlateImpact
 
   namespace
   {
+    /// Fewer samples over the transient do not make an integral over time.
+    constexpr unsigned int min_estimator_samples = 20;
+
+    /// Unknowns in all frames of a film: 64 MB.
+    constexpr unsigned int most_frame_unknowns = 8000000;
+
+
+
+    /// What is kept of a transient while it is stepped: samples for the
+    /// estimator, states for the fields, and what the page shows, the state of
+    /// the largest force and frames of a film, at most 48, fewer where they
+    /// would take more than 64 MB.
+    class TransientRecord : public TransientListener
+    {
+    public:
+      /// All must outlive the record.
+      TransientRecord(const Parameters &impact,
+                      const Cycle      &cycle,
+                      const Wanted     &wanted,
+                      StageCharges     &charges,
+                      AnalysisListener &listener)
+        : impact(impact)
+        , cycle(cycle)
+        , wanted(wanted)
+        , charges(charges)
+        , listener(listener)
+      {}
+
+      void
+      begin(const SemidiscreteSystem &stepped,
+            const TimeStepper        &stepper) override
+      {
+        charges.charge(&Seconds::stepping);
+        system            = &stepped;
+        n_steps           = stepper.n_steps();
+        sampling_interval = std::clamp(n_steps / min_estimator_samples,
+                                       1u,
+                                       impact.adaptivity.sampling_interval);
+        n_samples_at_once =
+          std::min(n_steps / sampling_interval + 1, stepped.n_states_at_once());
+        samples_per_frame = 1 +
+          n_steps / sampling_interval /
+            std::clamp(most_frame_unknowns /
+                         cycle.discretization().n_unknowns(),
+                       8u,
+                       48u);
+        if (wanted.errors)
+          estimator = make_error_estimator(impact,
+                                           cycle.discretization(),
+                                           cycle.recovery(),
+                                           wanted.film ? samples_per_frame : 0);
+        charges.charge(&Seconds::estimation);
+      }
+
+      void
+      take_step(const unsigned int step, const TimeStepper &stepper) override
+      {
+        const double           time  = stepper.state().time;
+        const Eigen::VectorXd &state = stepper.displacement();
+        // steps at which k n_steps / fields passes a whole number
+        const std::uint64_t n_fields = wanted.fields;
+        if (step * n_fields / n_steps > (step - 1) * n_fields / n_steps)
+          fields.push_back({time, state});
+        if (wanted.film && stepper.state().force > peak_force)
+          {
+            peak_force = stepper.state().force;
+            peak.assign(1, {time, state});
+          }
+        if (estimator && (step % sampling_interval == 0 || step == n_steps))
+          {
+            if (wanted.film && ++n_samples % samples_per_frame == 0)
+              film.push_back({time, state});
+            if (times.empty())
+              states.resize(state.size(), n_samples_at_once);
+            states.col(times.size()) = state;
+            times.push_back(time);
+            if (times.size() == n_samples_at_once)
+              {
+                charges.charge(&Seconds::stepping);
+                estimate();
+                charges.charge(&Seconds::estimation);
+              }
+          }
+        listener.step(cycle.result.cycle, step, n_steps);
+      }
+
+      /// Puts what was kept into an observation.
+      void
+      finish(Observation &seen)
+      {
+        charges.charge(&Seconds::stepping);
+        seen.steps     = n_steps;
+        seen.snapshots = unknowns_of(std::move(fields));
+        seen.frames    = unknowns_of(std::move(film));
+        if (!peak.empty())
+          seen.peak_state = unknowns_of(peak).front();
+        if (estimator)
+          {
+            estimate();
+            seen.error = estimator->estimate();
+          }
+        charges.charge(&Seconds::estimation);
+      }
+
+    private:
+      /// Gives the samples that wait to the estimator.
+      void
+      estimate()
+      {
+        if (times.empty())
+          return;
+        const auto span = system->span(states.leftCols(times.size()));
+        estimator->add_samples(times, span.vectors, span.coordinates);
+        times.clear();
+      }
+
+      /// On the mesh.
+      std::vector<Snapshot>
+      unknowns_of(std::vector<Snapshot> snapshots) const
+      {
+        // products of matrices instead of many with a vector, a few at a time
+        const std::size_t batch = 16;
+        for (std::size_t first = 0; first < snapshots.size(); first += batch)
+          {
+            const std::size_t n = std::min(batch, snapshots.size() - first);
+            Eigen::MatrixXd   columns(snapshots[first].unknowns.size(), n);
+            for (std::size_t i = 0; i < n; ++i)
+              columns.col(i) = snapshots[first + i].unknowns;
+            const Eigen::MatrixXd unknowns = system->unknowns(columns);
+            for (std::size_t i = 0; i < n; ++i)
+              snapshots[first + i].unknowns = unknowns.col(i);
+          }
+        return snapshots;
+      }
+
+      const Parameters &impact;
+      const Cycle      &cycle;
+      const Wanted     &wanted;
+      StageCharges     &charges;
+      AnalysisListener &listener;
+
+      /// from begin() on
+      const SemidiscreteSystem *system = nullptr;
+      unsigned int n_steps = 0, sampling_interval = 0, n_samples_at_once = 0,
+                   samples_per_frame = 0, n_samples = 0;
+      std::unique_ptr<ErrorEstimator> estimator; ///< where errors are wanted
+
+      /// in coordinates of the system
+      std::vector<Snapshot> fields, film, peak; ///< the last one or none
+      double                peak_force = 0.;
+      std::vector<double>   times;  ///< of samples that wait
+      Eigen::MatrixXd       states; ///< at these
+    };
+
+
+
     /// Empty for loads under which the exact energy is infinite, and where
     /// there is no dual problem.
     std::optional<PeakForceError>

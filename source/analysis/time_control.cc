@@ -1,6 +1,6 @@
 #include "plate_impact/analysis/time_control.h"
 
-#include "plate_impact/analysis/adaptation_control.h"
+#include "plate_impact/analysis/goal.h"
 #include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/transient/contact_end.h"
 #include "plate_impact/transient/newmark_scheme.h"
@@ -37,11 +37,10 @@ namespace PlateImpact
   TimeControl::TimeControl(const Parameters     &scene,
                            const ImpactEstimate &expected)
     : scene(scene)
-    , is_for_peak(scene.adaptivity.is_adaptive() &&
-                  scene.adaptivity.goal == AdaptationGoal::peak_force)
+    , is_for_peak(scene.adaptivity.is_for_peak_force())
     , length_of_rise(2.5 * expected.peak.time)
-    , echo(2. * geometry_of(scene.plate)->distance_to_edge() /
-           expected.wave.group_speed)
+    , return_of_waves(2. * geometry_of(scene.plate)->distance_to_edge() /
+                      expected.wave.group_speed)
   {}
 
 
@@ -50,10 +49,11 @@ namespace PlateImpact
   TimeControl::first() const
   {
     const TimeParameters &time = scene.time;
-    const bool has_echo        = time.end_time == 0. || time.end_time > echo;
-    return {!is_for_peak ? Extent::whole :
-              has_echo   ? Extent::scouted :
-                           Extent::to_peak,
+    const bool            waves_return =
+      time.end_time == 0. || time.end_time > return_of_waves;
+    return {!is_for_peak   ? Extent::whole :
+              waves_return ? Extent::peak_search :
+                             Extent::to_peak,
             time.time_step,
             length_of_rise};
   }
@@ -79,10 +79,10 @@ namespace PlateImpact
       return {};
     const double peak = seen.history->peak().time;
     Window       next = last;
-    if (last.extent == Extent::scouted)
+    if (last.extent == Extent::peak_search)
       {
         next.extent = Extent::to_peak;
-        if (peak > echo)
+        if (peak > return_of_waves)
           next.to_peak = std::max(last.to_peak, reserve * peak);
         return next;
       }
@@ -95,7 +95,7 @@ namespace PlateImpact
     next.step = wanted_step(last, seen);
     if (next.step < last.step)
       return next;
-    if (is_end || !meets_force_target(seen, scene.adaptivity))
+    if (is_end || !make_goal(scene.adaptivity)->is_met(seen))
       return {};
     next.extent = Extent::whole;
     return next;
@@ -130,7 +130,7 @@ namespace PlateImpact
   {
     // steps of a history that the mesh spoils tell little
     const double mesh_error =
-      seen.peak_force_error ? bar_of_mesh(*seen.peak_force_error) : 0.;
+      seen.peak_force_error ? seen.peak_force_error->bar() : 0.;
     const double most =
       std::max(share_of_time * scene.adaptivity.target_peak_force_error,
                0.1 * mesh_error);

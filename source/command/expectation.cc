@@ -1,7 +1,7 @@
 #include "plate_impact/command/expectation.h"
 
 #include "plate_impact/analysis/cycle_result.h"
-#include "plate_impact/analysis/reliability.h"
+#include "plate_impact/analysis/warnings.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/contact/impactor.h"
 #include "plate_impact/contact/make_contact.h"
@@ -177,7 +177,7 @@ namespace PlateImpact
     // the refinement and follow the waves. The force feels the waves up to its
     // peak only, and its error is of twice the order; measured, 0.1 % takes
     // about as many cells as 5 %.
-    const bool   is_for_peak = adaptivity.goal == AdaptationGoal::peak_force;
+    const bool   is_for_peak = adaptivity.is_for_peak_force();
     const double target      = is_for_peak ?
            0.05 * std::sqrt(adaptivity.target_peak_force_error / 1e-3) :
            adaptivity.target_error;

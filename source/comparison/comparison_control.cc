@@ -14,7 +14,7 @@ namespace PlateImpact
   HalvedTargets::check(const CycleResult &result)
   {
     n_halvings = 0;
-    while (error_of_goal(result, adaptivity) <= target && tighten())
+    while (goal->error(result) <= target && tighten())
       ;
     return {};
   }

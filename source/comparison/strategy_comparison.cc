@@ -242,7 +242,7 @@ namespace PlateImpact
                    scene.parameters,
                    "Mesh of cycle " + std::to_string(result.cycle),
                    result.element_errors()),
-      {{"local error ratio ξ′", true, result.over_limit->elements}}};
+      {{"local error ratio ξ′", true, result.error_ratios->elements}}};
   }
 
 
@@ -291,7 +291,7 @@ namespace PlateImpact
     if (!the_reference.eta)
       return false;
     return adaptivity.goal == AdaptationGoal::peak_force ?
-      error_of_goal(result, adaptivity) < 3. * the_reference.uncertainty :
+      make_goal(adaptivity)->error(result) < 3. * the_reference.uncertainty :
       result.error->eta < 3. * *the_reference.eta;
   }
 

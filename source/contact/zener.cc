@@ -251,7 +251,14 @@ namespace PlateImpact
 
 
   ImpactEstimate::ImpactEstimate(const Parameters &scene)
-    : peak(zener_peak(scene))
+    : ImpactEstimate(scene, zener_peak(scene))
+  {}
+
+
+
+  ImpactEstimate::ImpactEstimate(const Parameters   &scene,
+                                 const ExpectedPeak &peak)
+    : peak(peak)
     , contact_time(2. * peak.time)
     , wave(contact_wave(PlateSection(scene.plate), contact_time))
   {}

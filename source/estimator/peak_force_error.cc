@@ -1,11 +1,10 @@
 #include "plate_impact/estimator/peak_force_error.h"
 
-#include "plate_impact/estimator/recovered_resultants.h"
+#include "plate_impact/estimator/error_estimator.h"
+#include "plate_impact/estimator/recovered_field.h"
 
-#include <Eigen/QR>
-
+#include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace PlateImpact
 {
@@ -15,6 +14,10 @@ namespace PlateImpact
   {
     /// What combinations of the motions leave out, relative to the largest.
     constexpr double tolerance_of_span = 1e-4;
+
+    /// Of the force: beyond, a first order estimate on a first mesh says
+    /// nothing.
+    constexpr double largest_on_first_mesh = 0.05;
 
 
 
@@ -36,11 +39,8 @@ namespace PlateImpact
       states << motions.motion / motion_scale, motions.dual / dual_scale;
       const SemidiscreteSystem::Span span = system.span(states);
 
-      Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr;
-      qr.setThreshold(tolerance_of_span);
-      qr.compute(span.coordinates);
-      const Eigen::MatrixXd combinations = qr.householderQ() *
-        Eigen::MatrixXd::Identity(span.coordinates.rows(), qr.rank());
+      const Eigen::MatrixXd combinations =
+        leading_combinations(span.coordinates, tolerance_of_span);
       const Eigen::MatrixXd coordinates =
         combinations.transpose() * span.coordinates;
       const Eigen::MatrixXd product = motions.weight * motion_scale *
@@ -53,27 +53,6 @@ namespace PlateImpact
 
 
 
-  double
-  PeakForceError::sum() const
-  {
-    return std::accumulate(cells.begin(), cells.end(), 0.);
-  }
-
-
-
-  double
-  PeakForceError::sum_of_absolutes() const
-  {
-    return std::accumulate(cells.begin(),
-                           cells.end(),
-                           0.,
-                           [](const double so_far, const double cell) {
-                             return so_far + std::abs(cell);
-                           });
-  }
-
-
-
   PeakForceError
   estimated_peak_force_error(const PlateDiscretization &discretization,
                              const StressRecovery      &recovery,
@@ -81,36 +60,39 @@ namespace PlateImpact
                              const DualMotions         &motions,
                              const double               peak)
   {
-    const Products                    products = products_of(system, motions);
-    const Eigen::Matrix<double, 5, 5> factor =
-      discretization.section().root_of_compliance() *
-      discretization.section().stiffness();
-    RecoveredField field =
-      recovered_field(discretization, recovery, factor, products.fields);
-    const std::vector<Point<2>> &unit_points =
-      discretization.element().quadrature().get_points();
+    const Products products = products_of(system, motions);
+    EnergyRoots    roots(discretization, recovery, products.fields);
     // integrals are over one of the parts of the plate
-    const double   factor_of_cells = discretization.n_parts() / peak;
+    const double   factor = discretization.n_parts() / peak;
     PeakForceError result;
     result.cells.resize(discretization.mesh().n_active_cells());
-    RowMajorMatrix error;
     for (const auto &cell : discretization.mesh().active_cell_iterators())
       {
-        const unsigned int c     = cell->active_cell_index();
-        const CellShape   &shape = discretization.shape(c);
-        field.evaluate(c, unit_points, to_real(cell, unit_points), error);
-        error -= resultants_at(discretization,
-                               c,
-                               factor,
-                               shape.strains_at_quadrature,
-                               products.fields);
-        for (unsigned int q = 0; q < shape.weights.size(); ++q)
-          error.row(q) *= std::sqrt(shape.weights[q]);
-        const auto e = by_resultant(error);
-        result.cells[c] =
-          factor_of_cells * (e * products.of_coordinates).cwiseProduct(e).sum();
-        field.finish(c);
+        roots.evaluate(cell);
+        const auto e = by_resultant(roots.errors);
+        result.cells[cell->active_cell_index()] =
+          factor * (e * products.of_coordinates).cwiseProduct(e).sum();
+        roots.recovered.finish(cell);
       }
     return result;
+  }
+
+
+
+  std::optional<double>
+  peak_force_error_by_mesh(const PeakForceError            &estimate,
+                           const double                     peak,
+                           const std::optional<PeakOnMesh> &before,
+                           const bool                       resolves_load)
+  {
+    const double bar = estimate.bar();
+    if (!before &&
+        (!resolves_load || bar > safety_of_bar * largest_on_first_mesh))
+      return {};
+    if (resolves_load)
+      return bar;
+    const double change    = std::abs(peak - before->force) / peak;
+    const bool   was_blind = !before->space || change > *before->space;
+    return std::max(bar, was_blind ? change : 0.);
   }
 } // namespace PlateImpact

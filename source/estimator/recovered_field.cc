@@ -2,6 +2,9 @@
 
 #include <deal.II/base/geometry_info.h>
 
+#include "plate_impact/plate/plate_mesh.h"
+
+#include <cmath>
 #include <utility>
 
 namespace PlateImpact
@@ -13,12 +16,12 @@ namespace PlateImpact
     : recovery(recovery)
     , sampler(std::move(sampler))
     , samples(recovery.n_cells())
-    , coefficients(recovery.n_patches())
+    , coefficients(recovery.patches().size())
     , n_patches_to_come(samples.size())
     , n_cells_to_come(coefficients.size())
   {
-    for (unsigned int patch = 0; patch < coefficients.size(); ++patch)
-      for (const StressRecovery::Image &image : recovery.images(patch))
+    for (const StressRecovery::Patch &patch : recovery.patches())
+      for (const StressRecovery::Image &image : patch.images)
         ++n_patches_to_come[image.cell];
     for (unsigned int cell = 0; cell < samples.size(); ++cell)
       for (unsigned int v = 0; v < 4; ++v)
@@ -28,15 +31,33 @@ namespace PlateImpact
 
 
 
+  RecoveredField::RecoveredField(
+    const PlateDiscretization               &discretization,
+    const StressRecovery                    &recovery,
+    const Eigen::Matrix<double, 5, 5>       &factor,
+    const Eigen::Ref<const Eigen::MatrixXd> &fields)
+    : RecoveredField(
+        recovery,
+        [&discretization, factor, fields](const unsigned int cell) {
+          return resultants_at(discretization,
+                               cell,
+                               factor,
+                               discretization.shape(cell).strains_at_samples,
+                               fields);
+        })
+  {}
+
+
+
   void
   RecoveredField::fit(const unsigned int patch)
   {
-    const auto &images = recovery.images(patch);
-    for (const StressRecovery::Image &image : images)
+    const StressRecovery::Patch &it = recovery.patches()[patch];
+    for (const StressRecovery::Image &image : it.images)
       if (samples[image.cell].size() == 0)
         samples[image.cell] = sampler(image.cell);
-    recovery.fit(patch, samples, coefficients[patch]);
-    for (const StressRecovery::Image &image : images)
+    coefficients[patch] = it.coefficients(samples);
+    for (const StressRecovery::Image &image : it.images)
       if (--n_patches_to_come[image.cell] == 0)
         samples[image.cell] = {};
   }
@@ -44,12 +65,15 @@ namespace PlateImpact
 
 
   void
-  RecoveredField::evaluate(const unsigned int           cell,
+  RecoveredField::evaluate(const Cell                  &cell,
                            const std::vector<Point<2>> &unit_points,
-                           const std::vector<Point<2>> &points,
                            RowMajorMatrix              &values)
   {
-    const unsigned int n_points = unit_points.size();
+    const unsigned int    n_points = unit_points.size();
+    std::vector<Point<2>> points;
+    for (const Point<2> &unit_point : unit_points)
+      points.push_back(
+        mapping_of(cell).transform_unit_to_real_cell(cell, unit_point));
     values.resize(n_points, 0);
     Eigen::VectorXd blend(n_points);
     Eigen::MatrixXd weights(n_points, StressRecovery::n_terms);
@@ -60,14 +84,14 @@ namespace PlateImpact
             GeometryInfo<2>::d_linear_shape_function(unit_points[q], v);
         if (blend.isZero(0.))
           continue;
-        const auto &patches = recovery.patches_at(cell, v);
+        const auto &patches = recovery.patches_at(cell->active_cell_index(), v);
         for (const unsigned int patch : patches)
           {
             if (coefficients[patch].size() == 0)
               fit(patch);
             for (unsigned int q = 0; q < n_points; ++q)
               weights.row(q) = blend[q] / patches.size() *
-                recovery.polynomial(patch, points[q]);
+                recovery.patches()[patch].polynomial(points[q]);
             if (values.cols() == 0)
               values.setZero(n_points, coefficients[patch].cols());
             values.noalias() += weights * coefficients[patch];
@@ -78,11 +102,100 @@ namespace PlateImpact
 
 
   void
-  RecoveredField::finish(const unsigned int cell)
+  RecoveredField::finish(const Cell &cell)
   {
     for (unsigned int v = 0; v < 4; ++v)
-      for (const unsigned int patch : recovery.patches_at(cell, v))
+      for (const unsigned int patch :
+           recovery.patches_at(cell->active_cell_index(), v))
         if (--n_cells_to_come[patch] == 0)
           coefficients[patch] = {};
+  }
+
+
+
+  EnergyRoots::EnergyRoots(const PlateDiscretization &discretization,
+                           const StressRecovery      &recovery,
+                           const Eigen::MatrixXd     &fields)
+    : discretization(discretization)
+    , fields(fields)
+    // Resultants s are scaled to R s, whose square is their energy: recovery is
+    // linear, and R mixes moments of the same parity only.
+    , factor(discretization.section().root_of_compliance() *
+             discretization.section().stiffness())
+    , recovered(discretization, recovery, factor, fields)
+  {}
+
+
+
+  void
+  EnergyRoots::evaluate(const RecoveredField::Cell &cell)
+  {
+    const CellShape &shape = discretization.shape(cell->active_cell_index());
+    resultants             = resultants_at(discretization,
+                               cell->active_cell_index(),
+                               factor,
+                               shape.strains_at_quadrature,
+                               fields);
+    recovered.evaluate(cell,
+                       discretization.element().quadrature().get_points(),
+                       errors);
+    errors -= resultants;
+    for (unsigned int q = 0; q < shape.weights.size(); ++q)
+      {
+        resultants.row(q) *= std::sqrt(shape.weights[q]);
+        errors.row(q) *= std::sqrt(shape.weights[q]);
+      }
+  }
+
+
+
+  Eigen::Map<const RowMajorMatrix>
+  by_resultant(const RowMajorMatrix &values)
+  {
+    return {values.data(), 5 * values.rows(), values.cols() / 5};
+  }
+
+
+
+  RowMajorMatrix
+  resultants_at(const PlateDiscretization               &discretization,
+                const unsigned int                       cell,
+                const Eigen::Matrix<double, 5, 5>       &factor,
+                const CellOperator                      &strains,
+                const Eigen::Ref<const Eigen::MatrixXd> &fields)
+  {
+    CellOperator values(strains.rows(), strains.cols());
+    for (Eigen::Index row = 0; row < strains.rows(); row += 5)
+      values.middleRows<5>(row).noalias() = factor * strains.middleRows<5>(row);
+    Eigen::MatrixXd nodal_values;
+    discretization.cell_values(cell, fields, nodal_values);
+    RowMajorMatrix result(strains.rows() / 5, 5 * fields.cols());
+    Eigen::Map<RowMajorMatrix>(result.data(), strains.rows(), fields.cols())
+      .noalias() = values * nodal_values;
+    return result;
+  }
+
+
+
+  Eigen::MatrixXd
+  recovered_resultants(const PlateDiscretization   &discretization,
+                       const StressRecovery        &recovery,
+                       const Eigen::VectorXd       &unknowns,
+                       const std::vector<Point<2>> &unit_points)
+  {
+    RecoveredField  field(discretization,
+                         recovery,
+                         discretization.section().stiffness(),
+                         unknowns);
+    Eigen::MatrixXd result(5 * unit_points.size(),
+                           discretization.mesh().n_active_cells());
+    RowMajorMatrix  values;
+    for (const auto &cell : discretization.mesh().active_cell_iterators())
+      {
+        field.evaluate(cell, unit_points, values);
+        field.finish(cell);
+        result.col(cell->active_cell_index()) = by_resultant(values);
+      }
+    return result;
   }
 } // namespace PlateImpact

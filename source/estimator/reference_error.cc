@@ -1,14 +1,15 @@
 #include "plate_impact/estimator/reference_error.h"
 
-#include <deal.II/base/polynomial.h>
 #include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_dgq.h>
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/grid_tools_cache.h>
 
 #include "plate_impact/base/exceptions.h"
+#include "plate_impact/estimator/error_estimator.h"
+#include "plate_impact/estimator/recovered_field.h"
 #include "plate_impact/plate/plate_mesh.h"
 
-#include <array>
 #include <cmath>
 
 namespace PlateImpact
@@ -23,15 +24,12 @@ namespace PlateImpact
                const unsigned int         cell,
                const Eigen::MatrixXd     &states)
     {
-      Eigen::MatrixXd values;
-      discretization.cell_values(cell, states, values);
-      Eigen::MatrixXd result =
-        discretization.shape(cell).strains_at_quadrature * values;
-      const Eigen::Matrix<double, 5, 5> stiffness =
-        discretization.section().stiffness();
-      for (Eigen::Index q = 0; q < result.rows(); q += 5)
-        result.middleRows<5>(q) = (stiffness * result.middleRows<5>(q)).eval();
-      return result;
+      return by_resultant(
+        resultants_at(discretization,
+                      cell,
+                      discretization.section().stiffness(),
+                      discretization.shape(cell).strains_at_quadrature,
+                      states));
     }
 
 
@@ -45,52 +43,6 @@ namespace PlateImpact
         states.col(n) = snapshots[n].unknowns;
       return states;
     }
-
-
-
-    /// Integral over time of the square root of numbers that are 0 at t = 0.
-    double
-    integral_of_root(const std::vector<double> &times,
-                     const Eigen::VectorXd     &squares)
-    {
-      double integral = 0., last_time = 0., last = 0.;
-      for (unsigned int n = 0; n < times.size(); ++n)
-        {
-          const double value = std::sqrt(squares[n]);
-          integral += 0.5 * (times[n] - last_time) * (last + value);
-          last_time = times[n];
-          last      = value;
-        }
-      return integral;
-    }
-
-
-
-    /// Interpolation from the points of a tensor-product Gauss rule.
-    class GaussInterpolation
-    {
-    public:
-      explicit GaussInterpolation(const unsigned int n_points)
-        : basis(Polynomials::generate_complete_Lagrange_basis(
-            QGauss<1>(n_points).get_points()))
-      {}
-
-      /// Weights of the points, x fastest.
-      Eigen::VectorXd
-      weights(const Point<2> &unit_point) const
-      {
-        const unsigned int n = basis.size();
-        Eigen::VectorXd    result(n * n);
-        for (unsigned int i = 0; i < n; ++i)
-          for (unsigned int j = 0; j < n; ++j)
-            result[n * j + i] =
-              basis[i].value(unit_point[0]) * basis[j].value(unit_point[1]);
-        return result;
-      }
-
-    private:
-      const std::vector<Polynomials::Polynomial<double>> basis;
-    };
   } // namespace
 
 
@@ -129,8 +81,10 @@ namespace PlateImpact
     const Eigen::MatrixXd        states = columns(snapshots);
     std::vector<Eigen::MatrixXd> of_cell(
       discretization.mesh().n_active_cells());
-    const GaussInterpolation interpolation(
-      std::lround(std::sqrt(discretization.element().quadrature().size())));
+    const Quadrature<2> &quadrature = discretization.element().quadrature();
+    // between the points of a tensor-product Gauss rule
+    const FE_DGQArbitraryNodes<2> interpolation(
+      QGauss<1>(std::lround(std::sqrt(quadrature.size()))));
     const Mapping<2>         &mapping = mapping_of(discretization.mesh());
     const GridTools::Cache<2> cache(discretization.mesh(), mapping);
     // curved cells of two meshes differ by a little at the edge, of a cell
@@ -153,10 +107,10 @@ namespace PlateImpact
         if (cell_field.size() == 0)
           cell_field =
             resultants(discretization, cell->active_cell_index(), states);
-        const Eigen::VectorXd shares = interpolation.weights(unit_point);
-        Eigen::MatrixXd       field  = Eigen::MatrixXd::Zero(5, times.size());
-        for (Eigen::Index q = 0; q < shares.size(); ++q)
-          field += shares[q] * cell_field.middleRows<5>(5 * q);
+        Eigen::MatrixXd field = Eigen::MatrixXd::Zero(5, times.size());
+        for (unsigned int q = 0; q < quadrature.size(); ++q)
+          field += interpolation.shape_value(q, unit_point) *
+            cell_field.middleRows<5>(5 * q);
         for (unsigned int n = 0; n < times.size(); ++n)
           {
             const Resultants reference = exact.col(n).segment<5>(5 * p);
@@ -167,6 +121,9 @@ namespace PlateImpact
               discretization.section().squared_energy_norm(reference);
           }
       }
-    return integral_of_root(times, e2) / integral_of_root(times, u2);
+    TimeIntegral<Eigen::Array2d> norms(Eigen::Array2d::Zero());
+    for (unsigned int n = 0; n < times.size(); ++n)
+      norms.add(times[n], Eigen::Array2d(e2[n], u2[n]).sqrt());
+    return norms.integral[0] / norms.integral[1];
   }
 } // namespace PlateImpact

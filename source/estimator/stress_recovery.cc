@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 namespace PlateImpact
 {
@@ -36,25 +35,25 @@ namespace PlateImpact
 
 
 
-    /// Sign of a resultant (M_x, M_y, M_xy, Q_x, Q_y) in a mirror image.
-    double
-    parity(const unsigned int resultant,
-           const bool         mirrored_x,
-           const bool         mirrored_y)
+    /// Whether a resultant (M_x, M_y, M_xy, Q_x, Q_y) changes its sign in a
+    /// mirror image.
+    bool
+    changes_sign(const unsigned int           resultant,
+                 const StressRecovery::Image &image)
     {
       const bool odd_in_x = resultant == 2 || resultant == 3;
       const bool odd_in_y = resultant == 2 || resultant == 4;
-      return ((mirrored_x && odd_in_x) != (mirrored_y && odd_in_y)) ? -1. : 1.;
+      return (image.mirrored_x && odd_in_x) != (image.mirrored_y && odd_in_y);
     }
   } // namespace
 
 
 
-  StressRecovery::StressRecovery(
-    const Triangulation<2>                      &mesh,
-    const std::function<bool(const Point<2> &)> &is_rough)
+  StressRecovery::StressRecovery(const Triangulation<2> &mesh,
+                                 const IsRough          &is_rough)
     : mesh(mesh)
     , sample_points(mesh.n_active_cells() * samples_per_cell)
+    , cells_at_vertex(mesh.n_vertices())
     , vertices_of_cell(mesh.n_active_cells())
     , is_on_symmetry_x(mesh.n_vertices())
     , is_on_symmetry_y(mesh.n_vertices())
@@ -71,14 +70,6 @@ namespace PlateImpact
         for (unsigned int v = 0; v < 4; ++v)
           vertices_of_cell[c][v] = cell->vertex_index(v);
       }
-
-    // includes the coarse cell at a hanging vertex
-    const auto cells = GridTools::vertex_to_cell_map(mesh);
-    cells_at_vertex.resize(cells.size());
-    for (unsigned int vertex = 0; vertex < cells.size(); ++vertex)
-      for (const auto &cell : cells[vertex])
-        cells_at_vertex[vertex].push_back(cell->active_cell_index());
-
     mark_vertices(is_rough);
     assign_patches();
   }
@@ -86,13 +77,23 @@ namespace PlateImpact
 
 
   void
-  StressRecovery::mark_vertices(
-    const std::function<bool(const Point<2> &)> &is_rough)
+  StressRecovery::mark_vertices(const IsRough &is_rough)
   {
-    if (is_rough)
-      for (unsigned int vertex = 0; vertex < mesh.n_vertices(); ++vertex)
-        uses_neighbours[vertex] = is_rough(mesh.get_vertices()[vertex]);
-
+    const auto cells = GridTools::vertex_to_cell_map(mesh);
+    for (unsigned int vertex = 0; vertex < mesh.n_vertices(); ++vertex)
+      {
+        uses_neighbours[vertex] =
+          is_rough && is_rough(mesh.get_vertices()[vertex]);
+        for (const auto &cell : cells[vertex])
+          {
+            const unsigned int c = cell->active_cell_index();
+            cells_at_vertex[vertex].push_back(c);
+            // a hanging vertex is none of the coarse cell's own
+            const auto &own = vertices_of_cell[c];
+            if (std::find(own.begin(), own.end(), vertex) == own.end())
+              uses_neighbours[vertex] = true;
+          }
+      }
     for (const auto &cell : mesh.active_cell_iterators())
       for (const unsigned int f : cell->face_indices())
         if (const auto face = cell->face(f); face->at_boundary())
@@ -104,15 +105,6 @@ namespace PlateImpact
             for (const unsigned int v : face->vertex_indices())
               marks[face->vertex_index(v)] = true;
           }
-
-    // a hanging vertex is none of the coarse cell's own
-    for (unsigned int vertex = 0; vertex < mesh.n_vertices(); ++vertex)
-      for (const unsigned int cell : cells_at_vertex[vertex])
-        {
-          const auto &own = vertices_of_cell[cell];
-          if (std::find(own.begin(), own.end(), vertex) == own.end())
-            uses_neighbours[vertex] = true;
-        }
   }
 
 
@@ -122,8 +114,8 @@ namespace PlateImpact
   {
     std::vector<std::vector<unsigned int>> at_vertex(mesh.n_vertices());
     const auto add_patch = [&](const unsigned int vertex) {
-      at_vertex[vertex] = {static_cast<unsigned int>(patches.size())};
-      patches.push_back(make_patch(vertex));
+      at_vertex[vertex] = {static_cast<unsigned int>(all_patches.size())};
+      all_patches.push_back(make_patch(vertex));
     };
     for (unsigned int vertex = 0; vertex < mesh.n_vertices(); ++vertex)
       if (!cells_at_vertex[vertex].empty() && !uses_neighbours[vertex])
@@ -143,7 +135,7 @@ namespace PlateImpact
             at_vertex[vertex].assign(neighbours.begin(), neighbours.end());
         }
 
-    for (unsigned int cell = 0; cell < n_cells(); ++cell)
+    for (unsigned int cell = 0; cell < vertices_of_cell.size(); ++cell)
       for (unsigned int v = 0; v < 4; ++v)
         patches_of_corners[cell][v] =
           patches_for(cell, at_vertex[vertices_of_cell[cell][v]]);
@@ -157,16 +149,16 @@ namespace PlateImpact
   {
     double largest = 0.;
     for (const unsigned int patch : candidates)
-      largest = std::max(largest, patches[patch].size);
+      largest = std::max(largest, all_patches[patch].size);
     std::vector<unsigned int> result;
     for (const unsigned int patch : candidates)
       {
-        const auto &images = patches[patch].images;
+        const auto &images = all_patches[patch].images;
         const bool  has_cell =
           std::any_of(images.begin(), images.end(), [=](const Image &image) {
             return image.cell == cell;
           });
-        if (has_cell || patches[patch].size > smallest_share * largest)
+        if (has_cell || all_patches[patch].size > smallest_share * largest)
           result.push_back(patch);
       }
     return result;
@@ -174,33 +166,19 @@ namespace PlateImpact
 
 
 
-  std::vector<StressRecovery::Image>
-  StressRecovery::images_around(const unsigned int vertex,
-                                const Image       &seen_from) const
+  void
+  StressRecovery::add_images(const unsigned int vertex,
+                             const Image       &seen_from,
+                             std::set<Image>   &images) const
   {
-    std::vector<Image> images;
     for (const unsigned int cell : cells_at_vertex[vertex])
       for (const bool across_x : {false, true})
         for (const bool across_y : {false, true})
           if ((!across_x || is_on_symmetry_x[vertex]) &&
               (!across_y || is_on_symmetry_y[vertex]))
-            images.push_back({cell,
-                              seen_from.mirrored_x != across_x,
-                              seen_from.mirrored_y != across_y});
-    return images;
-  }
-
-
-
-  std::set<StressRecovery::Image>
-  StressRecovery::grown(const std::set<Image> &images) const
-  {
-    std::set<Image> result = images;
-    for (const Image &image : images)
-      for (const unsigned int vertex : vertices_of_cell[image.cell])
-        for (const Image &neighbour : images_around(vertex, image))
-          result.insert(neighbour);
-    return result;
+            images.insert({cell,
+                           seen_from.mirrored_x != across_x,
+                           seen_from.mirrored_y != across_y});
   }
 
 
@@ -210,12 +188,10 @@ namespace PlateImpact
                                const unsigned int point) const
   {
     // the planes of symmetry are x = 0 and y = 0
-    Point<2> position = sample_points[samples_per_cell * image.cell + point];
-    if (image.mirrored_x)
-      position[0] = -position[0];
-    if (image.mirrored_y)
-      position[1] = -position[1];
-    return position;
+    const Point<2> &position =
+      sample_points[samples_per_cell * image.cell + point];
+    return {image.mirrored_x ? -position[0] : position[0],
+            image.mirrored_y ? -position[1] : position[1]};
   }
 
 
@@ -225,27 +201,29 @@ namespace PlateImpact
   {
     Eigen::MatrixXd   P(patch.images.size() * samples_per_cell, n_terms);
     std::vector<long> positions;
-    for (unsigned int i = 0; i < patch.images.size(); ++i)
-      for (unsigned int g = 0; g < samples_per_cell; ++g)
-        {
-          const auto position =
-            (sample_point(patch.images[i], g) - patch.centre) / patch.size;
-          P.row(samples_per_cell * i + g) = terms(position[0], position[1]);
-          for (unsigned int d = 0; d < 2; ++d)
-            positions.push_back(std::lround(position[d] / 1e-9));
-        }
+    for (unsigned int row = 0; row < P.rows(); ++row)
+      {
+        const auto position =
+          (sample_point(patch.images[row / samples_per_cell],
+                        row % samples_per_cell) -
+           patch.centre) /
+          patch.size;
+        P.row(row) = terms(position[0], position[1]);
+        for (unsigned int d = 0; d < 2; ++d)
+          positions.push_back(std::lround(position[d] / 1e-9));
+      }
     const auto [known, is_new] = fits.try_emplace(positions);
-    Fit &fit                   = known->second;
+    auto &[fit, is_determined] = known->second;
     if (is_new)
       {
         Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
         decomposition.setThreshold(1e-6);
         decomposition.compute(P);
-        fit = {std::make_shared<Eigen::MatrixXd>(decomposition.pseudoInverse()),
-               decomposition.rank() == n_terms};
+        fit = std::make_shared<Eigen::MatrixXd>(decomposition.pseudoInverse());
+        is_determined = decomposition.rank() == n_terms;
       }
-    patch.fit = fit.matrix;
-    return fit.is_determined;
+    patch.fit = fit;
+    return is_determined;
   }
 
 
@@ -255,91 +233,53 @@ namespace PlateImpact
   {
     Patch patch;
     patch.centre = mesh.get_vertices()[vertex];
-
-    const std::vector<Image> touching =
-      images_around(vertex, {0, false, false});
-    std::set<Image> images(touching.begin(), touching.end());
+    std::set<Image> images;
+    add_images(vertex, {0, false, false}, images);
     while (true)
       {
         patch.images.assign(images.begin(), images.end());
         patch.size = 0.;
-        for (const Image &image : images)
+        for (const Image &image : patch.images)
           for (unsigned int g = 0; g < samples_per_cell; ++g)
             patch.size =
               std::max(patch.size,
                        patch.centre.distance(sample_point(image, g)));
-        const bool            is_determined = make_fit(patch);
-        const std::set<Image> larger        = grown(images);
-        if (is_determined || larger.size() == images.size())
+        const bool is_determined = make_fit(patch);
+        for (const Image &image : patch.images)
+          for (const unsigned int around : vertices_of_cell[image.cell])
+            add_images(around, image, images);
+        if (is_determined || images.size() == patch.images.size())
           return patch;
-        images = larger;
       }
   }
 
 
 
-  unsigned int
-  StressRecovery::n_cells() const
-  {
-    return vertices_of_cell.size();
-  }
-
-
-
-  unsigned int
-  StressRecovery::n_patches() const
-  {
-    return patches.size();
-  }
-
-
-
-  const std::vector<unsigned int> &
-  StressRecovery::patches_at(const unsigned int cell,
-                             const unsigned int corner) const
-  {
-    return patches_of_corners[cell][corner];
-  }
-
-
-
-  const std::vector<StressRecovery::Image> &
-  StressRecovery::images(const unsigned int patch) const
-  {
-    return patches[patch].images;
-  }
-
-
-
   StressRecovery::Terms
-  StressRecovery::polynomial(const unsigned int patch,
-                             const Point<2>    &point) const
+  StressRecovery::Patch::polynomial(const Point<2> &point) const
   {
-    const auto position = (point - patches[patch].centre) / patches[patch].size;
+    const auto position = (point - centre) / size;
     return terms(position[0], position[1]);
   }
 
 
 
-  void
-  StressRecovery::fit(const unsigned int                 patch,
-                      const std::vector<RowMajorMatrix> &samples,
-                      RowMajorMatrix                    &coefficients) const
+  RowMajorMatrix
+  StressRecovery::Patch::coefficients(
+    const std::vector<RowMajorMatrix> &samples) const
   {
-    const Eigen::MatrixXd    &fit       = *patches[patch].fit;
-    const std::vector<Image> &images    = patches[patch].images;
-    const Eigen::Index        n_columns = samples[images.front().cell].cols(),
-                       n_fields         = n_columns / n_resultants;
-    RowMajorMatrix patch_samples(fit.cols(), n_columns);
+    const Eigen::Index n_columns = samples[images.front().cell].cols(),
+                       n_fields  = n_columns / n_resultants;
+    RowMajorMatrix patch_samples(fit->cols(), n_columns);
     for (unsigned int i = 0; i < images.size(); ++i)
       {
         auto rows =
           patch_samples.middleRows<samples_per_cell>(samples_per_cell * i);
         rows = samples[images[i].cell];
         for (unsigned int k = 0; k < n_resultants; ++k)
-          if (parity(k, images[i].mirrored_x, images[i].mirrored_y) < 0.)
+          if (changes_sign(k, images[i]))
             rows.middleCols(n_fields * k, n_fields) *= -1.;
       }
-    coefficients.noalias() = fit * patch_samples;
+    return *fit * patch_samples;
   }
 } // namespace PlateImpact

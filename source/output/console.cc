@@ -67,7 +67,7 @@ namespace PlateImpact
     if (result.error)
       {
         eta = 100. * result.error->eta;
-        xi  = result.over_limit->max_element();
+        xi  = result.error_ratios->max_element();
       }
     if (result.history)
       {
@@ -135,9 +135,9 @@ namespace PlateImpact
         if (!for_peak && last.error &&
             last.error->eta <= adaptivity.target_error &&
             outcome != Outcome::target_reached &&
-            last.over_limit->max_element() >= 1.)
-          std::cout << ", largest xi' " << about(last.over_limit->max_element())
-                    << " (limit 1)";
+            last.error_ratios->max_element() >= 1.)
+          std::cout << ", largest xi' "
+                    << about(last.error_ratios->max_element()) << " (limit 1)";
         if (!for_peak && last.cells_at_minimum_size > 0)
           std::cout << " (cells at the minimum size that keep xi' >= 1: "
                     << last.cells_at_minimum_size << ")";

@@ -175,8 +175,8 @@ namespace PlateImpact
              result.error->kept_element_errors[sample_of_frame[i]])
           cell_errors.push_back(
             error > 0.f ?
-              quantized(1e4 *
-                        std::log10(error / result.over_limit->element_limit)) :
+              quantized(
+                1e4 * std::log10(error / result.error_ratios->element_limit)) :
               std::numeric_limits<std::int16_t>::min());
       }
     const std::array<bool, 2> symmetric = discretization.is_symmetric();

@@ -31,7 +31,7 @@ namespace PlateImpact
     void
     write_element_errors(std::ostream               &out,
                          const Triangulation<2>     &mesh,
-                         const ErrorOverLimit       &error,
+                         const ErrorRatios          &error,
                          const AdaptivityParameters &adaptivity)
     {
       const std::vector<double> sizes = target_sizes(mesh, error, adaptivity);
@@ -129,7 +129,7 @@ namespace PlateImpact
                            [&](std::ostream &out) {
                              write_element_errors(out,
                                                   mesh,
-                                                  *result.over_limit,
+                                                  *result.error_ratios,
                                                   scene.parameters.adaptivity);
                            });
     if (scene.parameters.output.write_meshes)
@@ -178,8 +178,8 @@ namespace PlateImpact
 
     std::vector<std::pair<double, std::string>> record;
     Vector<double>                              fields(dof_handler.n_dofs());
-    Vector<float> element_errors(result.over_limit->elements.begin(),
-                                 result.over_limit->elements.end());
+    Vector<float> element_errors(result.error_ratios->elements.begin(),
+                                 result.error_ratios->elements.end());
     std::vector<types::global_dof_index> dofs(fields_element.n_dofs_per_cell());
     Eigen::MatrixXd                      values;
     for (const Snapshot &snapshot : result.snapshots)

@@ -340,7 +340,7 @@ namespace PlateImpact
                                 result.element_errors());
         if (result.error)
           mesh.fields.push_back(
-            {"local error ratio ξ′", true, result.over_limit->elements});
+            {"local error ratio ξ′", true, result.error_ratios->elements});
         if (result.peak_state)
           for (const CellField &field :
                resultant_fields(*result.peak_state, cycle))

@@ -1,6 +1,6 @@
 #include "plate_impact/output/run_in_words.h"
 
-#include "plate_impact/analysis/peak_force_bar.h"
+#include "plate_impact/estimator/peak_force_error.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/contact/impactor.h"
 #include "plate_impact/contact/zener.h"

@@ -107,7 +107,7 @@ namespace PlateImpact
             cycle["discretization_error_of_all_cells"] =
               result.error->eta_of_all_cells;
           }
-        cycle["max_element_error"]     = result.over_limit->max_element();
+        cycle["max_element_error"]     = result.error_ratios->max_element();
         cycle["cells_above_limit"]     = result.cells_above_limit;
         cycle["cells_at_minimum_size"] = result.cells_at_minimum_size;
       }

@@ -330,9 +330,8 @@ namespace PlateImpact
   void
   SceneChecker::complete_time(const ExpectedPeak &peak)
   {
-    const AdaptivityParameters &adaptivity = scene.adaptivity;
-    const bool                  is_for_peak =
-      adaptivity.is_adaptive() && adaptivity.goal == AdaptationGoal::peak_force;
+    const AdaptivityParameters &adaptivity  = scene.adaptivity;
+    const bool                  is_for_peak = adaptivity.is_for_peak_force();
     if (scene.time.time_step == 0.)
       {
         TimeParameters time = scene.time;

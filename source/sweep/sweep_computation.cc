@@ -2,7 +2,7 @@
 
 #include "plate_impact/analysis/impact_analysis.h"
 #include "plate_impact/analysis/impact_figures.h"
-#include "plate_impact/analysis/reliability.h"
+#include "plate_impact/analysis/warnings.h"
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/plate/plate_geometry.h"
@@ -167,14 +167,12 @@ namespace PlateImpact
     result.history       = computed.impact.history;
     result.sensitivity   = plate.sensitivity(*result.history);
     result.min_cell_size = min_cell_size;
+    const ImpactEstimate expected(parameters, point.expected);
     // an adapted mesh was judged with the worst point
     computed.warnings =
       (parameters.adaptivity.is_adaptive() ?
-         impact_warnings(parameters, 2. * point.expected.time, result) :
-         reliability_warnings(parameters,
-                              mesh,
-                              result,
-                              ImpactEstimate(parameters)))
+         impact_warnings(parameters, result, expected) :
+         reliability_warnings(parameters, mesh, result, expected))
         .all();
     computed.warnings.insert(computed.warnings.end(),
                              mesh_warnings.begin(),
@@ -200,7 +198,7 @@ namespace PlateImpact
     const AdaptivityParameters &adaptivity = worst.parameters.adaptivity;
     if (adaptivity.goal == AdaptationGoal::peak_force)
       {
-        if (!meets_force_target(last, adaptivity))
+        if (!make_goal(adaptivity)->is_met(last))
           mesh_warnings.push_back(
             "on the mesh of the plate for its hardest point, the error bar of "
             "the peak force does not meet Adaptivity/Target peak force error, " +

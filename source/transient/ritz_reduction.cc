@@ -167,7 +167,8 @@ namespace PlateImpact
       // contact_time, where the mesh carries them: coarse ones have fewer
       // vectors. Zener's contact is that of a point.
       const TimeParameters &time = scene.time;
-      if (make_half_space_contact(scene)->hertz_coefficient() == std::nullopt ||
+      if (make_half_space_contact(scene).first_loading().hertz_coefficient() ==
+            std::nullopt ||
           n_unknowns < 3. * time.end_time / time.time_step)
         return false;
       const ImpactEstimate expected(scene);

@@ -2,7 +2,7 @@
 //   build/release/tests/benchmark/benchmarks
 #include <deal.II/base/multithread_info.h>
 
-#include "plate_impact/adaptation/make_mesh_adaptation.h"
+#include "plate_impact/adaptation/mesh_adaptation.h"
 #include "plate_impact/analysis/impact_analysis.h"
 #include "plate_impact/contact/make_contact.h"
 #include "plate_impact/estimator/energy_norm_estimator.h"
@@ -323,7 +323,7 @@ namespace PlateImpact
         return adaptivity;
       }());
       std::vector<std::string> warnings;
-      ErrorOverLimit           error;
+      ErrorRatios              error;
       for (const auto &cell : stages.mesh->active_cell_iterators())
         error.elements.push_back(0.02 / cell->center().norm());
       for (auto _ : state)

@@ -12,28 +12,16 @@ namespace PlateImpact
   class GradedRefinement : public MeshAdaptation
   {
   public:
-    /// @param contact_half_length  as in make_mesh_adaptation() [m]
-    GradedRefinement(const AdaptivityParameters &adaptivity,
-                     double                      contact_half_length);
+    using MeshAdaptation::MeshAdaptation;
 
     bool
     adapt(dealii::Triangulation<2> &mesh,
-          const ErrorOverLimit     &error,
+          const ErrorRatios        &error,
           std::vector<std::string> &warnings) const override;
-
-    /// Refines cells larger than theta r once, unless the mesh had more than
-    /// the maximum of cells then.
-    /// @return whether the mesh is refined
-    bool
-    refine(dealii::Triangulation<2> &mesh, double theta) const;
-
-  private:
-    const AdaptivityParameters adaptivity;
-    const double               contact_half_length;
   };
 
 
-  /// Halves cells until those at the load are no larger than its patch, or the
+  /// Refines cells until those at the load are no larger than its patch, or the
   /// thickness, and others no larger than their distance from it, or 5000 cells
   /// are too few for it.
   void

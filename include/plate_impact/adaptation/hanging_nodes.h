@@ -11,19 +11,17 @@ namespace PlateImpact
   class HangingNodeAdaptation : public MeshAdaptation
   {
   public:
-    explicit HangingNodeAdaptation(const AdaptivityParameters &adaptivity);
+    using MeshAdaptation::MeshAdaptation;
 
     bool
     adapt(dealii::Triangulation<2> &mesh,
-          const ErrorOverLimit     &error,
+          const ErrorRatios        &error,
           std::vector<std::string> &warnings) const override;
 
-    double
-    n_wanted_cells(const dealii::Triangulation<2> &mesh,
-                   const ErrorOverLimit           &error) const override;
-
-  private:
-    const AdaptivityParameters adaptivity;
+  protected:
+    std::vector<double>
+    wanted_sizes(const dealii::Triangulation<2> &mesh,
+                 const ErrorRatios              &error) const override;
   };
 } // namespace PlateImpact
 

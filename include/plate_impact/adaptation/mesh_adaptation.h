@@ -5,8 +5,9 @@
 #include <deal.II/grid/tria.h>
 
 #include "plate_impact/base/parameters.h"
-#include "plate_impact/estimator/error_over_limit.h"
+#include "plate_impact/estimator/error_estimator.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,7 @@ namespace PlateImpact
   /// a cell is coarsened is decided on these, its size by allowed_size(). [m]
   std::vector<double>
   target_sizes(const dealii::Triangulation<2> &mesh,
-               const ErrorOverLimit           &error,
+               const ErrorRatios              &error,
                const AdaptivityParameters     &adaptivity);
 
   /// The size nearest to one that is wanted, between the minimum and the
@@ -47,6 +48,11 @@ namespace PlateImpact
   class MeshAdaptation
   {
   public:
+    /// @param contact_half_length  l of a contact along 0 <= x <= l; 0 for a
+    ///                             sphere [m]
+    MeshAdaptation(const AdaptivityParameters &adaptivity,
+                   double                      contact_half_length);
+
     virtual ~MeshAdaptation() = default;
 
     /// Changes the mesh.
@@ -55,27 +61,32 @@ namespace PlateImpact
     /// @throws ComputationError when there is no new mesh
     virtual bool
     adapt(dealii::Triangulation<2> &mesh,
-          const ErrorOverLimit     &error,
+          const ErrorRatios        &error,
           std::vector<std::string> &warnings) const = 0;
 
-    /// About how many cells the mesh would have after adapt(), where that may
-    /// be any number; by default as many as now, for strategies that halve
-    /// cells once, whose mesh can be made and counted.
-    virtual double
+    /// About how many cells the mesh would have after adapt(), by
+    /// wanted_sizes(); without those as many as now.
+    double
     n_wanted_cells(const dealii::Triangulation<2> &mesh,
-                   const ErrorOverLimit           &error) const;
+                   const ErrorRatios              &error) const;
+
+  protected:
+    /// Sizes of cells that take the place of the present ones, by active index;
+    /// none by default, for strategies that refine cells once, whose mesh can
+    /// be made and counted. [m]
+    virtual std::vector<double>
+    wanted_sizes(const dealii::Triangulation<2> &mesh,
+                 const ErrorRatios              &error) const;
+
+    const AdaptivityParameters adaptivity;
+    const double               contact_half_length;
   };
 
 
-  /// Leaves the mesh as it is.
-  class KeptMesh : public MeshAdaptation
-  {
-  public:
-    bool
-    adapt(dealii::Triangulation<2> &mesh,
-          const ErrorOverLimit     &error,
-          std::vector<std::string> &warnings) const override;
-  };
+  /// The strategy that the scene names; `none` keeps the mesh.
+  std::unique_ptr<const MeshAdaptation>
+  make_mesh_adaptation(const AdaptivityParameters &adaptivity,
+                       double                      contact_half_length = 0.);
 } // namespace PlateImpact
 
 #endif

@@ -1,22 +1,21 @@
 #ifndef plate_impact_adaptation_quad_mesher_h
 #define plate_impact_adaptation_quad_mesher_h
 
+#include <deal.II/base/point.h>
+
 #include <array>
 #include <string>
 #include <vector>
 
 namespace PlateImpact
 {
-  /// A point in the plane of the plate. [m]
-  using PlanePoint = std::array<double, 2>;
-
   /// Target sizes of a mesh, bilinear in quadrilaterals that cover its domain.
   struct SizeField
   {
     struct Patch
     {
-      std::array<PlanePoint, 4> corners; ///< counter-clockwise
-      std::array<double, 4>     sizes;   ///< there [m]
+      std::array<dealii::Point<2>, 4> corners; ///< counter-clockwise
+      std::array<double, 4>           sizes;   ///< there [m]
     };
     std::vector<Patch> patches;
   };
@@ -25,7 +24,7 @@ namespace PlateImpact
   /// Quadrilaterals as Gmsh makes them.
   struct QuadMesh
   {
-    std::vector<PlanePoint>                  vertices;
+    std::vector<dealii::Point<2>>            vertices;
     std::vector<std::array<unsigned int, 4>> cells; ///< counter-clockwise
 
     /// Smallest scaled Jacobian, the sine of the angle at a corner, over all
@@ -46,43 +45,33 @@ namespace PlateImpact
   };
 
 
-  /// Meshes polygons with quadrilaterals by Gmsh (Geuzaine & Remacle 2009,
+  /// Frontal Delaunay with Blossom; then triangles cut into three
+  /// quadrilaterals each, which cannot fail once there are triangles.
+  std::vector<MesherSettings>
+  default_mesher_settings();
+
+
+  /// Meshes a polygon with quadrilaterals by Gmsh (Geuzaine & Remacle 2009,
   /// doi:10.1002/nme.2579): frontal Delaunay triangles, recombined into
   /// quadrilaterals by perfect matching (Remacle et al. 2012,
   /// doi:10.1002/nme.3279). The longest side of the cells has the target size
   /// on average, and scatters around it by about a third. The same input gives
-  /// the same mesh.
-  class QuadMesher
-  {
-  public:
-    /// Frontal Delaunay with Blossom; then triangles cut into three
-    /// quadrilaterals each, which cannot fail once there are triangles.
-    static std::vector<MesherSettings>
-    default_settings();
-
-    /// Cells with a corner sharper or blunter than that of this scaled
-    /// Jacobian are refused.
-    static constexpr double least_quality = 0.15;
-
-    /// @param attempts  settings to try, in this order
-    explicit QuadMesher(
-      const std::vector<MesherSettings> &attempts = default_settings());
-
-    /// @param corners   of the domain, counter-clockwise, each a vertex of the
-    ///                  mesh. Vertices between two corners of equal x or y have
-    ///                  exactly that x or y.
-    /// @param warnings  told why settings were given up, if any were
-    /// @param inside    points of the domain that are vertices too
-    /// @throws ComputationError when no settings give a mesh of quadrilaterals
-    QuadMesh
-    mesh(const std::vector<PlanePoint> &corners,
-         const SizeField               &sizes,
-         std::vector<std::string>      &warnings,
-         const std::vector<PlanePoint> &inside = {}) const;
-
-  private:
-    const std::vector<MesherSettings> attempts;
-  };
+  /// the same mesh. Cells with a scaled Jacobian below 0.15 are refused.
+  ///
+  /// @param corners   of the domain, counter-clockwise, each a vertex of the
+  ///                  mesh. Vertices between two corners of equal x or y have
+  ///                  exactly that x or y.
+  /// @param inside    points of the domain that are vertices too
+  /// @param warnings  told why settings were given up, if any were
+  /// @param attempts  settings to try, in this order
+  /// @throws ComputationError when no settings give a mesh of quadrilaterals
+  QuadMesh
+  mesh_by_gmsh(
+    const std::vector<dealii::Point<2>> &corners,
+    const std::vector<dealii::Point<2>> &inside,
+    const SizeField                     &sizes,
+    std::vector<std::string>            &warnings,
+    const std::vector<MesherSettings>   &attempts = default_mesher_settings());
 } // namespace PlateImpact
 
 #endif

@@ -2,7 +2,6 @@
 #define plate_impact_adaptation_remeshing_h
 
 #include "plate_impact/adaptation/mesh_adaptation.h"
-#include "plate_impact/adaptation/quad_mesher.h"
 
 #include <vector>
 
@@ -21,40 +20,23 @@ namespace PlateImpact
   class Remeshing : public MeshAdaptation
   {
   public:
-    /// @param contact_half_length  as in make_mesh_adaptation() [m]
-    Remeshing(const AdaptivityParameters &adaptivity,
-              double                      contact_half_length,
-              const QuadMesher           &mesher = QuadMesher());
+    using MeshAdaptation::MeshAdaptation;
 
     bool
     adapt(dealii::Triangulation<2> &mesh,
-          const ErrorOverLimit     &error,
+          const ErrorRatios        &error,
           std::vector<std::string> &warnings) const override;
 
-    double
-    n_wanted_cells(const dealii::Triangulation<2> &mesh,
-                   const ErrorOverLimit           &error) const override;
-
-  private:
+  protected:
     std::vector<double>
     wanted_sizes(const dealii::Triangulation<2> &mesh,
-                 const ErrorOverLimit           &error) const;
+                 const ErrorRatios              &error) const override;
+
+  private:
     bool
     is_worth_it(const dealii::Triangulation<2> &mesh,
-                const ErrorOverLimit           &error,
+                const ErrorRatios              &error,
                 const std::vector<double>      &sizes) const;
-
-    /// Corners of the domain, and vertices within it.
-    struct Outline
-    {
-      std::vector<PlanePoint> corners, inside;
-    };
-    Outline
-    outline(const dealii::Triangulation<2> &mesh) const;
-
-    const AdaptivityParameters adaptivity;
-    const double               contact_half_length;
-    const QuadMesher           mesher;
   };
 } // namespace PlateImpact
 

@@ -1,60 +1,58 @@
 #ifndef plate_impact_analysis_adaptation_control_h
 #define plate_impact_analysis_adaptation_control_h
 
-#include "plate_impact/analysis/cycle_result.h"
-#include "plate_impact/analysis/outcome.h"
-#include "plate_impact/base/parameters.h"
+#include "plate_impact/analysis/goal.h"
 
+#include <memory>
 #include <optional>
 
 namespace PlateImpact
 {
-  /// Whether the bar of the peak force meets its target.
-  bool
-  meets_force_target(const CycleResult          &result,
-                     const AdaptivityParameters &adaptivity);
-
-
-  /// What the goal makes smaller by better meshes: eta, or the mesh's part of
-  /// the error of the peak force, infinite where it cannot be estimated.
-  double
-  error_of_goal(const CycleResult          &result,
-                const AdaptivityParameters &adaptivity);
-
-
   /// When an analysis ends and what its next mesh is made for: by default, as
-  /// Table 1 of the paper, when the scene's target error is met by the whole
-  /// and by every cell that may still be refined.
+  /// Table 1 of the paper, when the goal of the scene is met.
   class AdaptationControl
   {
   public:
-    explicit AdaptationControl(const AdaptivityParameters &adaptivity);
+    explicit AdaptationControl(const AdaptivityParameters &adaptivity)
+      : adaptivity(adaptivity)
+      , goal(make_goal(adaptivity))
+      , target(adaptivity.target())
+    {}
 
     virtual ~AdaptationControl() = default;
 
     /// Why the analysis ends with this cycle; empty when it goes on.
     virtual std::optional<Outcome>
-    check(const CycleResult &result);
+    check(const CycleResult &result)
+    {
+      if (!adaptivity.is_adaptive() || !result.error_ratios)
+        return Outcome::single_mesh;
+      if (const auto outcome = goal->outcome(result))
+        return outcome;
+      if (result.cycle == adaptivity.maximum_cycles)
+        return Outcome::maximum_cycles;
+      return {};
+    }
 
     /// Where the target gives no other mesh: whether there is a smaller one to
-    /// try, which target_error() then is.
+    /// try.
     virtual bool
-    tighten();
+    tighten()
+    {
+      return false;
+    }
 
-    /// The error that the next mesh is made for.
-    double
-    target_error() const;
-
-  private:
-    bool
-    is_met(const CycleResult &result) const;
-    /// Whether it is not the mesh that keeps the peak force from its target.
-    bool
-    step_is_too_coarse(const CycleResult &result) const;
+    /// Errors of the cells, by what the next mesh is made for.
+    ErrorRatios
+    error_ratios(const Cycle &cycle) const
+    {
+      return goal->error_ratios(cycle, target);
+    }
 
   protected:
-    const AdaptivityParameters adaptivity;
-    double                     target;
+    const AdaptivityParameters        adaptivity;
+    const std::unique_ptr<const Goal> goal;
+    double                            target;
   };
 } // namespace PlateImpact
 

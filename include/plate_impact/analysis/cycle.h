@@ -29,10 +29,16 @@ namespace PlateImpact
           std::unique_ptr<dealii::Triangulation<2>> mesh);
 
     const PlateDiscretization &
-    discretization() const;
+    discretization() const
+    {
+      return plate.discretization();
+    }
 
     const dealii::Triangulation<2> &
-    mesh() const;
+    mesh() const
+    {
+      return discretization().mesh();
+    }
 
     /// As the function of that name.
     Eigen::MatrixXd
@@ -44,11 +50,11 @@ namespace PlateImpact
     const StressRecovery &
     recovery() const;
 
-    StruckPlate plate;
-    CycleResult result;
+    const Parameters &parameters;
+    StruckPlate       plate;
+    CycleResult       result;
 
   private:
-    const Parameters                     &parameters;
     mutable std::optional<StressRecovery> stress_recovery;
   };
 } // namespace PlateImpact

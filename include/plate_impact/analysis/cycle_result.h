@@ -1,15 +1,91 @@
 #ifndef plate_impact_analysis_cycle_result_h
 #define plate_impact_analysis_cycle_result_h
 
-#include "plate_impact/analysis/observation.h"
-#include "plate_impact/analysis/peak_force_bar.h"
-#include "plate_impact/estimator/error_over_limit.h"
+#include "plate_impact/base/parameters.h"
+#include "plate_impact/contact/contact_history.h"
+#include "plate_impact/estimator/error_estimator.h"
+#include "plate_impact/estimator/peak_force_error.h"
+#include "plate_impact/plate/snapshot.h"
+#include "plate_impact/transient/loaded_plate.h"
 
 #include <optional>
 #include <vector>
 
 namespace PlateImpact
 {
+  /// What a scene paid for.
+  struct Work
+  {
+    unsigned int factorizations    = 0;
+    unsigned int linear_solves     = 0;
+    unsigned int contact_steps     = 0; ///< with a force other than zero
+    unsigned int estimator_samples = 0;
+    unsigned int ritz_vectors      = 0;
+  };
+
+  /// Wall time of the stages of a cycle, every second in one of them. [s]
+  struct Seconds
+  {
+    double mesh = 0., assembly = 0., factorization = 0., stepping = 0.,
+           estimation = 0., output = 0.;
+
+    double
+    total() const
+    {
+      return mesh + assembly + factorization + stepping + estimation + output;
+    }
+
+    Seconds &
+    operator+=(const Seconds &other)
+    {
+      mesh += other.mesh;
+      assembly += other.assembly;
+      factorization += other.factorization;
+      stepping += other.stepping;
+      estimation += other.estimation;
+      output += other.output;
+      return *this;
+    }
+  };
+
+  /// What somebody wants of a transient besides its force.
+  struct Wanted
+  {
+    bool         errors = false; ///< of the stresses and of the peak force
+    bool         film   = false; ///< states for the page
+    unsigned int fields = 0;     ///< states for the files of fields
+  };
+
+  /// What a transient on a mesh has shown. Empty optionals are quantities that
+  /// were not wanted, or that the impact does not have.
+  struct Observation
+  {
+    TimeParameters                time; ///< end and steps of the transient
+    std::optional<ContactHistory> history;
+    unsigned int                  steps   = 0;
+    double                        impulse = 0.;    ///< [N s]
+    std::optional<double>         separation_time; ///< no contact since [s]
+
+    std::optional<double> time_error; ///< of the peak force, relative to it
+    double vector_error = 0.; ///< the same of Ritz vectors; 0 on the mesh
+    std::optional<PeakForceError> peak_force_error; ///< by the mesh
+    std::optional<Sensitivity>    sensitivity;      ///< of several contacts
+    std::optional<ErrorEstimate>  error;            ///< of the stresses
+
+    std::vector<Snapshot> snapshots; ///< for the files of fields
+
+    /// For the page: the state of the largest force, and states evenly over the
+    /// samples of the estimator, those of error->kept_element_errors.
+    std::optional<Snapshot> peak_state;
+    std::vector<Snapshot>   frames;
+
+    Work    work;    ///< on the mesh, those of transients before included
+    Seconds seconds; ///< of this transient
+
+    /// For this force alone: what the choice of steps or vectors is judged by.
+    unsigned int new_vectors = 0, new_solves = 0;
+  };
+
   /// The peak force again, on the mesh with every cell halved.
   struct Verification
   {
@@ -20,8 +96,8 @@ namespace PlateImpact
   /// What an observation is worth, by the targets of the scene.
   struct Judgement
   {
-    std::optional<ErrorOverLimit> over_limit; ///< of the energy norm's target
-    unsigned int                  cells_above_limit = 0; ///< xi' >= 1
+    std::optional<ErrorRatios> error_ratios; ///< of the energy norm's target
+    unsigned int               cells_above_limit = 0; ///< xi' >= 1
     unsigned int cells_at_minimum_size = 0;     ///< of these, not to be refined
     std::optional<PeakForceBar> peak_force_bar; ///< none on blind meshes
   };
@@ -38,7 +114,7 @@ namespace PlateImpact
     std::vector<double>
     element_errors() const
     {
-      return over_limit ? over_limit->elements : std::vector<double>();
+      return error_ratios ? error_ratios->elements : std::vector<double>();
     }
 
     std::vector<double> natural_frequencies; ///< where asked for [Hz]

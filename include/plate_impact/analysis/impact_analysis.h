@@ -7,12 +7,11 @@
 #include "plate_impact/analysis/adaptation_control.h"
 #include "plate_impact/analysis/analysis_listener.h"
 #include "plate_impact/analysis/cycle.h"
-#include "plate_impact/analysis/model_warnings.h"
-#include "plate_impact/analysis/outcome.h"
-#include "plate_impact/analysis/steps_or_vectors.h"
 #include "plate_impact/analysis/time_control.h"
+#include "plate_impact/analysis/warnings.h"
 #include "plate_impact/base/parameters.h"
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -27,14 +26,12 @@ namespace PlateImpact
   class ImpactAnalysis
   {
   public:
-    /// Makes the first mesh.
-    explicit ImpactAnalysis(const Parameters &parameters);
-
-    /// @param mesh    the first one
-    /// @param wanted  in place of what the scene asks for
-    ImpactAnalysis(const Parameters                         &parameters,
-                   std::unique_ptr<dealii::Triangulation<2>> mesh,
-                   const Wanted                             &wanted);
+    /// @param first_mesh  null: made for the scene
+    /// @param wanted      in place of what the scene asks for
+    explicit ImpactAnalysis(
+      const Parameters                         &parameters,
+      std::unique_ptr<dealii::Triangulation<2>> first_mesh = nullptr,
+      const std::optional<Wanted>              &wanted     = {});
 
     /// Computes on one mesh after another, beginning with the present one.
     /// @return why it ends
@@ -46,26 +43,30 @@ namespace PlateImpact
     Outcome
     run();
 
-    /// Halves every cell of the present mesh, whatever the strategy and the
+    /// Refines every cell of the present mesh, whatever the strategy and the
     /// minimum cell size.
     void
     refine_everywhere();
 
     /// Computes the peak force of the last cycle again, with every cell of its
-    /// mesh halved.
+    /// mesh refined.
     /// @throws ComputationError naming step and quantity
     void
     verify();
 
     /// The last one; there is one after run().
-    const Cycle &
-    last_cycle() const;
     Cycle &
-    last_cycle();
+    last_cycle() const
+    {
+      return *current;
+    }
 
     /// What a user should know about the meshes so far.
     const std::vector<std::string> &
-    warnings() const;
+    warnings() const
+    {
+      return adaptation_warnings;
+    }
 
     /// All that a user should know about the last result, the meshes included.
     Warnings
@@ -78,10 +79,8 @@ namespace PlateImpact
     /// Strikes the plate until that is enough to judge the mesh.
     void
     watch(AnalysisListener &listener);
-    /// The transient of the window; its history, where nothing but the time of
-    /// its peak is wanted.
-    Parameters
-    plan(AnalysisListener &listener);
+    /// The transient of the window; its history alone, where nothing but the
+    /// time of its peak is wanted.
     void
     observe(AnalysisListener &listener);
     Judgement
@@ -89,13 +88,6 @@ namespace PlateImpact
     /// Of the bar of the peak force; empty on blind meshes.
     std::optional<double>
     mesh_part_of_bar() const;
-    /// By the goal of the scene.
-    ErrorOverLimit
-    over_limit(double target) const;
-    /// Where there is no bar the mesh hides the load, or the waves that it
-    /// sends out, from the estimate: one halving, whatever that says.
-    void
-    refine_at_load(ErrorOverLimit &error) const;
     std::optional<Outcome>
     adapt(AdaptationControl &control, AnalysisListener &listener);
 
@@ -112,7 +104,11 @@ namespace PlateImpact
     std::vector<std::string>  adaptation_warnings;
     std::optional<PeakOnMesh> peak_here, peak_before; ///< mesh before
     Window                    window;                 ///< the last, or the next
-    StepsOrVectors            steps_or_vectors;
+
+    /// Of a mesh on which Ritz vectors were more than steps, or nearly so: a
+    /// finer mesh needs more vectors, and one of about its size as many.
+    unsigned int unknowns_in_vain = std::numeric_limits<unsigned int>::max(),
+                 steps_in_vain    = 0;
   };
 } // namespace PlateImpact
 

@@ -3,10 +3,46 @@
 
 #include "plate_impact/analysis/analysis_listener.h"
 #include "plate_impact/analysis/cycle.h"
-#include "plate_impact/analysis/observation.h"
+#include "plate_impact/base/stage_clock.h"
 
 namespace PlateImpact
 {
+  /// Charges wall time to the stages of a transient. Matrices and
+  /// factorizations are made when they are first needed: their seconds are
+  /// taken out of the stage in which that was.
+  class StageCharges
+  {
+  public:
+    /// Both must outlive this object.
+    StageCharges(const StruckPlate &plate, Seconds &seconds)
+      : plate(plate)
+      , seconds(seconds)
+      , noted(plate.work())
+    {}
+
+    /// Since the last charge, or since this object was made.
+    void
+    charge(double Seconds::*stage)
+    {
+      clock.charge(seconds.*stage);
+      const StruckPlate::Work work = plate.work();
+      const double assembly = work.assembly_seconds - noted.assembly_seconds,
+                   factorization =
+                     work.factorization_seconds - noted.factorization_seconds;
+      seconds.assembly += assembly;
+      seconds.factorization += factorization;
+      seconds.*stage -= assembly + factorization;
+      noted = work;
+    }
+
+  private:
+    const StruckPlate &plate;
+    Seconds           &seconds;
+    StruckPlate::Work  noted;
+    StageClock         clock;
+  };
+
+
   /// What a scene asks for.
   Wanted
   wanted_by(const Parameters &parameters);

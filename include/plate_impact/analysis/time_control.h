@@ -13,9 +13,9 @@ namespace PlateImpact
   /// How far a transient goes.
   enum class Extent
   {
-    scouted, ///< to its end, for the time of its peak only
-    to_peak, ///< no longer than the peak takes
-    whole    ///< to its end
+    peak_search, ///< to its end, for the time of its peak only
+    to_peak,     ///< no longer than the peak takes
+    whole        ///< to its end
   };
 
   /// What is watched of an impact.
@@ -77,8 +77,8 @@ namespace PlateImpact
 
     const Parameters scene;
     const bool       is_for_peak;
-    const double     length_of_rise; ///< expected, with some reserve [s]
-    const double     echo;           ///< when waves are back [s]
+    const double     length_of_rise;  ///< expected, with some reserve [s]
+    const double     return_of_waves; ///< when waves are back [s]
   };
 } // namespace PlateImpact
 

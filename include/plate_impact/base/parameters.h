@@ -250,6 +250,13 @@ namespace PlateImpact
     {
       return strategy != AdaptationStrategy::none;
     }
+
+    /// Whether it does so for the peak force.
+    bool
+    is_for_peak_force() const
+    {
+      return is_adaptive() && goal == AdaptationGoal::peak_force;
+    }
   };
 
   struct OutputParameters

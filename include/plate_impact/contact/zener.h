@@ -103,6 +103,8 @@ namespace PlateImpact
   struct ImpactEstimate
   {
     explicit ImpactEstimate(const Parameters &scene);
+    /// @param peak  as zener_peak(scene), where it is known
+    ImpactEstimate(const Parameters &scene, const ExpectedPeak &peak);
 
     ExpectedPeak peak;
     double       contact_time; ///< [s]

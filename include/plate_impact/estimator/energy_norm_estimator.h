@@ -22,7 +22,7 @@ namespace PlateImpact
   /// with sigma* recovered by patches (StressRecovery), and time integrals by
   /// the trapezoidal rule over samples. While the plate is at rest eta_i is
   /// taken as 0 (the paper's table has 0/0 at t = 0). What a cell may have of
-  /// the error is for the adaptation to say (error_over_limit()).
+  /// the error is for the adaptation to say (ErrorRatios).
   ///
   /// Under a point load the energy of the exact error is infinite around the
   /// load, on every mesh: there is nothing to estimate, and nearer than about
@@ -64,9 +64,9 @@ namespace PlateImpact
 
     /// Takes states as combinations of fields.
     void
-    evaluate(const std::vector<double>               &times,
-             const Eigen::Ref<const Eigen::MatrixXd> &fields,
-             const Eigen::MatrixXd                   &coordinates);
+    evaluate(const std::vector<double> &times,
+             const Eigen::MatrixXd     &fields,
+             const Eigen::MatrixXd     &coordinates);
     void
     integrate(double                 time,
               const Eigen::VectorXd &e2,
@@ -74,26 +74,19 @@ namespace PlateImpact
               double                 u2);
     /// At the vertices of a cell, for states that are combinations of fields.
     void
-    update_max_stress(
-      const dealii::Triangulation<2>::active_cell_iterator &cell,
-      RecoveredField                                       &field,
-      const Eigen::MatrixXd                                &coordinates,
-      std::vector<bool>                                    &vertex_is_done);
+    update_max_stress(const RecoveredField::Cell &cell,
+                      RecoveredField             &field,
+                      const Eigen::MatrixXd      &coordinates,
+                      std::vector<bool>          &vertex_is_done);
 
-    const PlateDiscretization        &discretization;
-    const StressRecovery             &recovery;
-    const unsigned int                kept_interval;
-    const Eigen::Matrix<double, 5, 5> root_of_compliance;
-    Eigen::VectorXd                   is_counted; ///< 0 for singular cells
+    const PlateDiscretization &discretization;
+    const StressRecovery      &recovery;
+    const unsigned int         kept_interval;
+    Eigen::VectorXd            is_counted; ///< 0 for singular cells
 
-    /// integrals so far, and integrands at the last time
-    double          last_time = 0.;
-    Norms           norm_integrals, last_norms;
-    Eigen::VectorXd relative_integral, last_relative; ///< ||e||_i by norm
-    Eigen::MatrixXd max_stresses;
-
-    std::vector<double>          sample_times, sample_errors;
-    std::vector<Eigen::VectorXf> kept_element_errors;
+    TimeIntegral<Norms>           norms;
+    TimeIntegral<Eigen::VectorXd> relative; ///< ||e||_i by the norm
+    ErrorEstimate                 samples;  ///< stresses, errors over time
   };
 } // namespace PlateImpact
 

@@ -3,10 +3,31 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <vector>
 
 namespace PlateImpact
 {
+  /// Errors over what a target allows (Table 1 of the paper): every cell may
+  /// have the same share of the target,
+  ///   e_m = target (||u||^2 + ||e||^2)^{1/2} / n^{1/2},
+  /// so that the target is met when all cells keep to it. n is the number of
+  /// cells that count, e_m their limit and that of singular ones.
+  struct ErrorRatios
+  {
+    double overall       = 0.; ///< eta / target
+    double element_limit = 0.; ///< e_m / (||u||^2 + ||e||^2)^{1/2}
+    /// xi' = 1/T int ||e||_i / e_m dt, by active index.
+    std::vector<double> elements;
+
+    double
+    max_element() const
+    {
+      return *std::max_element(elements.begin(), elements.end());
+    }
+  };
+
+
   /// Result of the estimator for one mesh; cells by active index.
   struct ErrorEstimate
   {
@@ -34,6 +55,9 @@ namespace PlateImpact
 
     /// The same without the mean, at the samples that were to be kept.
     std::vector<Eigen::VectorXf> kept_element_errors;
+
+    ErrorRatios
+    ratios(double target_error) const;
   };
 
 
@@ -57,6 +81,37 @@ namespace PlateImpact
     virtual ErrorEstimate
     estimate() const = 0;
   };
+
+
+  /// Integral over time of what is zero at t = 0, by the trapezoidal rule.
+  template <typename Value>
+  struct TimeIntegral
+  {
+    explicit TimeIntegral(const Value &zero)
+      : integral(zero)
+      , last(zero)
+    {}
+
+    void
+    add(const double at, const Value &integrand)
+    {
+      integral += 0.5 * (at - time) * (last + integrand);
+      time = at;
+      last = integrand;
+    }
+
+    Value  integral, last; ///< so far, and the last integrand
+    double time = 0.;      ///< of the last one [s]
+  };
+
+
+  /// Few orthonormal combinations, a column each, of the vectors that states
+  /// are combinations of.
+  /// @param coordinates  of the states, a row per vector
+  /// @param tolerance    what the combinations may leave out of the states,
+  ///                     relative to the largest
+  Eigen::MatrixXd
+  leading_combinations(const Eigen::MatrixXd &coordinates, double tolerance);
 } // namespace PlateImpact
 
 #endif

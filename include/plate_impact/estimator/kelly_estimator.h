@@ -40,15 +40,9 @@ namespace PlateImpact
     estimate() const override;
 
   private:
-    /// @param unknowns  of the plate, a column per time
-    void
-    add_jumps(const std::vector<double> &times,
-              const Eigen::MatrixXd     &unknowns);
-
     const PlateDiscretization            &discretization;
     const std::unique_ptr<ErrorEstimator> amount;
-    double                                last_time = 0.;
-    Eigen::VectorXd                       shares_integral, last_shares;
+    TimeIntegral<Eigen::VectorXd>         shares;
   };
 } // namespace PlateImpact
 

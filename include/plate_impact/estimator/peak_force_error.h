@@ -8,10 +8,15 @@
 
 #include <Eigen/Core>
 
+#include <numeric>
+#include <optional>
 #include <vector>
 
 namespace PlateImpact
 {
+  /// Covers what the cells miss: calibrated on random scenes (doc/theory.md).
+  constexpr double safety_of_bar = 1.55;
+
   /// Estimated error of the peak force by the mesh: computed less exact,
   /// relative to the peak.
   struct PeakForceError
@@ -20,12 +25,20 @@ namespace PlateImpact
     std::vector<double> cells;
 
     double
-    sum() const;
+    sum() const
+    {
+      return std::accumulate(cells.begin(), cells.end(), 0.);
+    }
 
-    /// Of the absolute values: contributions of an assumed shear strain may
-    /// have the wrong sign.
+    /// The mesh's part of the error bar, of absolute values: contributions of
+    /// an assumed shear strain may have the wrong sign.
     double
-    sum_of_absolutes() const;
+    bar() const
+    {
+      return safety_of_bar *
+        Eigen::Map<const Eigen::VectorXd>(cells.data(), cells.size())
+          .lpNorm<1>();
+    }
   };
 
   /// The dual weighted residual of the peak force (Bangerth & Rannacher 2003,
@@ -41,6 +54,38 @@ namespace PlateImpact
                              const SemidiscreteSystem  &system,
                              const DualMotions         &motions,
                              double                     peak);
+
+
+  /// How far the computed peak force may be from that of the equations, by mesh
+  /// and time step, relative to it. The model is another matter.
+  struct PeakForceBar
+  {
+    double space = 0., time = 0., vectors = 0.;
+
+    double
+    total() const
+    {
+      return space + time + vectors;
+    }
+  };
+
+  /// The peak on a mesh, for the next one.
+  struct PeakOnMesh
+  {
+    double                force = 0.; ///< [N]
+    std::optional<double> space;      ///< of the bar
+  };
+
+  /// The part of a bar that is the mesh's: its bar(). Where the load is not
+  /// resolved, no less than the change of the force from the mesh before, if
+  /// that was more than the bar there; and empty on a first mesh, as is any
+  /// estimate above a twentieth of the force there.
+  /// @param resolves_load  whether cells at the load are no larger than it
+  std::optional<double>
+  peak_force_error_by_mesh(const PeakForceError            &estimate,
+                           double                           peak,
+                           const std::optional<PeakOnMesh> &before,
+                           bool                             resolves_load);
 } // namespace PlateImpact
 
 #endif

@@ -2,8 +2,12 @@
 #define plate_impact_estimator_recovered_field_h
 
 #include <deal.II/base/point.h>
+#include <deal.II/grid/tria.h>
 
 #include "plate_impact/estimator/stress_recovery.h"
+#include "plate_impact/plate/plate_discretization.h"
+
+#include <Eigen/Core>
 
 #include <functional>
 #include <vector>
@@ -16,6 +20,8 @@ namespace PlateImpact
   class RecoveredField
   {
   public:
+    using Cell = dealii::Triangulation<2>::active_cell_iterator;
+
     /// Resultants at the 2x2 Gauss points of a cell, by active index: 4 rows by
     /// 5 n columns, resultant n + field.
     using Sampler = std::function<RowMajorMatrix(unsigned int cell)>;
@@ -23,19 +29,23 @@ namespace PlateImpact
     /// @param recovery  must outlive this object
     RecoveredField(const StressRecovery &recovery, Sampler sampler);
 
-    /// Recovered resultants at points of a cell.
-    /// @param unit_points  on the reference cell
-    /// @param points       the same points on the plate [m]
-    /// @param values       set to a row per point by 5 n columns
+    /// A factor times the strains of fields, recovered.
+    /// @param discretization, recovery, fields  must outlive this object
+    RecoveredField(const PlateDiscretization               &discretization,
+                   const StressRecovery                    &recovery,
+                   const Eigen::Matrix<double, 5, 5>       &factor,
+                   const Eigen::Ref<const Eigen::MatrixXd> &fields);
+
+    /// Recovered resultants at points of the reference cell.
+    /// @param values  set to a row per point by 5 n columns
     void
-    evaluate(unsigned int                         cell,
+    evaluate(const Cell                          &cell,
              const std::vector<dealii::Point<2>> &unit_points,
-             const std::vector<dealii::Point<2>> &points,
              RowMajorMatrix                      &values);
 
     /// The cell will not be evaluated again.
     void
-    finish(unsigned int cell);
+    finish(const Cell &cell);
 
   private:
     void
@@ -50,6 +60,54 @@ namespace PlateImpact
     /// patches that a cell, and cells that a patch is still needed for
     std::vector<unsigned int> n_patches_to_come, n_cells_to_come;
   };
+
+
+  /// Resultants of n fields at the quadrature points of a cell, and what the
+  /// recovery changes of them, as the roots of energies: the squares of a
+  /// column, five rows per point, sum up to the integral over the cell.
+  struct EnergyRoots
+  {
+    /// All must outlive this object.
+    /// @param fields  unknowns of the plate, a column per field
+    EnergyRoots(const PlateDiscretization &discretization,
+                const StressRecovery      &recovery,
+                const Eigen::MatrixXd     &fields);
+
+    /// Sets resultants and errors.
+    void
+    evaluate(const RecoveredField::Cell &cell);
+
+    const PlateDiscretization        &discretization;
+    const Eigen::MatrixXd            &fields;
+    const Eigen::Matrix<double, 5, 5> factor; ///< of resultants, from strains
+    RecoveredField                    recovered; ///< with that factor
+    RowMajorMatrix                    resultants, errors;
+  };
+
+
+  /// A factor times the strains of n fields at points of a cell.
+  /// @param strains  of the cell at the points, five rows each
+  /// @param fields   unknowns of the plate, a column per field
+  /// @return a row per point by 5 n columns, resultant n + field
+  RowMajorMatrix
+  resultants_at(const PlateDiscretization               &discretization,
+                unsigned int                             cell,
+                const Eigen::Matrix<double, 5, 5>       &factor,
+                const CellOperator                      &strains,
+                const Eigen::Ref<const Eigen::MatrixXd> &fields);
+
+  /// The same, five rows per point by n columns.
+  Eigen::Map<const RowMajorMatrix>
+  by_resultant(const RowMajorMatrix &values);
+
+  /// Recovered resultants of one state: 5 point + resultant for points of a
+  /// cell, a column each.
+  /// @param unit_points  on the reference cell
+  Eigen::MatrixXd
+  recovered_resultants(const PlateDiscretization           &discretization,
+                       const StressRecovery                &recovery,
+                       const Eigen::VectorXd               &unknowns,
+                       const std::vector<dealii::Point<2>> &unit_points);
 } // namespace PlateImpact
 
 #endif

@@ -12,6 +12,7 @@
 #include <memory>
 #include <set>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace PlateImpact
@@ -79,68 +80,71 @@ namespace PlateImpact
       }
     };
 
-    /// @param mesh      of the plate with the ids of PlateBoundary; must
-    /// outlive
-    ///                  this object
-    /// @param is_rough  whether no polynomial fits across a point, as under a
-    ///                  line load, where the shear force jumps, or no patch is
-    ///                  wanted: vertices there use their neighbours as on an
-    ///                  edge
-    explicit StressRecovery(
-      const dealii::Triangulation<2>                      &mesh,
-      const std::function<bool(const dealii::Point<2> &)> &is_rough = {});
-
-    unsigned int
-    n_cells() const;
-
-    unsigned int
-    n_patches() const;
-
-    /// Patches whose polynomials are averaged at a corner of a cell.
-    const std::vector<unsigned int> &
-    patches_at(unsigned int cell, unsigned int corner) const;
-
-    /// Cells whose samples a patch is fitted to.
-    const std::vector<Image> &
-    images(unsigned int patch) const;
-
-    /// P of eq. 10 in the coordinates of a patch.
-    Terms
-    polynomial(unsigned int patch, const dealii::Point<2> &point) const;
-
-    /// Coefficients a of a patch from samples of n fields at once.
-    /// @param samples       of each cell: a row per Gauss point by 5 n columns,
-    ///                      resultant n + field
-    /// @param coefficients  set to a row per term by 5 n columns
-    void
-    fit(unsigned int                       patch,
-        const std::vector<RowMajorMatrix> &samples,
-        RowMajorMatrix                    &coefficients) const;
-
-  private:
+    /// A polynomial around a vertex.
     struct Patch
     {
       dealii::Point<2>   centre;
       double             size;
-      std::vector<Image> images;
+      std::vector<Image> images; ///< cells whose samples it is fitted to
 
       /// n_terms x number of samples; congruent patches share theirs
       std::shared_ptr<const Eigen::MatrixXd> fit;
+
+      /// P of eq. 10 in the coordinates of the patch.
+      Terms
+      polynomial(const dealii::Point<2> &point) const;
+
+      /// Coefficients a from samples of n fields at once: a row per term by 5 n
+      /// columns.
+      /// @param samples  of each cell: a row per Gauss point by 5 n columns,
+      ///                 resultant n + field
+      RowMajorMatrix
+      coefficients(const std::vector<RowMajorMatrix> &samples) const;
     };
 
+    /// Tells points across which no polynomial fits, as under a line load,
+    /// where the shear force jumps, or at which no patch is wanted: vertices
+    /// there use their neighbours as on an edge.
+    using IsRough = std::function<bool(const dealii::Point<2> &)>;
+
+    /// @param mesh  of the plate with the ids of PlateBoundary; must outlive
+    ///              this object
+    explicit StressRecovery(const dealii::Triangulation<2> &mesh,
+                            const IsRough                  &is_rough = {});
+
+    unsigned int
+    n_cells() const
+    {
+      return patches_of_corners.size();
+    }
+
+    const std::vector<Patch> &
+    patches() const
+    {
+      return all_patches;
+    }
+
+    /// Patches whose polynomials are averaged at a corner of a cell.
+    const std::vector<unsigned int> &
+    patches_at(const unsigned int cell, const unsigned int corner) const
+    {
+      return patches_of_corners[cell][corner];
+    }
+
+  private:
     void
-    mark_vertices(
-      const std::function<bool(const dealii::Point<2> &)> &is_rough);
+    mark_vertices(const IsRough &is_rough);
     void
     assign_patches();
     /// Without those that are smaller than others and not fitted to the cell.
     std::vector<unsigned int>
     patches_for(unsigned int                     cell,
                 const std::vector<unsigned int> &candidates) const;
-    std::vector<Image>
-    images_around(unsigned int vertex, const Image &seen_from) const;
-    std::set<Image>
-    grown(const std::set<Image> &images) const;
+    /// Those of the cells at a vertex, as an image of it sees them.
+    void
+    add_images(unsigned int     vertex,
+               const Image     &seen_from,
+               std::set<Image> &images) const;
     Patch
     make_patch(unsigned int vertex);
     /// @return whether the samples determine all terms
@@ -156,16 +160,14 @@ namespace PlateImpact
     std::vector<std::array<unsigned int, 4>> vertices_of_cell;
     std::vector<bool> is_on_symmetry_x, is_on_symmetry_y, uses_neighbours;
 
-    std::vector<Patch>                                    patches;
+    std::vector<Patch>                                    all_patches;
     std::vector<std::array<std::vector<unsigned int>, 4>> patches_of_corners;
 
-    /// Fits and their ranks, by positions of samples in units of the patch.
-    struct Fit
-    {
-      std::shared_ptr<const Eigen::MatrixXd> matrix;
-      bool                                   is_determined;
-    };
-    std::map<std::vector<long>, Fit> fits;
+    /// Fits and whether their samples determine them, by positions of samples
+    /// in units of the patch.
+    std::map<std::vector<long>,
+             std::pair<std::shared_ptr<const Eigen::MatrixXd>, bool>>
+      fits;
   };
 } // namespace PlateImpact
 

@@ -2,8 +2,8 @@
 #define plate_impact_output_verdict_h
 
 #include "plate_impact/analysis/cycle_result.h"
-#include "plate_impact/analysis/model_warnings.h"
 #include "plate_impact/analysis/outcome.h"
+#include "plate_impact/analysis/warnings.h"
 #include "plate_impact/base/parameters.h"
 
 #include <string>

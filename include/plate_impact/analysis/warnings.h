@@ -1,8 +1,11 @@
-#ifndef plate_impact_analysis_model_warnings_h
-#define plate_impact_analysis_model_warnings_h
+#ifndef plate_impact_analysis_warnings_h
+#define plate_impact_analysis_warnings_h
+
+#include <deal.II/grid/tria.h>
 
 #include "plate_impact/analysis/cycle_result.h"
 #include "plate_impact/base/parameters.h"
+#include "plate_impact/contact/zener.h"
 
 #include <string>
 #include <vector>
@@ -29,6 +32,19 @@ namespace PlateImpact
   /// of the load, deflection, yield, indentation.
   Warnings
   model_warnings(const Parameters &parameters, const CycleResult &result);
+
+  /// The same, and where end time and time step leave the peak force open.
+  Warnings
+  impact_warnings(const Parameters     &parameters,
+                  const CycleResult    &result,
+                  const ImpactEstimate &expected);
+
+  /// The same, and where the mesh leaves it open.
+  Warnings
+  reliability_warnings(const Parameters               &parameters,
+                       const dealii::Triangulation<2> &mesh,
+                       const CycleResult              &result,
+                       const ImpactEstimate           &expected);
 } // namespace PlateImpact
 
 #endif

@@ -1,0 +1,186 @@
+#include "plate_impact/analysis/goal.h"
+
+#include "plate_impact/base/text.h"
+#include "plate_impact/plate/plate_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+
+namespace PlateImpact
+{
+  namespace
+  {
+    /// The error of the stresses in the energy norm, and xi' of every cell that
+    /// may still be refined (Table 1 of the paper).
+    class EnergyNormGoal : public Goal
+    {
+    public:
+      using Goal::Goal;
+
+      double
+      error(const CycleResult &result) const override
+      {
+        return result.error->eta;
+      }
+
+      bool
+      is_met(const CycleResult &result) const override
+      {
+        return result.error && result.error->eta <= adaptivity.target_error;
+      }
+
+      std::optional<Outcome>
+      outcome(const CycleResult &result) const override
+      {
+        if (is_met(result) &&
+            result.cells_above_limit == result.cells_at_minimum_size)
+          return Outcome::target_reached;
+        return {};
+      }
+
+      ErrorRatios
+      error_ratios(const Cycle &cycle, const double target) const override
+      {
+        return cycle.result.error->ratios(target);
+      }
+
+      std::vector<std::string>
+      warnings(const CycleResult &result) const override
+      {
+        if (!result.error)
+          return {};
+        const std::string eta    = about_percentage(result.error->eta),
+                          target = about_percentage(adaptivity.target_error);
+        if (!is_met(result) && !adaptivity.is_adaptive())
+          return {"eta is " + eta +
+                  " on this mesh, more than Adaptivity/Target error, " +
+                  target +
+                  "; choose Adaptivity/Strategy = hanging nodes or more "
+                  "Initial cells"};
+        if (!is_met(result))
+          return {"eta is still " + eta + ": Adaptivity/Target error, " +
+                  target +
+                  ", is not met; choose more Maximum cycles, a smaller Minimum "
+                  "cell size or a larger target"};
+        if (adaptivity.is_adaptive() && !outcome(result))
+          return {fmt::format(
+            "eta meets Adaptivity/Target error, but xi' of {} is up to {}, "
+            "wanted below 1; choose more Maximum cycles or a smaller Minimum "
+            "cell size",
+            counted(result.cells_above_limit, "cell"),
+            about(result.error_ratios->max_element()))};
+        return {};
+      }
+    };
+
+
+
+    /// The error bar of the peak force.
+    class PeakForceGoal : public Goal
+    {
+    public:
+      using Goal::Goal;
+
+      double
+      error(const CycleResult &result) const override
+      {
+        return result.peak_force_error ?
+          result.peak_force_error->bar() :
+          std::numeric_limits<double>::infinity();
+      }
+
+      bool
+      is_met(const CycleResult &result) const override
+      {
+        return result.peak_force_bar &&
+          result.peak_force_bar->total() <= adaptivity.target_peak_force_error;
+      }
+
+      std::optional<Outcome>
+      outcome(const CycleResult &result) const override
+      {
+        if (is_met(result))
+          return Outcome::target_reached;
+        // the mesh may have half of the target in any case
+        if (result.peak_force_bar &&
+            result.peak_force_bar->space <=
+              0.5 * adaptivity.target_peak_force_error)
+          return Outcome::time_step_too_coarse;
+        return {};
+      }
+
+      /// Every cell may have the same share of the target. The ratio is that of
+      /// the roots, which fall with the cell size as errors in the energy norm
+      /// do.
+      ErrorRatios
+      error_ratios(const Cycle &cycle, const double target) const override
+      {
+        const CycleResult &result = cycle.result;
+        const double       bar    = error(result);
+        // What the time step leaves to the mesh, but a tenth of what there is
+        // at most: estimates on coarse meshes do not tell more.
+        const double for_mesh = std::max(
+          {0.5 * target, target - result.time_error.value_or(0.), 0.1 * bar});
+        const std::vector<double> &cells = result.peak_force_error->cells;
+        const double share = for_mesh / (safety_of_bar * cells.size());
+        ErrorRatios  error{bar / for_mesh, std::sqrt(share), {}};
+        // Near the target no cell grows: the estimate knows nothing of the
+        // waves that a coarser mesh turns back after the window.
+        const double near_target = 3.,
+                     least =
+                       error.overall < near_target ? 1. / near_target : 0.;
+        for (const double cell : cells)
+          error.elements.push_back(
+            std::max(least, std::sqrt(std::abs(cell) / share)));
+        if (!result.peak_force_bar && result.time_error)
+          refine_at_load(cycle, error);
+        return error;
+      }
+
+      std::vector<std::string>
+      warnings(const CycleResult &result) const override
+      {
+        if (is_met(result))
+          return {};
+        return {fmt::format(
+          "the error bar of the peak force is {}: Adaptivity/Target peak force "
+          "error, {}, is not met; choose more Maximum cycles, a smaller Time "
+          "step or Minimum cell size, or a larger target",
+          result.peak_force_bar ?
+            about_percentage(result.peak_force_bar->total()) :
+            "not known",
+          about_percentage(adaptivity.target_peak_force_error))};
+      }
+
+    private:
+      /// Where there is no bar the mesh hides the load, or the waves that it
+      /// sends out, from the estimate: cells are halved once, whatever that
+      /// says.
+      void
+      refine_at_load(const Cycle &cycle, ErrorRatios &error) const
+      {
+        const double halving = std::exp2(1. / adaptivity.size_exponent);
+        for (const auto &cell : cycle.mesh().active_cell_iterators())
+          if (is_near_load(cell,
+                           cycle.parameters.impactor.contact_half_length()))
+            {
+              double &ratio = error.elements[cell->active_cell_index()];
+              ratio         = std::max(ratio, halving);
+            }
+        error.overall = std::max(error.overall, halving);
+      }
+    };
+  } // namespace
+
+
+
+  std::unique_ptr<const Goal>
+  make_goal(const AdaptivityParameters &adaptivity)
+  {
+    if (adaptivity.goal == AdaptationGoal::peak_force)
+      return std::make_unique<PeakForceGoal>(adaptivity);
+    return std::make_unique<EnergyNormGoal>(adaptivity);
+  }
+} // namespace PlateImpact
