@@ -23,7 +23,7 @@ namespace PlateImpact
     constexpr double refinement_margin = 0.85;
 
     /// Cells grow to their target size over this.
-    constexpr double coarsening_margin = 1.6;
+    constexpr double growth_margin = 1.6;
 
     /// Sizes are rounded to so many an octave: the last digits, in which
     /// processors differ, would change Gmsh's whole mesh.
@@ -188,7 +188,7 @@ namespace PlateImpact
         size                 = size < present ?
                           std::max(refinement_margin * size,
                    std::min(adaptivity.minimum_cell_size, present)) :
-                          std::max(size / coarsening_margin, present);
+                          std::max(size / growth_margin, present);
         size                 = allowed_size(rounded_size(size), adaptivity);
       }
     return sizes;

@@ -3,8 +3,7 @@
 #include "plate_impact/plate/plate_element.h"
 #include "plate_impact/plate/plate_mesh.h"
 
-#include <stdexcept>
-#include <utility>
+#include <string>
 #include <vector>
 
 namespace PlateImpact
@@ -13,12 +12,27 @@ namespace PlateImpact
 
   namespace
   {
-    const std::vector<std::pair<EdgeSupport, Support>> supports = {
-      {EdgeSupport::clamped, {true, true, true}},
-      {EdgeSupport::simply_supported, {true, false, true}},
-      {EdgeSupport::soft_simply_supported, {true, false, false}},
-      {EdgeSupport::free, {false, false, false}}};
+    struct SupportRow
+    {
+      EdgeSupport choice;
+      std::string word;
+      Support     support;
+    };
+
+    const std::vector<SupportRow> supports = {
+      {EdgeSupport::clamped, "clamped", {true, true, true}},
+      {EdgeSupport::simply_supported, "simply supported", {true, false, true}},
+      {EdgeSupport::soft_simply_supported,
+       "soft simply supported",
+       {true, false, false}},
+      {EdgeSupport::free, "free", {false, false, false}}};
   } // namespace
+
+
+
+  template <>
+  const std::vector<Word<EdgeSupport>>
+    Choices<EdgeSupport>::words = words_of(supports);
 
 
 
@@ -37,10 +51,7 @@ namespace PlateImpact
   const Support &
   find_support(const EdgeSupport name)
   {
-    for (const auto &[its_name, support] : supports)
-      if (its_name == name)
-        return support;
-    throw std::logic_error("no such support");
+    return row_of(name, supports).support;
   }
 
 
