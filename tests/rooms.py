@@ -4,8 +4,10 @@
 
 A room is a folder of source/ and of include/plate_impact/. It may use itself
 and what the table grants, whole rooms or single headers of them. Within the
-rooms no unit, a header with its source, may lead back to itself. Prints every
-include that goes where it may not; exit status 1 when there is one.
+rooms no unit, a header with its source, may lead back to itself. The name of a
+contact law may stand in three files besides its own pair, so that adding one is
+no search. Prints every include that goes where it may not and every name in too
+many files; exit status 1 when there is one.
 """
 
 import pathlib
@@ -27,6 +29,12 @@ ROOMS = {
     "sweep": "base plate contact transient analysis scene page output",
     "command": "base plate contact transient analysis scene output comparison sweep",
     "main": "base scene output command",
+}
+
+# a law's name in the sources, and its own pair of files
+LAWS = {
+    r"Yang[_-]Sun\b": "contact/yang_sun_law",
+    r"ForceLaw::line\b|enum class ForceLaw\s*{[^}]*\bline\b": "contact/line_law",
 }
 
 INCLUDE = re.compile(r'^#include "(?:plate_impact/)?([a-z_]+/[a-z_]+)\.h"', re.M)
@@ -75,11 +83,25 @@ def circles(found):
         yield from visit(name)
 
 
+def scattered(top):
+    """Sentences for laws whose names stand in too many files."""
+    for name, own in LAWS.items():
+        files = [
+            path.relative_to(top).as_posix()
+            for folder in ("source", "include")
+            for path in sorted((top / folder).rglob("*.[ch]*"))
+            if own not in path.as_posix() and re.search(name, path.read_text())
+        ]
+        if not 0 < len(files) <= 3:
+            yield f"{name} stands in {len(files)} files, {', '.join(files)}; expected one to three"
+
+
 def main():
-    found = units(pathlib.Path(sys.argv[1]))
+    top = pathlib.Path(sys.argv[1])
+    found = units(top)
     if len(found) < len(ROOMS):
         sys.exit("rooms.py: no sources in " + sys.argv[1])
-    mistakes = [*forbidden(found), *circles(found)]
+    mistakes = [*forbidden(found), *circles(found), *scattered(top)]
     print("\n".join(mistakes) or f"{len(found)} units keep to their rooms")
     sys.exit(1 if mistakes else 0)
 

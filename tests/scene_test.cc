@@ -22,14 +22,15 @@ namespace PlateImpact
     void
     expect_all_compared(const std::string &name, Section Parameters::*section)
     {
-      SceneReader reader;
-      const auto  present = [&] { return reader.parameters().*section; };
-      for (const std::string &path : reader.schema.entries_of(name))
+      SceneReader    reader;
+      const Section &present = reader.parameters.*section;
+      for (Entry &entry : reader.entries.all)
         {
-          const Section     before = present();
-          const std::string value  = reader.schema.value(path),
-                            entry  = path.substr(name.size() + 1);
-          bool is_changed          = false;
+          if (entry.section() != name)
+            continue;
+          const Section     before     = present;
+          const std::string value      = entry.value;
+          bool              is_changed = false;
           for (const std::string other : {"0.47",
                                           "0.9",
                                           "cylinder",
@@ -42,13 +43,12 @@ namespace PlateImpact
                                           "Yang-Sun",
                                           "3",
                                           "true"})
-            if (!is_changed && reader.schema.value(path) != other)
-              is_changed =
-                reader.schema.set({{name, entry, other, "test"}}).empty();
-          ASSERT_TRUE(is_changed) << path;
-          EXPECT_TRUE(before < present() || present() < before) << path;
-          reader.schema.set({{name, entry, value, "test"}});
-          EXPECT_FALSE(before < present() || present() < before) << path;
+            if (!is_changed && entry.value != other)
+              is_changed = entry.set(other, "test");
+          ASSERT_TRUE(is_changed) << entry.path;
+          EXPECT_TRUE(before < present || present < before) << entry.path;
+          entry.set(value, "test");
+          EXPECT_FALSE(before < present || present < before) << entry.path;
         }
     }
 

@@ -43,7 +43,7 @@ namespace PlateImpact
   all_elements()
   {
     std::vector<ElementType> elements;
-    for (const auto &[element, word] : choices<ElementType>())
+    for (const auto &[element, word] : Choices<ElementType>::words)
       elements.push_back(element);
     return elements;
   }

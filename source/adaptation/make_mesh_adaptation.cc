@@ -4,6 +4,7 @@
 #include "plate_impact/adaptation/graded_refinement.h"
 #include "plate_impact/adaptation/hanging_nodes.h"
 #include "plate_impact/adaptation/remeshing.h"
+#include "plate_impact/base/entries.h"
 
 #include <limits>
 #include <stdexcept>
@@ -114,16 +115,58 @@ namespace PlateImpact
 
 
 
-    const std::vector<std::pair<AdaptationStrategy, decltype(&make<KeptMesh>)>>
-      strategies = {
-        {AdaptationStrategy::none, make<KeptMesh>},
-        {AdaptationStrategy::hanging_nodes, make<HangingNodeAdaptation>},
-        {AdaptationStrategy::remeshing, make<Remeshing>},
-        {AdaptationStrategy::fixed_fraction, make<RankedRefinement>},
-        {AdaptationStrategy::fixed_number, make<RankedRefinement>},
-        {AdaptationStrategy::uniform, make<UniformRefinement>},
-        {AdaptationStrategy::graded, make<GradedRefinement>}};
+    struct StrategyRow
+    {
+      AdaptationStrategy choice;
+      std::string        word;
+      std::unique_ptr<const MeshAdaptation> (
+        *make)(const AdaptivityParameters &, double half_length);
+    };
+
+    const std::vector<StrategyRow> strategies = {
+      {AdaptationStrategy::none, "none", make<KeptMesh>},
+      {AdaptationStrategy::hanging_nodes,
+       "hanging nodes",
+       make<HangingNodeAdaptation>},
+      {AdaptationStrategy::remeshing, "remeshing", make<Remeshing>},
+      {AdaptationStrategy::fixed_fraction,
+       "fixed fraction",
+       make<RankedRefinement>},
+      {AdaptationStrategy::fixed_number,
+       "fixed number",
+       make<RankedRefinement>},
+      {AdaptationStrategy::uniform, "uniform", make<UniformRefinement>},
+      {AdaptationStrategy::graded, "graded", make<GradedRefinement>}};
+
+    const std::vector<Word<AdaptationGoal>> goals = {
+      {AdaptationGoal::energy_norm, "energy norm"},
+      {AdaptationGoal::peak_force, "peak force"}};
+
+
+
+    /// All but none; those that follow the error of the peak force as well.
+    std::vector<Word<ComparedStrategy>>
+    compared_strategies()
+    {
+      std::vector<Word<ComparedStrategy>> all;
+      for (const StrategyRow &row : strategies)
+        if (row.choice != AdaptationStrategy::none)
+          all.push_back({{row.choice, AdaptationGoal::energy_norm}, row.word});
+      for (const AdaptationStrategy strategy :
+           {AdaptationStrategy::hanging_nodes,
+            AdaptationStrategy::remeshing,
+            AdaptationStrategy::fixed_fraction})
+        all.push_back({{strategy, AdaptationGoal::peak_force},
+                       row_of(strategy, strategies).word + " by force"});
+      return all;
+    }
   } // namespace
+
+
+
+  template <>
+  const std::vector<Word<ComparedStrategy>>
+    Choices<ComparedStrategy>::words = compared_strategies();
 
 
 
@@ -131,9 +174,82 @@ namespace PlateImpact
   make_mesh_adaptation(const AdaptivityParameters &adaptivity,
                        const double                contact_half_length)
   {
-    for (const auto &[strategy, maker] : strategies)
-      if (strategy == adaptivity.strategy)
-        return maker(adaptivity, contact_half_length);
-    throw std::logic_error("no such strategy");
+    return row_of(adaptivity.strategy, strategies)
+      .make(adaptivity, contact_half_length);
+  }
+
+
+
+  void
+  AdaptivityParameters::declare_entries(Entries &entries)
+  {
+    const auto share = number_between(0, 1);
+    const auto entry = entries.section("Adaptivity");
+    entry("Strategy", "hanging nodes", one_of(strategies), strategy)
+      .means("How the mesh follows the error. hanging nodes, remeshing: cells "
+             "of the target sizes, by refinement and coarsening or by a new "
+             "mesh of quadrilaterals. fixed fraction, fixed number: the cells "
+             "with the largest errors are halved, until they hold a share of "
+             "the error or of the cells. uniform: all cells are. graded: sizes "
+             "proportional to the distance from the contact, whatever the "
+             "error.");
+    entry("Goal", "energy norm", one_of(goals), goal)
+      .means("What the mesh is made for: the error in the energy norm eta, the "
+             "paper's, up to Target error, or that of the peak force, up to "
+             "Target peak force error. The first mesh is then fine at the "
+             "load.");
+    entry("Indicator", "SPR", one_of<ErrorIndicator>(), indicator)
+      .means("Where the error is: by the recovered field (SPR) or by the jumps "
+             "of slopes and curvatures across the sides of cells (Kelly), "
+             "which only rank cells; eta is that of the recovered field in any "
+             "case.");
+    entry("Recovery patches",
+          "mirrored",
+          one_of<RecoveryPatches>(),
+          recovery_patches)
+      .means("Where the patches of the recovery lie: around every vertex, "
+             "continued across planes of symmetry by mirror images (mirrored), "
+             "or around vertices inside the mesh only (interior), whose "
+             "patches those on its edges use.");
+    entry("Target error", "0.05", share, target_error)
+      .means("Relative error in the energy norm eta, a fraction. [-]");
+    entry("Target peak force error",
+          "1e-3",
+          number_between(0, 1),
+          target_peak_force_error)
+      .means("Of the error bar of the peak force, relative to it, for the goal "
+             "peak force. [-]");
+    entry("Verify", "false", truth(), verify)
+      .means("Compute the peak force again on the last mesh with every cell "
+             "halved, and say how far it is.");
+    entry("Maximum cycles", "6", whole_number(1, 1000), maximum_cycles)
+      .means("Meshes computed on, the initial one included.");
+    entry("Maximum cells", "250000", whole_number(1, 100000000), maximum_cells)
+      .means("No mesh with more is made; the run ends before it.");
+    entry("Size exponent", "0.5", number_up_to(0, 4), size_exponent)
+      .means("phi in h_new = h_old / xi'^phi: 1/p, or 1/lambda near a "
+             "singularity of strength lambda. [-]");
+    entry("Minimum cell size", "0", number_from(0), minimum_cell_size)
+      .means("Of a cell's longer side; 0: a quarter of the patch radius, or of "
+             "the thickness under a point or line load. [m]");
+    entry("Maximum cell size", "0", number_from(0), maximum_cell_size)
+      .means("Of a cell's longer side, in meshes that follow the error; 0: "
+             "that of the initial cells. [m]");
+    entry("Refined share of error", "0.7", share, refined_share_of_error)
+      .means("fixed fraction: the cells with the largest errors that together "
+             "hold at most this share of the squared error are halved "
+             "(Doerfler's marking). [-]");
+    entry("Coarsened share of error", "0.01", share, coarsened_share_of_error)
+      .means("fixed fraction: the cells with the smallest errors that together "
+             "hold at most this share are doubled. [-]");
+    entry("Refined share of cells", "0.3", share, refined_share_of_cells)
+      .means("fixed number: this share of the cells, those with the largest "
+             "errors, is halved. [-]");
+    entry("Coarsened share of cells", "0.03", share, coarsened_share_of_cells)
+      .means("fixed number: this share of the cells, those with the smallest "
+             "errors, is doubled. [-]");
+    entry("Sampling interval", "5", whole_number(1, 1000000), sampling_interval)
+      .means("Time steps between samples of the error estimator; fewer where "
+             "the transient would have less than 20 samples.");
   }
 } // namespace PlateImpact

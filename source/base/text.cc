@@ -50,36 +50,12 @@ namespace PlateImpact
 
 
 
-  double
-  PrefixedUnit::operator()(const double value) const
-  {
-    return factor * value;
-  }
-
-
-
   std::vector<double>
   PrefixedUnit::operator()(std::vector<double> values) const
   {
     for (double &value : values)
       value *= factor;
     return values;
-  }
-
-
-
-  std::string
-  PrefixedUnit::text(const double value) const
-  {
-    return rounded(factor * value, 4) + ' ' + prefixed;
-  }
-
-
-
-  const std::string &
-  PrefixedUnit::name() const
-  {
-    return prefixed;
   }
 
 
@@ -97,22 +73,6 @@ namespace PlateImpact
   {
     return number(
       std::strtod(fmt::format("{:.{}e}", value, digits - 1).c_str(), nullptr));
-  }
-
-
-
-  std::string
-  number(const double value, const std::string &unit)
-  {
-    return PrefixedUnit(unit, value).text(value);
-  }
-
-
-
-  std::string
-  percentage(const double fraction)
-  {
-    return rounded(100. * fraction, 4) + " %";
   }
 
 
@@ -141,28 +101,12 @@ namespace PlateImpact
 
 
   std::string
-  with_unit(const std::string &title, const std::string &unit)
-  {
-    return unit.empty() || unit == "-" ? title : title + " [" + unit + "]";
-  }
-
-
-
-  std::string
   deviation(const double value, const double other)
   {
     const double ratio = value / other;
     return ratio > 0.5 && ratio < 2. ?
       fmt::format("{:+.3g} %", 100. * (ratio - 1.)) :
       about(ratio) + " times";
-  }
-
-
-
-  std::string
-  about(const double value)
-  {
-    return rounded(value, 3);
   }
 
 
@@ -177,36 +121,11 @@ namespace PlateImpact
 
 
   std::string
-  about_percentage(const double fraction)
-  {
-    return about(100. * fraction) + " %";
-  }
-
-
-
-  std::string
   shortest(const double value)
   {
     char       text[32];
     const auto end = std::to_chars(text, text + sizeof(text), value).ptr;
     return {text, end};
-  }
-
-
-
-  std::string
-  counted(const std::size_t n, const std::string &noun)
-  {
-    const char *plural = noun.back() == 'h' ? "es" : "s";
-    return fmt::format("{} {}{}", n, noun, n == 1 ? "" : plural);
-  }
-
-
-
-  std::string
-  wall_time(const double seconds)
-  {
-    return fmt::format("{:.2f} s", seconds);
   }
 
 
@@ -242,22 +161,6 @@ namespace PlateImpact
       for (std::size_t at; (at = text.find(letter)) != std::string::npos;)
         text.replace(at, letter.size(), ascii);
     return text;
-  }
-
-
-
-  std::string
-  left(const std::size_t width, const std::string &word)
-  {
-    return fmt::format("{:<{}}", word, width);
-  }
-
-
-
-  std::string
-  right(const std::size_t width, const std::string &word)
-  {
-    return fmt::format("{:>{}}", word, width);
   }
 
 

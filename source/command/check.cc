@@ -226,7 +226,7 @@ namespace PlateImpact
     void
     add_sweep(ExpectationText &text, const Parameters &given)
     {
-      const SweepPlan   plan(SceneReader().schema, given.sweep);
+      const SweepPlan   plan(SceneReader().entries, given.sweep);
       const std::size_t n_points = plan.n_points();
       if (n_points == 0)
         return;

@@ -1,5 +1,6 @@
 #include "plate_impact/contact/make_contact.h"
 
+#include "plate_impact/base/entries.h"
 #include "plate_impact/contact/contact_area.h"
 #include "plate_impact/contact/hertz_law.h"
 #include "plate_impact/contact/line_law.h"
@@ -136,5 +137,79 @@ namespace PlateImpact
       (PlateSection(parameters.plate).shear_modulus *
        parameters.plate.thickness);
     return make_sphere_contact(parameters, of_layer);
+  }
+
+
+
+  template <>
+  const std::vector<Word<ForceLaw>> Choices<ForceLaw>::words = {
+    {ForceLaw::Sun, "Sun"},
+    {ForceLaw::Hertz, "Hertz"},
+    {ForceLaw::line, "line"}};
+
+
+
+  template <>
+  const std::vector<Word<LocalResponse>> Choices<LocalResponse>::words = {
+    {LocalResponse::layer, "layer"},
+    {LocalResponse::half_space, "half-space"}};
+
+
+
+  namespace
+  {
+    const std::vector<Word<UnloadingLaw>> unloadings = {
+      {UnloadingLaw::elastic, "elastic"},
+      {UnloadingLaw::Yang_Sun, "Yang-Sun"}};
+
+    const std::vector<Word<ForceIntegration>> integrations = {
+      {ForceIntegration::energy_conserving, "energy conserving"},
+      {ForceIntegration::collocation, "collocation"}};
+  } // namespace
+
+
+
+  void
+  ContactParameters::declare_entries(Entries &entries)
+  {
+    const auto entry = entries.section("Contact");
+    entry("Law", "Hertz", one_of<ForceLaw>(), law)
+      .means("Hertz: F = k alpha^1.5 with the compliance (1 - nu^2)/E of both "
+             "bodies. Sun: with 1/E for the plate, the paper's eq. 17. line: "
+             "of a cylinder, and what one has where no law is given; on a "
+             "half-space the paper's eq. 32.");
+    entry("Local response", "layer", one_of<LocalResponse>(), local_response)
+      .means("What the plate does under the contact besides bending and shear. "
+             "layer: what an elastic layer of the plate's thickness does. "
+             "half-space: what Hertz's law says, as usual and in the paper, "
+             "which counts the shortest waves twice; where no response is "
+             "given, that of the law Sun, of point and line loads, of "
+             "laminates and of unloading by Yang-Sun.");
+    entry("Unloading", "elastic", one_of(unloadings), unloading)
+      .means("elastic: along the curve of loading. Yang-Sun: steeper, down to "
+             "a dent, and back by another curve, as measured on laminates; of "
+             "spheres on a half-space.");
+    entry("Critical indentation", "8e-5", number_above(0), critical_indentation)
+      .means("From which on Yang-Sun leaves a dent; 8e-5 for graphite/epoxy, "
+             "1.65e-4 for glass/epoxy. [m]");
+    entry("Load distribution",
+          "Hertz disc",
+          one_of<LoadShape>(),
+          load_distribution)
+      .means("How the contact force spreads over the plate; where it is not "
+             "given, as a strip under a cylinder. The displacement of the "
+             "plate in the contact law is averaged with the same weights. "
+             "Under 'point' the peak force has no limit under refinement: it "
+             "drops with every halving of the cells.");
+    entry("Patch radius", "0", number_from(0), patch_radius)
+      .means("Radius of the disc or half-width of the strip; 0: with a layer "
+             "that with which plate theory and layer answer alike to long "
+             "waves, with a half-space the Hertz contact radius at the peak "
+             "force that Zener's equation predicts, to the nearest of 64 in an "
+             "octave. [m]");
+    entry("Integration", "energy conserving", one_of(integrations), integration)
+      .means("energy conserving: the mean force of the law over the step. "
+             "collocation: the force at the end of the step, as in the paper; "
+             "it gains energy when the step is coarse.");
   }
 } // namespace PlateImpact

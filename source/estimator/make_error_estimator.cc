@@ -73,4 +73,17 @@ namespace PlateImpact
       }
     throw std::logic_error("no such error estimator");
   }
+
+
+
+  template <>
+  const std::vector<Word<ErrorIndicator>> Choices<ErrorIndicator>::words =
+    {{ErrorIndicator::SPR, "SPR"}, {ErrorIndicator::Kelly, "Kelly"}};
+
+
+
+  template <>
+  const std::vector<Word<RecoveryPatches>> Choices<RecoveryPatches>::words = {
+    {RecoveryPatches::mirrored, "mirrored"},
+    {RecoveryPatches::interior, "interior"}};
 } // namespace PlateImpact

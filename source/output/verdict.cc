@@ -7,15 +7,10 @@
 namespace PlateImpact
 {
   template <>
-  const std::vector<std::pair<Trust, std::string>> &
-  choices()
-  {
-    static const std::vector<std::pair<Trust, std::string>> words = {
-      {Trust::good, "good"},
-      {Trust::doubtful, "doubtful"},
-      {Trust::none, "none"}};
-    return words;
-  }
+  const std::vector<Word<Trust>> Choices<Trust>::words = {
+    {Trust::good, "good"},
+    {Trust::doubtful, "doubtful"},
+    {Trust::none, "none"}};
 
 
 

@@ -155,4 +155,14 @@ namespace PlateImpact
             }
     return points;
   }
+
+
+
+  template <>
+  const std::vector<Word<LoadShape>> Choices<LoadShape>::words = {
+    {LoadShape::point, "point"},
+    {LoadShape::Hertz_disc, "Hertz disc"},
+    {LoadShape::uniform_disc, "uniform disc"},
+    {LoadShape::line, "line"},
+    {LoadShape::strip, "strip"}};
 } // namespace PlateImpact

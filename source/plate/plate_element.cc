@@ -1,8 +1,9 @@
 #include "plate_impact/plate/plate_element.h"
 
+#include "plate_impact/base/entries.h"
 #include "plate_impact/plate/plate_mesh.h"
 
-#include <stdexcept>
+#include <string>
 
 namespace PlateImpact
 {
@@ -29,35 +30,37 @@ namespace PlateImpact
 
     struct ElementRow
     {
-      ElementType                    type;
+      ElementType                    choice;
+      std::string                    word;
       std::array<bool, n_components> centre_is_constrained;
       std::unique_ptr<const AssumedShear> (*make_assumed_shear)();
     };
 
     const std::vector<ElementRow> elements = {
-      {ElementType::serendipity, {{true, true, true}}, at_gauss_points<2>},
-      {ElementType::serendipity_full, {{true, true, true}}, at_gauss_points<3>},
-      {ElementType::heterosis, {{true, false, false}}, at_gauss_points<2>},
-      {ElementType::Lagrange, {{false, false, false}}, at_gauss_points<2>},
-      {ElementType::MITC9, {{false, false, false}}, mixed}};
-
-
-
-    const ElementRow &
-    find_element(const ElementType type)
-    {
-      for (const ElementRow &row : elements)
-        if (row.type == type)
-          return row;
-      throw std::logic_error("no such element");
-    }
+      {ElementType::serendipity,
+       "serendipity",
+       {{true, true, true}},
+       at_gauss_points<2>},
+      {ElementType::serendipity_full,
+       "serendipity full",
+       {{true, true, true}},
+       at_gauss_points<3>},
+      {ElementType::heterosis,
+       "heterosis",
+       {{true, false, false}},
+       at_gauss_points<2>},
+      {ElementType::Lagrange,
+       "Lagrange",
+       {{false, false, false}},
+       at_gauss_points<2>},
+      {ElementType::MITC9, "MITC9", {{false, false, false}}, mixed}};
   } // namespace
 
 
 
   PlateElement::PlateElement(const ElementType type)
-    : centre_is_constrained(find_element(type).centre_is_constrained)
-    , assumed_shear(find_element(type).make_assumed_shear())
+    : centre_is_constrained(row_of(type, elements).centre_is_constrained)
+    , assumed_shear(row_of(type, elements).make_assumed_shear())
     , scalar_element(2)
     , element(scalar_element, n_components)
     , quadrature_points(3)
@@ -208,5 +211,34 @@ namespace PlateImpact
                                            section.rotary_inertia);
         }
     return M;
+  }
+
+
+
+  template <>
+  const std::vector<Word<ElementType>>
+    Choices<ElementType>::words = words_of(elements);
+
+
+
+  void
+  DiscretizationParameters::declare_entries(Entries &entries)
+  {
+    const auto entry = entries.section("Discretization");
+    entry("Element", "MITC9", one_of<ElementType>(), element)
+      .means("Deflection and rotations with 8 nodes (serendipity, the paper's; "
+             "serendipity full: with 3x3 points for the shear), with 8 and 9 "
+             "(heterosis) or with 9 (Lagrange); with 9 and mixed interpolation "
+             "of the shear (MITC9), which neither locks on thin plates nor has "
+             "spurious modes.");
+    entry("Initial cells",
+          "3, 3",
+          pair_of(whole_number(1, 10000)),
+          initial_cells)
+      .means("On the part of the plate that is meshed, the quadrant under an "
+             "impact at the centre, along x and y.");
+    entry("Linear solver", "CHOLMOD", one_of<SolverType>(), linear_solver)
+      .means("Direct solver of the effective stiffness: CHOLMOD (supernodal "
+             "Cholesky) or KLU of Trilinos' Amesos.");
   }
 } // namespace PlateImpact

@@ -6,6 +6,7 @@
 #include <deal.II/grid/tria.h>
 #include <deal.II/numerics/vector_tools_constraints.h>
 
+#include "plate_impact/base/entries.h"
 #include "plate_impact/plate/plate_element.h"
 #include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
@@ -28,11 +29,20 @@ namespace PlateImpact
       bool tangential_rotation; ///< theta_s, in the plane along the edge
     };
 
-    const std::map<EdgeSupport, Support> held_by = {
-      {EdgeSupport::clamped, {true, true, true}},
-      {EdgeSupport::simply_supported, {true, false, true}},
-      {EdgeSupport::soft_simply_supported, {true, false, false}},
-      {EdgeSupport::free, {false, false, false}}};
+    struct SupportRow
+    {
+      EdgeSupport choice;
+      std::string word;
+      Support     held;
+    };
+
+    const std::vector<SupportRow> support_rows = {
+      {EdgeSupport::clamped, "clamped", {true, true, true}},
+      {EdgeSupport::simply_supported, "simply supported", {true, false, true}},
+      {EdgeSupport::soft_simply_supported,
+       "soft simply supported",
+       {true, false, false}},
+      {EdgeSupport::free, "free", {false, false, false}}};
 
     /// It mirrors the plate.
     constexpr Support symmetry_plane = {false, true, false};
@@ -113,14 +123,21 @@ namespace PlateImpact
 
 
 
+  template <>
+  const std::vector<Word<EdgeSupport>>
+    Choices<EdgeSupport>::words = words_of(support_rows);
+
+
+
   bool
   hold_deflection(const SupportOfEdge &supports)
   {
-    return std::any_of(supports.begin(),
-                       supports.end(),
-                       [](const auto &of_edge) {
-                         return held_by.at(of_edge.second).deflection;
-                       });
+    return std::any_of(
+      supports.begin(),
+      supports.end(),
+      [](const auto &of_edge) {
+        return row_of(of_edge.second, support_rows).held.deflection;
+      });
   }
 
 
@@ -136,7 +153,7 @@ namespace PlateImpact
     std::set<types::boundary_id> held_along;
     for (const auto &[edge, name] : supports)
       {
-        const Support &support = held_by.at(name);
+        const Support &support = row_of(name, support_rows).held;
         if (edge == edge_x || edge == edge_y)
           {
             hold_straight(dof_handler, edge, support, constraints);

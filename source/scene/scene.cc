@@ -13,16 +13,18 @@ namespace PlateImpact
              const std::optional<std::string> &output)
   {
     SceneReader  reader(path, overrides, output);
-    SceneChecker checker(reader.schema, reader.parameters());
+    SceneChecker checker(reader.entries, reader.parameters);
     checker.check_together();
-    Parameters given = reader.parameters();
-    given.plate.file = checker.parameters().plate.file;
-    if (reader.mistakes.empty() && checker.mistakes.sentences.empty())
+    const Parameters given = checker.parameters;
+    if (reader.mistakes.empty() && checker.mistakes.empty())
       checker.complete();
-    reader.add_mistakes(checker.mistakes.sentences);
-    reader.add_mistakes(SweepPlan(reader.schema, given.sweep).mistakes());
+    reader.add_mistakes(checker.mistakes);
+    reader.add_mistakes(SweepPlan(reader.entries, given.sweep).mistakes());
     reader.refuse_mistakes();
-    return {printable(path), checker.parameters(), reader.text(), given};
+    return {printable(path),
+            checker.parameters,
+            reader.entries.text(/*with_meanings=*/false),
+            given};
   }
 
 
@@ -30,6 +32,6 @@ namespace PlateImpact
   void
   print_defaults(std::ostream &out)
   {
-    SceneReader().schema.print(out, /*with_documentation=*/true);
+    out << SceneReader().entries.text(/*with_meanings=*/true);
   }
 } // namespace PlateImpact

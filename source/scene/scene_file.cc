@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <sstream>
 
 namespace PlateImpact
 {
@@ -14,17 +15,10 @@ namespace PlateImpact
     std::string
     simplified(const std::string &text)
     {
-      std::string result;
-      for (const char c : text)
-        if (c == ' ' || c == '\t' || c == '\r')
-          {
-            if (!result.empty() && result.back() != ' ')
-              result += ' ';
-          }
-        else
-          result += c;
-      if (!result.empty() && result.back() == ' ')
-        result.pop_back();
+      std::istringstream words(text);
+      std::string        result;
+      for (std::string word; words >> word;)
+        result += (result.empty() ? "" : " ") + word;
       return result;
     }
 
@@ -171,6 +165,14 @@ namespace PlateImpact
 
 
 
+  bool
+  can_be_set(const std::string &text)
+  {
+    return text.find('#') == std::string::npos && is_text(text);
+  }
+
+
+
   Assignment
   parse_override(const std::string &text)
   {
@@ -185,7 +187,7 @@ namespace PlateImpact
     if (assignment.section.empty() || assignment.entry.empty())
       throw InputError(
         {"--set '" + text + "' is not of the form 'Section/Entry=value'"});
-    if (text.find('#') != std::string::npos || !is_text(text))
+    if (!can_be_set(text))
       throw InputError({"--set '" + text +
                         "' holds a character that a scene cannot: '#' or a "
                         "control character"});

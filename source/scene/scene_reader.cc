@@ -1,18 +1,17 @@
 #include "plate_impact/scene/scene_reader.h"
 
 #include "plate_impact/base/exceptions.h"
-#include "plate_impact/scene/declarations.h"
-#include "plate_impact/scene/scene_file.h"
 
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <limits>
-#include <sstream>
 
 namespace PlateImpact
 {
+  namespace fs = std::filesystem;
+
   namespace
   {
     /// Mistakes in the order of the lines of the file; others after them.
@@ -63,13 +62,60 @@ namespace PlateImpact
         add({"Output", "Directory", *output, "--output"});
       return file;
     }
+
+
+
+    /// "; did you mean ...?", empty when nothing is close.
+    std::string
+    suggestion(const std::string              &name,
+               const std::vector<std::string> &candidates)
+    {
+      const std::string closest = closest_name(name, candidates);
+      return closest.empty() ? "" : "; did you mean '" + closest + "'?";
+    }
   } // namespace
 
 
 
-  SceneReader::SceneReader()
+  std::string
+  unknown(const Entries     &entries,
+          const std::string &section,
+          const std::string &name)
   {
-    declare_parameters(schema, bound);
+    std::vector<std::string> sections, names;
+    std::string              elsewhere;
+    for (const Entry &entry : entries.all)
+      {
+        sections.push_back(entry.section());
+        if (entry.section() == section)
+          names.push_back(entry.name());
+        else if (entry.name() == name)
+          elsewhere += (elsewhere.empty() ? "" : " or ") + entry.section();
+      }
+    if (names.empty())
+      return "there is no section '" + section + "'" +
+        suggestion(section, sections);
+    const std::string hint = suggestion(name, names);
+    return "there is no entry '" + name + "' in section " + section +
+      (hint.empty() && !elsewhere.empty() ?
+         "; it belongs to section " + elsewhere :
+         hint);
+  }
+
+
+
+  SceneReader::SceneReader(const std::string &path)
+    : name(path)
+  {
+    parameters.plate.declare_entries(entries);
+    parameters.impactor.declare_entries(entries);
+    parameters.contact.declare_entries(entries);
+    parameters.discretization.declare_entries(entries);
+    parameters.time.declare_entries(entries);
+    parameters.adaptivity.declare_entries(entries);
+    parameters.output.declare_entries(entries);
+    parameters.comparison.declare_entries(entries);
+    parameters.sweep.declare_entries(entries);
   }
 
 
@@ -77,31 +123,63 @@ namespace PlateImpact
   SceneReader::SceneReader(const std::string                &path,
                            const std::vector<std::string>   &overrides,
                            const std::optional<std::string> &output)
-    : name(path)
+    : SceneReader(path)
   {
-    declare_parameters(schema, bound);
-    SceneFile file = scan(path, overrides, output);
-    for (Assignment &assignment : file.assignments)
-      locate(assignment);
-    mistakes = file.mistakes;
-    add_mistakes(schema.check_sections(file.sections));
-    add_mistakes(schema.set(file.assignments));
+    const SceneFile file = scan(path, overrides, output);
+    mistakes             = file.mistakes;
+    for (const Assignment &opening : file.sections)
+      if (!has_section(opening.section))
+        mistakes.push_back(opening.origin + ": " +
+                           unknown(entries, opening.section, opening.entry));
+    add_mistakes(set(file.assignments));
     check_directory();
   }
 
 
 
-  void
-  SceneReader::locate(Assignment &assignment) const
+  bool
+  SceneReader::has_section(const std::string &section) const
   {
-    namespace fs = std::filesystem;
-    if (assignment.path() != "Plate/Outline" ||
-        fs::path(assignment.value).extension() != ".msh")
-      return;
-    const fs::path  beside = fs::path(name).parent_path() / assignment.value;
-    std::error_code error;
-    if (fs::is_regular_file(beside, error))
-      assignment.value = beside.string();
+    return std::any_of(entries.all.begin(),
+                       entries.all.end(),
+                       [&section](const Entry &entry) {
+                         return entry.section() == section;
+                       });
+  }
+
+
+
+  std::vector<std::string>
+  SceneReader::set(const std::vector<Assignment> &assignments)
+  {
+    std::vector<std::string> refused;
+    for (const Assignment &assignment : assignments)
+      {
+        if (!has_section(assignment.section))
+          continue;
+        const std::string path    = assignment.path(),
+                          refusal = assignment.origin + ": " + path + " = ";
+        std::string     value     = assignment.value;
+        const fs::path  beside    = fs::path(name).parent_path() / value;
+        std::error_code error;
+        if (path == "Plate/Outline" && beside.extension() == ".msh" &&
+            fs::is_regular_file(beside, error))
+          value = beside.string();
+
+        if (entries.find(path) == nullptr)
+          refused.push_back(
+            assignment.origin + ": " +
+            unknown(entries, assignment.section, assignment.entry));
+        else if (!can_be_set(value))
+          refused.push_back(refusal + value +
+                            " holds a character that a scene cannot: '#' or a "
+                            "control character");
+        else if (!entries.at(path).set(value, assignment.origin))
+          refused.push_back(refusal + (value.empty() ? "(nothing)" : value) +
+                            " is not allowed; expected " +
+                            entries.at(path).allowed);
+      }
+    return refused;
   }
 
 
@@ -117,15 +195,13 @@ namespace PlateImpact
   void
   SceneReader::check_directory()
   {
-    const std::filesystem::path written =
-      std::filesystem::path(bound.output.directory) / "scene.prm";
+    const Entry    &directory = entries.at("Output/Directory");
     std::error_code error;
-    if (std::filesystem::equivalent(name, written, error))
-      mistakes.push_back(
-        schema.origin("Output/Directory") +
-        ": Output/Directory = " + schema.value("Output/Directory") +
-        " holds the scene itself, which the results would "
-        "replace; expected another directory or file name");
+    if (fs::equivalent(name, fs::path(directory.value) / "scene.prm", error))
+      mistakes.push_back(directory.origin + ": " + directory.path + " = " +
+                         directory.value +
+                         " holds the scene itself, which the results would "
+                         "replace; expected another directory or file name");
   }
 
 
@@ -137,23 +213,5 @@ namespace PlateImpact
       return;
     sort_by_line(mistakes, name);
     throw InputError(mistakes);
-  }
-
-
-
-  Parameters
-  SceneReader::parameters() const
-  {
-    return bound;
-  }
-
-
-
-  std::string
-  SceneReader::text() const
-  {
-    std::ostringstream out;
-    schema.print(out, /*with_documentation=*/false);
-    return out.str();
   }
 } // namespace PlateImpact

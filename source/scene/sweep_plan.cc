@@ -1,82 +1,59 @@
 #include "plate_impact/scene/sweep_plan.h"
 
-#include <deal.II/base/utilities.h>
+#include "plate_impact/scene/scene_reader.h"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <limits>
 
 namespace PlateImpact
 {
-  using dealii::Utilities::split_string_list;
-
   namespace
   {
-    bool
-    is_number(const std::string &text)
+    /// Numbers between separators; none where one is no number.
+    std::vector<double>
+    numbers_in(const std::string &text, const char separator = ',')
     {
-      static const Allowed number =
-        Allowed::number_from(std::numeric_limits<double>::lowest());
-      return number.match(text);
-    }
-
-
-
-    /// Whether an entry holds numbers: so many in its default, 0 for words.
-    std::size_t
-    count_numbers(const std::string &default_value)
-    {
-      const std::vector<std::string> items =
-        split_string_list(default_value, ',');
-      const bool all =
-        !items.empty() && std::all_of(items.begin(), items.end(), is_number);
-      return all ? items.size() : 0;
+      std::vector<double> numbers;
+      for (const std::string &item : split_list(text, separator))
+        if (!any_number().read(item, numbers.emplace_back()))
+          return {};
+      return numbers;
     }
 
 
 
     /// Whether a value is of the kind that an entry holds.
     bool
-    is_of_kind(const std::string &value,
-               const std::string &default_value,
-               const Allowed     &allowed)
+    is_of_kind(const std::string &value, const Entry &entry)
     {
-      if (allowed.match(value))
-        return true;
-      const std::size_t n = count_numbers(default_value);
-      return n > 0 && count_numbers(value) == n;
+      const std::size_t n_numbers = numbers_in(entry.default_value).size();
+      return entry.read(value, /*sets=*/false) ||
+        (n_numbers > 0 && numbers_in(value).size() == n_numbers);
     }
 
 
 
-    /// Values of a range first:last:number.
+    /// Adds the values of a range first:last:number.
     /// @return the mistake, empty when there is none
     std::string
     append_range(const std::string &text, std::vector<std::string> &values)
     {
-      const std::vector<std::string> parts    = split_string_list(text, ':');
-      const std::string              expected = "'" + text +
-        "' is no range; expected first:last:number, two numbers that differ "
-        "and a whole number of values from 2 to " +
-        std::to_string(SweepPlan::max_points);
-      double first, last, number;
-      if (parts.size() != 3 || text.back() == ':' ||
-          !std::all_of(parts.begin(), parts.end(), is_number))
-        return expected;
-      convert(parts[0], first);
-      convert(parts[1], last);
-      convert(parts[2], number);
-      if (first == last || number != std::floor(number) || number < 2. ||
-          number > SweepPlan::max_points)
-        return expected;
-      for (std::size_t i = 0; i < number; ++i)
-        {
-          // the digits of a decimal number, not the round-off of its sum
-          const double n = number - 1.;
-          values.push_back(
-            fmt::format("{:.15g}", first * ((n - i) / n) + last * (i / n)));
-        }
+      const std::vector<double> range = numbers_in(text, ':');
+      if (range.size() != 3 || range[0] == range[1] ||
+          range[2] != std::floor(range[2]) || range[2] < 2. ||
+          range[2] > SweepPlan::max_points)
+        return fmt::format("'{}' is no range; expected first:last:number, two "
+                           "numbers that differ and a whole number of values "
+                           "from 2 to {}",
+                           text,
+                           SweepPlan::max_points);
+      // the digits of a decimal number, not the round-off of its sum
+      const double n = range[2] - 1.;
+      for (unsigned int i = 0; i <= n; ++i)
+        values.push_back(
+          fmt::format("{:.15g}",
+                      range[0] * ((n - i) / n) + range[1] * (i / n)));
       return {};
     }
 
@@ -86,53 +63,47 @@ namespace PlateImpact
     /// @return the mistake, empty when there is none
     std::string
     append_values(const std::string        &text,
-                  const std::string        &path,
-                  const SceneSchema        &schema,
+                  const Entry              &entry,
                   std::vector<std::string> &values)
     {
       const char separator = text.find(';') != std::string::npos ? ';' : ',';
-      std::vector<std::string> items = split_string_list(text, separator);
-      if (text.empty() || text.back() == separator)
-        items.push_back("");
-      for (const std::string &item : items)
-        {
-          const std::string &default_value = schema.default_value(path);
-          if (item.find(':') != std::string::npos &&
-              count_numbers(default_value) == 1)
-            {
-              if (const std::string mistake = append_range(item, values);
-                  !mistake.empty())
-                return mistake;
-            }
-          else if (is_of_kind(item, default_value, schema.allowed(path)))
-            values.push_back(item);
-          else
-            return (item.empty() ? "a value is missing" :
-                                   "'" + item + "' is no value of " + path) +
-              "; expected values separated by commas, or by semicolons where "
-              "they have commas themselves, each: " +
-              schema.allowed(path).description();
-        }
+      for (const std::string &item : split_list(text, separator))
+        if (item.find(':') != std::string::npos &&
+            numbers_in(entry.default_value).size() == 1)
+          {
+            if (const std::string mistake = append_range(item, values);
+                !mistake.empty())
+              return mistake;
+          }
+        else if (is_of_kind(item, entry))
+          values.push_back(item);
+        else
+          return (item.empty() ?
+                    "a value is missing" :
+                    "'" + item + "' is no value of " + entry.path) +
+            "; expected values separated by commas, or by semicolons where "
+            "they have commas themselves, each: " +
+            entry.allowed;
       return {};
     }
   } // namespace
 
 
 
-  SweepPlan::SweepPlan(const SceneSchema &schema, const SweepParameters &sweep)
+  SweepPlan::SweepPlan(const Entries &entries, const SweepParameters &sweep)
     : is_product(sweep.combination == SweepCombination::product)
   {
     for (unsigned int n = 0; n < sweep.entries.size(); ++n)
-      read_entry(n, schema, sweep);
+      read_entry(n, entries, sweep);
     if (found_mistakes.empty() && !swept.empty())
-      combine(schema);
+      combine(entries);
   }
 
 
 
   void
   SweepPlan::read_entry(const unsigned int     n,
-                        const SceneSchema     &schema,
+                        const Entries         &entries,
                         const SweepParameters &sweep)
   {
     const std::string number = std::to_string(n + 1),
@@ -142,7 +113,7 @@ namespace PlateImpact
     const auto refuse         = [&](const std::string &which,
                             const std::string &value,
                             const std::string &text) {
-      found_mistakes.push_back(schema.origin(which) + ": " + which + " = " +
+      found_mistakes.push_back(entries.at(which).origin + ": " + which + " = " +
                                value + " " + text);
     };
     if (path.empty())
@@ -155,32 +126,31 @@ namespace PlateImpact
     const std::string section = path.substr(0, slash);
     if (slash == std::string::npos)
       return refuse(entry, path, "is not of the form Section/Entry");
-    if (!schema.has_entry(path))
+    const Entry *const read = entries.find(path);
+    if (read == nullptr)
       return refuse(entry,
                     path,
                     "is not allowed: " +
-                      schema.unknown(
-                        {section, path.substr(slash + 1), "", ""}));
+                      unknown(entries, section, path.substr(slash + 1)));
     if (section == "Output" || section == "Sweep" || section == "Comparison")
       return refuse(entry, path, "is no entry of an impact");
     for (const SweptEntry &other : swept)
       if (other.path == path)
         return refuse(entry, path, "is swept twice");
 
-    SweptEntry read{path, schema.unit(path), schema.origin(list), {}};
     if (values.empty())
       return refuse(entry, path, "has no values; expected them in " + list);
-    if (const std::string mistake =
-          append_values(values, path, schema, read.values);
+    SweptEntry result{path, read->unit(), entries.at(list).origin, {}};
+    if (const std::string mistake = append_values(values, *read, result.values);
         !mistake.empty())
       return refuse(list, values, "is not allowed: " + mistake);
-    swept.push_back(read);
+    swept.push_back(result);
   }
 
 
 
   void
-  SweepPlan::combine(const SceneSchema &schema)
+  SweepPlan::combine(const Entries &entries)
   {
     double      product = 1.;
     std::string sizes;
@@ -196,10 +166,11 @@ namespace PlateImpact
         same = same && n == swept.front().values.size();
       }
     const double      n = is_product ? product : swept.front().values.size();
-    const std::string where = (schema.origin("Sweep/Combination") == "default" ?
-                                 swept.front().origin :
-                                 schema.origin("Sweep/Combination")) +
-      ": Sweep/Combination = " + schema.value("Sweep/Combination") + " ";
+    const Entry      &combination = entries.at("Sweep/Combination");
+    const std::string where =
+      (combination.origin == "default" ? swept.front().origin :
+                                         combination.origin) +
+      ": " + combination.path + " = " + combination.value + " ";
     if (!is_product && !same)
       found_mistakes.push_back(where + "needs lists of one length; they have " +
                                sizes + " values");
@@ -216,44 +187,12 @@ namespace PlateImpact
 
 
 
-  const std::vector<std::string> &
-  SweepPlan::mistakes() const
-  {
-    return found_mistakes;
-  }
-
-
-
-  const std::vector<SweptEntry> &
-  SweepPlan::entries() const
-  {
-    return swept;
-  }
-
-
-
   bool
   SweepPlan::sweeps(const std::string &path) const
   {
     return std::any_of(swept.begin(), swept.end(), [&](const auto &entry) {
       return entry.path == path;
     });
-  }
-
-
-
-  bool
-  SweepPlan::forms_product() const
-  {
-    return is_product;
-  }
-
-
-
-  std::size_t
-  SweepPlan::n_points() const
-  {
-    return size;
   }
 
 
@@ -269,5 +208,53 @@ namespace PlateImpact
         point     = is_product ? point / values.size() : point;
       }
     return result;
+  }
+
+
+
+  namespace
+  {
+    const std::vector<Word<SweepCombination>> combinations =
+      {{SweepCombination::product, "product"}, {SweepCombination::zip, "zip"}};
+
+    const std::vector<Word<SweepAdaptation>> adaptations = {
+      {SweepAdaptation::worst_point, "worst point"},
+      {SweepAdaptation::each_point, "each point"}};
+  } // namespace
+
+
+
+  void
+  SweepParameters::declare_entries(Entries &all)
+  {
+    const auto entry = all.section("Sweep");
+    for (unsigned int n = 0; n < 3; ++n)
+      {
+        const std::string number = std::to_string(n + 1);
+        entry("Entry " + number, "", any_text("Section/Entry"), entries[n]);
+        entry("Values " + number, "", any_text("a list or a range"), values[n]);
+      }
+    all.at("Sweep/Entry 1")
+      .means("Read by `plate-impact sweep` only, as the entries below. An "
+             "entry of the scene that is given the values below one after "
+             "another: Section/Entry, for example Impactor/Velocity; empty: "
+             "none.");
+    all.at("Sweep/Values 1")
+      .means("Values separated by commas, 1, 2, 5, and ranges "
+             "first:last:number of so many equidistant values, 0.5:5:20. Where "
+             "values have commas themselves, as side lengths, semicolons "
+             "separate them.");
+    entry("Combination", "product", one_of(combinations), combination)
+      .means("product: every value with every other; zip: the first values of "
+             "all lists, the second ones, and so on.");
+    entry("Adapt", "worst point", one_of(adaptations), adapt)
+      .means("worst point: points that share plate and load are computed on "
+             "the last mesh of the one with the shortest contact; each point: "
+             "on a mesh of its own.");
+    entry("Estimate error", "false", truth(), estimate_error)
+      .means("Estimate the error in the energy norm of every point, which then "
+             "costs as much as the stepping of a run.");
+    entry("Write histories", "false", truth(), write_histories)
+      .means("contact_history_point_K.csv for every row K.");
   }
 } // namespace PlateImpact

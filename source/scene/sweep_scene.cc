@@ -1,10 +1,7 @@
 #include "plate_impact/scene/sweep_scene.h"
 
 #include "plate_impact/base/exceptions.h"
-#include "plate_impact/base/text.h"
 #include "plate_impact/scene/scene_checker.h"
-
-#include <set>
 
 namespace PlateImpact
 {
@@ -12,20 +9,20 @@ namespace PlateImpact
                          const std::vector<std::string>   &overrides,
                          const std::optional<std::string> &output)
     : reader(path, overrides, output)
-    , sweep_plan(reader.schema, reader.parameters().sweep)
+    , sweep_plan(reader.entries, reader.parameters.sweep)
   {
-    std::set<std::string> swept;
-    for (const SweptEntry &entry : sweep_plan.entries())
+    for (const SweptEntry &swept : sweep_plan.entries())
       {
-        swept.insert(entry.path);
-        if (reader.schema.origin(entry.path) == "--set")
-          reader.add_mistakes({"--set: " + entry.path + " = " +
-                               reader.schema.value(entry.path) +
+        Entry &entry = reader.entries.at(swept.path);
+        if (entry.origin == "--set")
+          reader.add_mistakes({"--set: " + entry.path + " = " + entry.value +
                                " has no meaning: the entry is swept"});
+        entry.origin   = swept.origin;
+        entry.is_known = false;
       }
-    SceneChecker checker(reader.schema, reader.parameters(), swept);
+    SceneChecker checker(reader.entries, reader.parameters);
     checker.check_together();
-    reader.add_mistakes(checker.mistakes.sentences);
+    reader.add_mistakes(checker.mistakes);
     reader.add_mistakes(sweep_plan.mistakes());
     if (reader.mistakes.empty() && sweep_plan.n_points() == 0)
       reader.add_mistakes(
@@ -34,51 +31,8 @@ namespace PlateImpact
          "example Impactor/Velocity and 1, 2, 5"});
     reader.refuse_mistakes();
 
-    base_text = reader.text();
-    base      = reader.parameters();
-
-    base->plate.file = checker.parameters().plate.file;
-  }
-
-
-
-  const SweepPlan &
-  SweepScene::plan() const
-  {
-    return sweep_plan;
-  }
-
-
-
-  const Parameters &
-  SweepScene::parameters() const
-  {
-    return *base;
-  }
-
-
-
-  bool
-  SweepScene::may_adapt() const
-  {
-    return base->adaptivity.is_adaptive() ||
-      sweep_plan.sweeps("Adaptivity/Strategy");
-  }
-
-
-
-  std::string
-  SweepScene::name() const
-  {
-    return printable(reader.name);
-  }
-
-
-
-  const std::string &
-  SweepScene::text() const
-  {
-    return base_text;
+    base_text = reader.entries.text(/*with_meanings=*/false);
+    base      = checker.parameters;
   }
 
 
@@ -86,7 +40,6 @@ namespace PlateImpact
   SweepPoint
   SweepScene::point(const std::size_t index)
   {
-    reader.schema.take_back_choices();
     std::vector<Assignment>        assignments;
     const std::vector<std::string> values = sweep_plan.values(index);
     for (std::size_t i = 0; i < values.size(); ++i)
@@ -97,25 +50,24 @@ namespace PlateImpact
                                swept.path.substr(slash + 1),
                                values[i],
                                swept.origin});
-        reader.locate(assignments.back());
       }
+    for (Entry &entry : reader.entries.all)
+      entry.chosen.reset();
+    std::vector<std::string> mistakes = reader.set(assignments);
 
-    std::vector<std::string> mistakes   = reader.schema.set(assignments);
-    const auto               known      = expected_peaks.find(index);
-    Parameters               parameters = reader.parameters();
-    parameters.plate.file               = base->plate.file;
-    SceneChecker checker(reader.schema,
-                         parameters,
-                         /*swept=*/{},
+    const auto known             = expected_peaks.find(index);
+    reader.parameters.plate.file = base.plate.file;
+    SceneChecker checker(reader.entries,
+                         reader.parameters,
                          known == expected_peaks.end() ?
                            std::nullopt :
                            std::optional(known->second));
     if (mistakes.empty())
       {
         checker.check_together();
-        if (checker.mistakes.sentences.empty())
+        if (checker.mistakes.empty())
           checker.complete();
-        mistakes = checker.mistakes.sentences;
+        mistakes = checker.mistakes;
       }
     if (mistakes.empty() && !checker.expected_peak)
       mistakes = {sweep_plan.entries().front().origin +
@@ -123,6 +75,6 @@ namespace PlateImpact
     if (!mistakes.empty())
       throw InputError(mistakes);
     expected_peaks.try_emplace(index, *checker.expected_peak);
-    return {checker.parameters(), *checker.expected_peak};
+    return {checker.parameters, *checker.expected_peak};
   }
 } // namespace PlateImpact

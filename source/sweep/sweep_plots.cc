@@ -1,11 +1,11 @@
 #include "plate_impact/sweep/sweep_plots.h"
 
 #include "plate_impact/analysis/impact_figures.h"
+#include "plate_impact/base/entries.h"
 #include "plate_impact/base/text.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace PlateImpact
@@ -232,15 +232,9 @@ namespace PlateImpact
   SweepPlots::scale(const SweptEntry &entry) const
   {
     Scale scale{with_unit(entry.path, entry.unit), true, entry.values, {}};
-    const Allowed number =
-      Allowed::number_from(std::numeric_limits<double>::lowest());
     for (const std::string &text : entry.values)
-      {
-        scale.is_numeric = scale.is_numeric && number.match(text);
-        double value     = 0.;
-        convert(text, value);
-        scale.values.push_back(value);
-      }
+      if (!any_number().read(text, scale.values.emplace_back()))
+        scale.is_numeric = false;
     if (!scale.is_numeric)
       for (std::size_t i = 0; i < scale.values.size(); ++i)
         scale.values[i] = static_cast<double>(i + 1);

@@ -3,9 +3,9 @@
 #include <deal.II/base/utilities.h>
 
 #include "plate_impact/analysis/impact_figures.h"
+#include "plate_impact/base/entries.h"
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/text.h"
-#include "plate_impact/scene/allowed.h"
 
 #include <cerrno>
 #include <map>
@@ -140,11 +140,7 @@ namespace PlateImpact
           if (const std::string &field = fields[n_values + i]; field.empty())
             row.figures.emplace_back();
           else
-            {
-              double value;
-              convert(field, value);
-              row.figures.emplace_back(value);
-            }
+            any_number().read(field, row.figures.emplace_back(0.).value());
         row.warnings =
           dealii::Utilities::split_string_list(fields[n_values + n_figures],
                                                separator);

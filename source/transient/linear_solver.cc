@@ -180,6 +180,12 @@ namespace PlateImpact
 
 
 
+  template <>
+  const std::vector<Word<SolverType>> Choices<SolverType>::words =
+    {{SolverType::CHOLMOD, "CHOLMOD"}, {SolverType::KLU, "KLU"}};
+
+
+
   std::unique_ptr<LinearSolver>
   make_linear_solver(const SolverType type)
   {

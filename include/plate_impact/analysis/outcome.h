@@ -27,8 +27,7 @@ namespace PlateImpact
   }
 
   template <>
-  const std::vector<std::pair<Outcome, std::string>> &
-  choices();
+  const std::vector<Word<Outcome>> Choices<Outcome>::words;
 } // namespace PlateImpact
 
 #endif

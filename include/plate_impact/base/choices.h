@@ -4,11 +4,11 @@
 #include <stdexcept>
 #include <string>
 #include <tuple>
-#include <utility>
 #include <vector>
 
-/// What an entry of a scene may choose from. The words for it are in one table,
-/// choices.cc; what they mean is documented where the entry is declared.
+/// What an entry of a scene may choose from. A word, its enumerator and what it
+/// makes are one row of one table, beside what makes it; what a word means is
+/// said where the entry is declared.
 namespace PlateImpact
 {
   enum class PlateOutline
@@ -149,98 +149,69 @@ namespace PlateImpact
   };
 
 
-  /// The choices of a kind with their words, in the order in which a user reads
-  /// them.
+  /// A choice and its word, as a user types and reads it.
   template <typename Choice>
-  const std::vector<std::pair<Choice, std::string>> &
-  choices();
+  struct Word
+  {
+    Choice      choice;
+    std::string word;
+  };
+
+  /// The words of a kind that more than one file needs, in the order in which a
+  /// user reads them.
+  template <typename Choice>
+  struct Choices
+  {
+    static const std::vector<Word<Choice>> words;
+  };
 
   template <>
-  const std::vector<std::pair<EdgeSupport, std::string>> &
-  choices();
+  const std::vector<Word<EdgeSupport>> Choices<EdgeSupport>::words;
   template <>
-  const std::vector<std::pair<ImpactorShape, std::string>> &
-  choices();
+  const std::vector<Word<ImpactorShape>> Choices<ImpactorShape>::words;
   template <>
-  const std::vector<std::pair<ForceLaw, std::string>> &
-  choices();
+  const std::vector<Word<ForceLaw>> Choices<ForceLaw>::words;
   template <>
-  const std::vector<std::pair<LocalResponse, std::string>> &
-  choices();
+  const std::vector<Word<LocalResponse>> Choices<LocalResponse>::words;
   template <>
-  const std::vector<std::pair<LoadShape, std::string>> &
-  choices();
+  const std::vector<Word<LoadShape>> Choices<LoadShape>::words;
   template <>
-  const std::vector<std::pair<ForceIntegration, std::string>> &
-  choices();
+  const std::vector<Word<ElementType>> Choices<ElementType>::words;
   template <>
-  const std::vector<std::pair<ElementType, std::string>> &
-  choices();
+  const std::vector<Word<SolverType>> Choices<SolverType>::words;
   template <>
-  const std::vector<std::pair<SolverType, std::string>> &
-  choices();
+  const std::vector<Word<ErrorIndicator>> Choices<ErrorIndicator>::words;
   template <>
-  const std::vector<std::pair<IntegratorType, std::string>> &
-  choices();
+  const std::vector<Word<RecoveryPatches>> Choices<RecoveryPatches>::words;
   template <>
-  const std::vector<std::pair<AdaptationStrategy, std::string>> &
-  choices();
-  template <>
-  const std::vector<std::pair<AdaptationGoal, std::string>> &
-  choices();
-  template <>
-  const std::vector<std::pair<ComparedStrategy, std::string>> &
-  choices();
-  template <>
-  const std::vector<std::pair<ErrorIndicator, std::string>> &
-  choices();
-  template <>
-  const std::vector<std::pair<SweepCombination, std::string>> &
-  choices();
-  template <>
-  const std::vector<std::pair<SweepAdaptation, std::string>> &
-  choices();
-  template <>
-  const std::vector<std::pair<PlateOutline, std::string>> &
-  choices();
-  template <>
-  const std::vector<std::pair<RecoveryPatches, std::string>> &
-  choices();
-  template <>
-  const std::vector<std::pair<UnloadingLaw, std::string>> &
-  choices();
+  const std::vector<Word<ComparedStrategy>> Choices<ComparedStrategy>::words;
 
-  /// The word for a choice.
+  /// The row of a choice in a table of its kind.
+  template <typename Row>
+  const Row &
+  row_of(const decltype(Row::choice) choice, const std::vector<Row> &rows)
+  {
+    for (const Row &row : rows)
+      if (row.choice == choice)
+        return row;
+    throw std::logic_error("a choice without a row");
+  }
+
   template <typename Choice>
   const std::string &
   word_for(const Choice choice)
   {
-    for (const auto &[value, word] : choices<Choice>())
-      if (value == choice)
-        return word;
-    throw std::logic_error("a choice without a word");
+    return row_of(choice, Choices<Choice>::words).word;
   }
 
-  /// What a word chooses.
-  /// @throws std::logic_error for one that is not in words_for()
-  template <typename Choice>
-  Choice
-  choice_of(const std::string &word)
+  /// The words of a table.
+  template <typename Row>
+  auto
+  words_of(const std::vector<Row> &rows)
   {
-    for (const auto &[value, its_word] : choices<Choice>())
-      if (its_word == word)
-        return value;
-    throw std::logic_error("no choice '" + word + "'");
-  }
-
-  /// All words of a kind.
-  template <typename Choice>
-  std::vector<std::string>
-  words_for()
-  {
-    std::vector<std::string> words;
-    for (const auto &[value, word] : choices<Choice>())
-      words.push_back(word);
+    std::vector<Word<decltype(Row::choice)>> words;
+    for (const Row &row : rows)
+      words.push_back({row.choice, row.word});
     return words;
   }
 } // namespace PlateImpact

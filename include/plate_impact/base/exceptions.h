@@ -3,6 +3,8 @@
 
 #include "plate_impact/base/text.h"
 
+#include <algorithm>
+#include <fmt/format.h>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -19,29 +21,23 @@ namespace PlateImpact
     {}
 
   private:
-    /// No file makes more than a screen of sentences.
+    /// No file makes more than a screen of sentences; of one that quotes a long
+    /// value there are beginning and end.
     static std::string
     join(const std::vector<std::string> &mistakes)
     {
-      constexpr std::size_t most = 20;
+      constexpr std::size_t most = 20, longest = 600;
       std::string           text;
-      for (std::size_t n = 0; n < mistakes.size() && n < most; ++n)
-        text += (text.empty() ? "" : "\n") + shortened(printable(mistakes[n]));
+      for (std::size_t n = 0; n < std::min(most, mistakes.size()); ++n)
+        {
+          std::string sentence = printable(mistakes[n]);
+          if (sentence.size() > longest)
+            sentence.replace(longest / 2, sentence.size() - longest, " [...] ");
+          text += (n > 0 ? "\n" : "") + sentence;
+        }
       if (mistakes.size() > most)
-        text +=
-          "\nand " + std::to_string(mistakes.size() - most) + " more mistakes";
+        text += fmt::format("\nand {} more mistakes", mistakes.size() - most);
       return text;
-    }
-
-    /// Beginning and end of a sentence that quotes a long value.
-    static std::string
-    shortened(const std::string &sentence)
-    {
-      constexpr std::size_t most = 600;
-      if (sentence.size() <= most)
-        return sentence;
-      return sentence.substr(0, most / 2) + " [...] " +
-        sentence.substr(sentence.size() - most / 2);
     }
   };
 

@@ -11,9 +11,11 @@
 
 /// The entries of a scene, one struct per section. What an entry means, its
 /// unit, its default and what is allowed is written once, where it is declared
-/// (declarations.cc), and printed by `plate-impact defaults`. SI units.
+/// (declare_entries(), in the room of what the section configures), and printed
+/// by `plate-impact defaults`. SI units.
 namespace PlateImpact
 {
+  class Entries;
   struct PlateFile;
 
   /// What the entry Plate/Outline says.
@@ -69,6 +71,9 @@ namespace PlateImpact
     Layup                     layup;
     PlyParameters             ply;
 
+    void
+    declare_entries(Entries &entries);
+
     // what follows from the entries
     bool twists_when_bent = false;         ///< D_16 or D_26 is not zero
     std::shared_ptr<const PlateFile> file; ///< for an outline from one
@@ -102,6 +107,9 @@ namespace PlateImpact
     double        youngs_modulus;
     double        poissons_ratio;
     double        velocity;
+
+    void
+    declare_entries(Entries &entries);
 
     bool
     is_cylinder() const
@@ -139,6 +147,9 @@ namespace PlateImpact
     ForceIntegration integration;
     UnloadingLaw     unloading;
     double           critical_indentation;
+
+    void
+    declare_entries(Entries &entries);
 
     /// Whether the force spreads over an area that Patch radius measures.
     bool
@@ -186,6 +197,9 @@ namespace PlateImpact
     ElementType                 element;
     std::array<unsigned int, 2> initial_cells;
     SolverType                  linear_solver;
+
+    void
+    declare_entries(Entries &entries);
   };
 
   struct TimeParameters
@@ -197,6 +211,9 @@ namespace PlateImpact
     double         ritz_tolerance;
     double         newmark_beta;
     double         newmark_gamma;
+
+    void
+    declare_entries(Entries &entries);
 
     // what follows from the entries
     bool   step_is_chosen = false; ///< by the program
@@ -236,6 +253,9 @@ namespace PlateImpact
     double             coarsened_share_of_cells;
     unsigned int       sampling_interval;
 
+    void
+    declare_entries(Entries &entries);
+
     /// What the goal asks for, a fraction.
     double
     target() const
@@ -266,6 +286,9 @@ namespace PlateImpact
     bool         write_report;
     unsigned int field_samples;
     unsigned int natural_frequencies;
+
+    void
+    declare_entries(Entries &entries);
   };
 
   struct ComparisonParameters
@@ -275,6 +298,9 @@ namespace PlateImpact
     unsigned int                  maximum_cycles;
     double                        reference_peak_force;
     double                        time_budget;
+
+    void
+    declare_entries(Entries &entries);
   };
 
   struct SweepParameters
@@ -285,6 +311,9 @@ namespace PlateImpact
     SweepAdaptation            adapt;
     bool                       estimate_error;
     bool                       write_histories;
+
+    void
+    declare_entries(Entries &entries);
   };
 
   /// Sections are compared whole, so that a new entry is never forgotten where

@@ -2,6 +2,7 @@
 #define plate_impact_base_text_h
 
 #include <cstddef>
+#include <fmt/format.h>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +14,16 @@
 /// scene stands as it is typed, in the unit of the entry.
 namespace PlateImpact
 {
+  /// A number of six digits; a dash when it is not finite.
+  std::string
+  number(double value);
+
+  /// A number of some significant digits, without an exponent where six would
+  /// need none: 1310, not 1.31e+03.
+  std::string
+  rounded(double value, int digits = 4);
+
+
   /// A unit with the prefix that makes values easy to read: of 3.43e-5 s it
   /// makes 34.3 µs. Forces and the like read better as 1301 N than as 1.301 kN:
   /// numbers from 1 to 1e5 have no prefix.
@@ -28,16 +39,26 @@ namespace PlateImpact
 
     /// A value in this unit, from SI units.
     double
-    operator()(double value) const;
+    operator()(const double value) const
+    {
+      return factor * value;
+    }
+
     std::vector<double>
     operator()(std::vector<double> values) const;
 
     /// A result with the unit.
     std::string
-    text(double value) const;
+    text(double value) const
+    {
+      return rounded(factor * value) + ' ' + prefixed;
+    }
 
     const std::string &
-    name() const;
+    name() const
+    {
+      return prefixed;
+    }
 
   private:
     std::string prefixed;
@@ -45,19 +66,13 @@ namespace PlateImpact
   };
 
 
-  /// A number of six digits; a dash when it is not finite.
-  std::string
-  number(double value);
-
-  /// A number of some significant digits, without an exponent where six would
-  /// need none: 1310, not 1.31e+03.
-  std::string
-  rounded(double value, int digits = 4);
-
   /// A result with its unit.
   /// @param unit  of SI without prefix
-  std::string
-  number(double value, const std::string &unit);
+  inline std::string
+  number(const double value, const std::string &unit)
+  {
+    return PrefixedUnit(unit, value).text(value);
+  }
 
   /// A result and how far it may be off, which is rounded up to one digit or,
   /// of 1 and 2, two: "1390.10 N ± 0.10 N".
@@ -67,12 +82,18 @@ namespace PlateImpact
 
   /// A title of an axis or a column, with the unit where there is one: "Peak
   /// force [N]".
-  std::string
-  with_unit(const std::string &title, const std::string &unit);
+  inline std::string
+  with_unit(const std::string &title, const std::string &unit)
+  {
+    return unit.empty() || unit == "-" ? title : title + " [" + unit + "]";
+  }
 
   /// A result, a fraction, as "5 %".
-  std::string
-  percentage(double fraction);
+  inline std::string
+  percentage(const double fraction)
+  {
+    return rounded(100. * fraction) + " %";
+  }
 
   /// How far a value is from another: "+0.56 %", or "12.6 times" where it is
   /// more than twice it or less than half.
@@ -80,24 +101,37 @@ namespace PlateImpact
   deviation(double value, double other);
 
   /// An estimate or advice.
-  std::string
-  about(double value);
+  inline std::string
+  about(const double value)
+  {
+    return rounded(value, 3);
+  }
   std::string
   about(double value, const std::string &unit);
-  std::string
-  about_percentage(double fraction);
+  inline std::string
+  about_percentage(const double fraction)
+  {
+    return about(100. * fraction) + " %";
+  }
 
   /// The shortest text that reads back as the same number.
   std::string
   shortest(double value);
 
   /// "1 point", "2 points", "3 meshes".
-  std::string
-  counted(std::size_t n, const std::string &noun);
+  inline std::string
+  counted(const std::size_t n, const std::string &noun)
+  {
+    const char *plural = noun.back() == 'h' ? "es" : "s";
+    return fmt::format("{} {}{}", n, noun, n == 1 ? "" : plural);
+  }
 
   /// A time that was measured: "0.37 s".
-  std::string
-  wall_time(double seconds);
+  inline std::string
+  wall_time(const double seconds)
+  {
+    return fmt::format("{:.2f} s", seconds);
+  }
 
   /// A time that someone waits: "12 s", "3 min".
   std::string
@@ -114,10 +148,16 @@ namespace PlateImpact
 
   /// Columns of the tables that the program prints: a word at the left or at
   /// the right end of a column of some width.
-  std::string
-  left(std::size_t width, const std::string &word);
-  std::string
-  right(std::size_t width, const std::string &word);
+  inline std::string
+  left(const std::size_t width, const std::string &word)
+  {
+    return fmt::format("{:<{}}", word, width);
+  }
+  inline std::string
+  right(const std::size_t width, const std::string &word)
+  {
+    return fmt::format("{:>{}}", word, width);
+  }
 
   /// A number, or a dash, at the right end.
   /// @param format  of {fmt}, as "{:.2f}"

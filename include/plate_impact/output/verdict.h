@@ -20,8 +20,7 @@ namespace PlateImpact
   };
 
   template <>
-  const std::vector<std::pair<Trust, std::string>> &
-  choices();
+  const std::vector<Word<Trust>> Choices<Trust>::words;
 
 
   /// What a reader must know before any other number, in two parts that have

@@ -1,13 +1,11 @@
 #ifndef plate_impact_scene_scene_checker_h
 #define plate_impact_scene_scene_checker_h
 
+#include "plate_impact/base/entries.h"
 #include "plate_impact/base/parameters.h"
 #include "plate_impact/contact/zener.h"
-#include "plate_impact/scene/scene_mistakes.h"
-#include "plate_impact/scene/scene_schema.h"
 
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -18,14 +16,18 @@ namespace PlateImpact
   class SceneChecker
   {
   public:
-    /// @param schema  must outlive the checker
-    /// @param swept   entries that have no value yet: what involves them is not
-    ///                judged
+    /// @param entries  must outlive the checker; what involves one that is not
+    ///                 known is not judged
     /// @param expected_peak  where it is known already
-    SceneChecker(SceneSchema                       &schema,
+    SceneChecker(Entries                           &entries,
                  const Parameters                  &parameters,
-                 const std::set<std::string>       &swept         = {},
-                 const std::optional<ExpectedPeak> &expected_peak = {});
+                 const std::optional<ExpectedPeak> &expected_peak = {})
+      : parameters(parameters)
+      , expected_peak(expected_peak)
+      , entries(entries)
+    {}
+
+    SceneChecker(const SceneChecker &) = delete;
 
     /// Entries against each other, with words in place of those not given that
     /// follow from others.
@@ -37,28 +39,32 @@ namespace PlateImpact
     void
     complete();
 
-    /// Those given, and what complete() has chosen.
-    const Parameters &
-    parameters() const;
-
-    SceneMistakes mistakes;
+    Parameters parameters; ///< with what has been chosen
 
     /// By Zener's equation; empty without an impactor or before complete().
     std::optional<ExpectedPeak> expected_peak;
 
+    std::vector<std::string> mistakes; ///< a sentence each
+
   private:
-    /// Fills an entry in.
-    /// @param variable  of the scene that holds its value
+    /// Adds a mistake in the value of the first entry, unless one of those
+    /// involved is not known. Its place is that of the first of them which the
+    /// scene sets.
     void
-    choose(const std::string &section,
-           const std::string &entry,
-           double            &variable,
-           double             value);
+    refuse(const std::vector<std::string> &involved, const std::string &text);
+
+    bool
+    is_given(const std::string &path) const;
+
+    /// Fills an entry in.
+    /// @param variable  of the parameters, that holds its value
+    void
+    choose(const std::string &path, double &variable, double value);
 
     /// The same with a word, unless the scene gives the entry.
     template <typename Choice>
     void
-    choose_unless_given(const std::string &entry,
+    choose_unless_given(const std::string &path,
                         Choice            &variable,
                         Choice             value);
 
@@ -67,16 +73,29 @@ namespace PlateImpact
     void
     choose_contact();
 
+    // of the plate, in plate_checker.cc
+
+    /// Reads the plate from its file, unless it is there already.
+    /// @return whether it can be read
+    bool
+    read_plate();
+    /// Lay-up or isotropic material.
     void
-    check_unloading();
+    check_section();
+    /// Outline, supports and what must lie within; needs the load's shape.
+    void
+    check_shape();
+    void
+    check_edges();
+    void
+    check_extent();
+
     void
     check_contact();
     void
     check_time();
     void
     check_mesh();
-    void
-    check_goal();
     void
     check_comparison();
 
@@ -92,8 +111,12 @@ namespace PlateImpact
     void
     complete_mesh();
 
-    SceneSchema &schema;
-    Parameters   scene;
+    Entries              &entries;
+    PlateParameters      &plate      = parameters.plate;
+    ImpactorParameters   &impactor   = parameters.impactor;
+    ContactParameters    &contact    = parameters.contact;
+    TimeParameters       &time       = parameters.time;
+    AdaptivityParameters &adaptivity = parameters.adaptivity;
   };
 } // namespace PlateImpact
 

@@ -43,6 +43,11 @@ namespace PlateImpact
   SceneFile
   scan_scene(std::istream &in, const std::string &name);
 
+  /// Whether a text can stand in a line of a scene: without '#' and control
+  /// characters.
+  bool
+  can_be_set(const std::string &text);
+
   /// Takes "Section/Entry=value" of the command line apart.
   /// @throws InputError when there is no section, entry or `=`
   Assignment

@@ -1,8 +1,9 @@
 #ifndef plate_impact_scene_scene_reader_h
 #define plate_impact_scene_scene_reader_h
 
+#include "plate_impact/base/entries.h"
 #include "plate_impact/base/parameters.h"
-#include "plate_impact/scene/scene_schema.h"
+#include "plate_impact/scene/scene_file.h"
 
 #include <optional>
 #include <string>
@@ -10,13 +11,20 @@
 
 namespace PlateImpact
 {
+  /// The sentence for a section or an entry of it that does not exist.
+  std::string
+  unknown(const Entries     &entries,
+          const std::string &section,
+          const std::string &name);
+
+
   /// A scene file and what the command line sets on top of it, every value
   /// checked by itself.
   class SceneReader
   {
   public:
     /// The defaults.
-    SceneReader();
+    explicit SceneReader(const std::string &path = "");
 
     SceneReader(const std::string                &path,
                 const std::vector<std::string>   &overrides,
@@ -24,9 +32,11 @@ namespace PlateImpact
 
     SceneReader(const SceneReader &) = delete;
 
-    /// A file that an entry names is looked for beside the scene first.
-    void
-    locate(Assignment &assignment) const;
+    /// Sets entries and returns a sentence for each that cannot be. A file that
+    /// one names is looked for beside the scene first. Those of a section that
+    /// does not exist are passed over: the section is the one mistake.
+    std::vector<std::string>
+    set(const std::vector<Assignment> &assignments);
 
     void
     add_mistakes(const std::vector<std::string> &more);
@@ -36,24 +46,17 @@ namespace PlateImpact
     void
     refuse_mistakes();
 
-    /// The values that the entries have now.
-    Parameters
-    parameters() const;
-
-    /// Every value, as a scene.
-    std::string
-    text() const;
-
     const std::string        name; ///< of the file, as given
-    SceneSchema              schema;
+    Parameters               parameters;
+    Entries                  entries; ///< of the parameters
     std::vector<std::string> mistakes;
 
   private:
+    bool
+    has_section(const std::string &section) const;
     /// The results must not replace the scene.
     void
     check_directory();
-
-    Parameters bound; ///< to the schema, which changes it
   };
 } // namespace PlateImpact
 

@@ -1,8 +1,8 @@
 #ifndef plate_impact_scene_sweep_plan_h
 #define plate_impact_scene_sweep_plan_h
 
+#include "plate_impact/base/entries.h"
 #include "plate_impact/base/parameters.h"
-#include "plate_impact/scene/scene_schema.h"
 
 #include <cstddef>
 #include <string>
@@ -31,14 +31,20 @@ namespace PlateImpact
     /// Points beyond this number are refused.
     static constexpr std::size_t max_points = 1000000;
 
-    SweepPlan(const SceneSchema &schema, const SweepParameters &sweep);
+    SweepPlan(const Entries &entries, const SweepParameters &sweep);
 
     /// A sentence each.
     const std::vector<std::string> &
-    mistakes() const;
+    mistakes() const
+    {
+      return found_mistakes;
+    }
 
     const std::vector<SweptEntry> &
-    entries() const;
+    entries() const
+    {
+      return swept;
+    }
 
     /// Whether an entry, "Section/Entry", is swept.
     bool
@@ -46,11 +52,17 @@ namespace PlateImpact
 
     /// Every value with every other, as opposed to lists that are paired up.
     bool
-    forms_product() const;
+    forms_product() const
+    {
+      return is_product;
+    }
 
     /// 0 without an entry.
     std::size_t
-    n_points() const;
+    n_points() const
+    {
+      return size;
+    }
 
     /// The value of every entry at a point. In a product the values of the last
     /// entry change fastest.
@@ -60,10 +72,10 @@ namespace PlateImpact
   private:
     void
     read_entry(unsigned int           n,
-               const SceneSchema     &schema,
+               const Entries         &entries,
                const SweepParameters &sweep);
     void
-    combine(const SceneSchema &schema);
+    combine(const Entries &entries);
 
     std::vector<SweptEntry>  swept;
     std::vector<std::string> found_mistakes;

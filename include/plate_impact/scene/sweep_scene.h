@@ -1,6 +1,7 @@
 #ifndef plate_impact_scene_sweep_scene_h
 #define plate_impact_scene_sweep_scene_h
 
+#include "plate_impact/base/text.h"
 #include "plate_impact/contact/zener.h"
 #include "plate_impact/scene/scene_reader.h"
 #include "plate_impact/scene/sweep_plan.h"
@@ -31,23 +32,39 @@ namespace PlateImpact
                const std::vector<std::string>   &overrides,
                const std::optional<std::string> &output);
 
+    /// Whether points of it may adapt their mesh.
+    bool
+    may_adapt() const
+    {
+      return base.adaptivity.is_adaptive() ||
+        sweep_plan.sweeps("Adaptivity/Strategy");
+    }
+
+    std::string
+    name() const
+    {
+      return printable(reader.name);
+    }
+
     const SweepPlan &
-    plan() const;
+    plan() const
+    {
+      return sweep_plan;
+    }
 
     /// The scene with the points' values left out.
     const Parameters &
-    parameters() const;
-
-    /// Whether points of it may adapt their mesh.
-    bool
-    may_adapt() const;
-
-    std::string
-    name() const;
+    parameters() const
+    {
+      return base;
+    }
 
     /// Every value, as a scene that repeats the sweep.
     const std::string &
-    text() const;
+    text() const
+    {
+      return base_text;
+    }
 
     /// @throws InputError when its values are not valid together, or without an
     ///         impactor
@@ -55,10 +72,10 @@ namespace PlateImpact
     point(std::size_t index);
 
   private:
-    SceneReader               reader;
-    const SweepPlan           sweep_plan;
-    std::string               base_text;
-    std::optional<Parameters> base;
+    SceneReader     reader;
+    const SweepPlan sweep_plan;
+    std::string     base_text;
+    Parameters      base;
     /// of the points that were valid
     std::map<std::size_t, ExpectedPeak> expected_peaks;
   };

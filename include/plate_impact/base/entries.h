@@ -1,0 +1,252 @@
+#ifndef plate_impact_base_entries_h
+#define plate_impact_base_entries_h
+
+#include <deal.II/base/exceptions.h>
+
+#include "plate_impact/base/choices.h"
+
+#include <array>
+#include <fmt/format.h>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// The entries of a scene, declared by what they configure: what deal.II's
+/// ParameterHandler knows of an entry, and where it was set and what a user
+/// reads when its value is not allowed.
+namespace PlateImpact
+{
+  /// What an entry may hold.
+  template <typename T>
+  struct Allowed
+  {
+    std::string words; ///< that a user reads
+    /// Makes the value of a text, unless the text is not allowed: false.
+    std::function<bool(const std::string &text, T &value)> read;
+  };
+
+
+  // numbers are finite
+  Allowed<double>
+  any_number();
+  Allowed<double>
+  number_above(double bound);
+  Allowed<double>
+  number_from(double first);
+  Allowed<double>
+  number_up_to(double lower, double upper); ///< the lower excluded
+  Allowed<double>
+  number_between(double lower, double upper); ///< both excluded
+  Allowed<unsigned int>
+  whole_number(unsigned int first, unsigned int last);
+  Allowed<bool>
+  truth();
+  Allowed<std::string>
+  any_text(const std::string &words);
+
+  /// A word of a table with rows that begin with choice and word.
+  template <typename Row>
+  auto
+  one_of(const std::vector<Row> &rows);
+  /// A word of a kind.
+  template <typename Choice>
+  Allowed<Choice>
+  one_of();
+
+  /// Values of one kind, separated by commas.
+  template <typename T>
+  Allowed<std::vector<T>>
+  list(const Allowed<T> &item, std::size_t first, std::size_t last);
+  template <typename T>
+  Allowed<std::array<T, 2>>
+  pair_of(const Allowed<T> &item);
+
+  /// The items between separators, without blanks at their ends; an empty one
+  /// after a separator at the end.
+  std::vector<std::string>
+  split_list(const std::string &text, char separator = ',');
+
+
+  /// An entry, bound to a variable.
+  struct Entry
+  {
+    std::string path; ///< Section/Entry
+    std::string default_value;
+    std::string allowed; ///< in words
+    /// Whether a text is allowed; where it is and `sets`, sets the variable.
+    std::function<bool(const std::string &text, bool sets)> read;
+    std::string                                             value;
+
+    std::string meaning  = "";        ///< ends with the unit in brackets
+    std::string origin   = "default"; ///< or where it was set: "scene.prm:12"
+    bool        is_known = true; ///< false of what was refused, and while swept
+    /// by the program, in place of the value; the variable stays
+    std::optional<std::string> chosen = {};
+
+    void
+    means(const std::string &text)
+    {
+      meaning = text;
+    }
+
+    /// @return whether the value is allowed; if not, the entry keeps its own
+    bool
+    set(const std::string &new_value, const std::string &new_origin);
+
+    /// The value in words.
+    const std::string &
+    text() const
+    {
+      return chosen ? *chosen : value;
+    }
+
+    std::string
+    section() const;
+    std::string
+    name() const;
+    /// Empty without one.
+    std::string
+    unit() const;
+  };
+
+
+  class Entries
+  {
+  public:
+    /// Declares entries of a section, one a call.
+    class Section
+    {
+    public:
+      Section(const std::string &name, std::vector<Entry> &entries)
+        : name(name)
+        , entries(entries)
+      {}
+
+      /// Sets the variable to the default. To be followed by what it means.
+      template <typename T>
+      Entry &
+      operator()(const std::string &entry,
+                 const std::string &default_value,
+                 const Allowed<T>  &allowed,
+                 T                 &variable) const;
+
+    private:
+      const std::string   name;
+      std::vector<Entry> &entries;
+    };
+
+    Section
+    section(const std::string &name)
+    {
+      return {name, all};
+    }
+
+    /// Null for a path without an entry.
+    const Entry *
+    find(const std::string &path) const;
+
+    const Entry &
+    at(const std::string &path) const;
+    Entry &
+    at(const std::string &path);
+
+    /// All, as a scene in deal.II's format.
+    std::string
+    text(bool with_meanings) const;
+
+    std::vector<Entry> all; ///< in the order of declaration
+  };
+
+
+
+  template <typename Row>
+  auto
+  one_of(const std::vector<Row> &rows)
+  {
+    using Choice = decltype(Row::choice);
+    std::string words;
+    for (const Row &row : rows)
+      words += (words.empty() ? "" : " | ") + row.word;
+    return Allowed<Choice>{words,
+                           [&rows](const std::string &text, Choice &choice) {
+                             for (const Row &row : rows)
+                               if (row.word == text)
+                                 {
+                                   choice = row.choice;
+                                   return true;
+                                 }
+                             return false;
+                           }};
+  }
+
+
+
+  template <typename Choice>
+  Allowed<Choice>
+  one_of()
+  {
+    return one_of(Choices<Choice>::words);
+  }
+
+
+
+  template <typename T>
+  Allowed<std::vector<T>>
+  list(const Allowed<T> &item, const std::size_t first, const std::size_t last)
+  {
+    return {(first == last ? fmt::format("{}", first) :
+                             fmt::format("{} to {}", first, last)) +
+              " values separated by commas, each: " + item.words,
+            [=](const std::string &text, std::vector<T> &values) {
+              values.clear();
+              for (const std::string &one : split_list(text))
+                if (!item.read(one, values.emplace_back()))
+                  return false;
+              return values.size() >= first && values.size() <= last;
+            }};
+  }
+
+
+
+  template <typename T>
+  Allowed<std::array<T, 2>>
+  pair_of(const Allowed<T> &item)
+  {
+    const Allowed<std::vector<T>> two = list(item, 2, 2);
+    return {two.words,
+            [two](const std::string &text, std::array<T, 2> &values) {
+              std::vector<T> items;
+              if (!two.read(text, items))
+                return false;
+              values = {{items[0], items[1]}};
+              return true;
+            }};
+  }
+
+
+
+  template <typename T>
+  Entry &
+  Entries::Section::operator()(const std::string &entry,
+                               const std::string &default_value,
+                               const Allowed<T>  &allowed,
+                               T                 &variable) const
+  {
+    const auto read = [read = allowed.read, &variable](const std::string &text,
+                                                       const bool sets) {
+      T          value{};
+      const bool is_allowed = read(text, value);
+      if (is_allowed && sets)
+        variable = value;
+      return is_allowed;
+    };
+    AssertThrow(read(default_value, /*sets=*/true),
+                dealii::ExcMessage(entry + " cannot have its default"));
+    entries.push_back(
+      {name + '/' + entry, default_value, allowed.words, read, default_value});
+    return entries.back();
+  }
+} // namespace PlateImpact
+
+#endif

@@ -1,0 +1,171 @@
+// The entries of the sections Plate and Ply.
+#include <deal.II/base/utilities.h>
+
+#include "plate_impact/base/entries.h"
+#include "plate_impact/base/parameters.h"
+
+#include <cmath>
+#include <filesystem>
+
+namespace PlateImpact
+{
+  using namespace dealii;
+
+  namespace
+  {
+    const std::vector<Word<PlateOutline>> outlines = {
+      {PlateOutline::rectangle, "rectangle"},
+      {PlateOutline::circle, "circle"}};
+
+
+
+    Allowed<Outline>
+    word_or_file()
+    {
+      const auto word = one_of(outlines);
+      return {word.words + " | the name of a mesh of Gmsh, ending in .msh",
+              [word](const std::string &text, Outline &outline) {
+                if (std::filesystem::path(text).extension() != ".msh")
+                  return word.read(text, outline.shape);
+                outline = {PlateOutline::file, text};
+                return true;
+              }};
+    }
+
+
+
+    /// One or two words, or pairs of an edge of a file and a word.
+    Allowed<std::vector<EdgeSupports>>
+    edge_supports()
+    {
+      const auto word = one_of<EdgeSupport>();
+      return {list(word, 1, 2).words +
+                "; or, for an outline from a file, pairs edge: word",
+              [word](const std::string         &text,
+                     std::vector<EdgeSupports> &supports) {
+                const bool is_named = text.find(':') != std::string::npos;
+                for (const std::string &item : split_list(text))
+                  {
+                    const std::size_t colon = item.rfind(':');
+                    EdgeSupports     &one   = supports.emplace_back();
+                    if (colon != std::string::npos)
+                      one.edge = Utilities::trim(item.substr(0, colon));
+                    if (one.edge.empty() == is_named ||
+                        !word.read(Utilities::trim(item.substr(colon + 1)),
+                                   one.support))
+                      return false;
+                  }
+                return is_named || supports.size() <= 2;
+              }};
+    }
+
+
+
+    /// Angles of "0/90_2/45s", with the bracket that may be around all but
+    /// the s; or nothing.
+    Allowed<Layup>
+    angles_of_plies()
+    {
+      constexpr unsigned int most_plies = 1000;
+      return {"angles of up to 1000 plies in degrees between slashes, with an "
+              "s for the mirrored half, as 0/90/45/-45s or 0_2/90s, or nothing",
+              [](const std::string &written, Layup &layup) {
+                layup.text = written;
+                if (written.empty())
+                  return true;
+                std::string text    = written;
+                const bool  is_half = text.back() == 's' || text.back() == 'S';
+                if (is_half)
+                  text.pop_back();
+                if (text.size() > 1 && text.front() == '[' &&
+                    text.back() == ']')
+                  text = text.substr(1, text.size() - 2);
+                std::vector<double> &angles = layup.angles;
+                for (const std::string &item : split_list(text, '/'))
+                  {
+                    const std::size_t underscore = item.find('_');
+                    double            angle;
+                    unsigned int      n_plies = 1;
+                    if (!any_number().read(item.substr(0, underscore), angle) ||
+                        std::abs(angle) > 180. ||
+                        (underscore != std::string::npos &&
+                         !whole_number(1, most_plies)
+                            .read(item.substr(underscore + 1), n_plies)))
+                      return false;
+                    angles.insert(angles.end(), n_plies, angle);
+                  }
+                if (is_half)
+                  for (std::size_t k = angles.size(); k-- > 0;)
+                    angles.push_back(angles[k]);
+                return angles.size() <= most_plies;
+              }};
+    }
+  } // namespace
+
+
+
+  void
+  PlateParameters::declare_entries(Entries &entries)
+  {
+    const auto positive = number_above(0);
+
+    const auto entry = entries.section("Plate");
+    entry("Side lengths", "0.2, 0.2", pair_of(positive), side_lengths)
+      .means("Of the whole plate, along x and y; the first is the diameter of "
+             "a circle. [m]");
+    entry("Thickness", "0.008", positive, thickness).means("[m]");
+    entry("Young's modulus", "2.1e11", positive, youngs_modulus).means("[Pa]");
+    entry("Poisson's ratio", "0.3", number_between(-1, 0.5), poissons_ratio)
+      .means("[-]");
+    entry("Density", "7800", positive, density).means("[kg/m^3]");
+    entry("Shear correction factor",
+          "0.8333333333333333",
+          positive,
+          shear_correction_factor)
+      .means("Factor of the transverse shear stiffness; 5/6 for a parabolic "
+             "shear stress (Reissner). [-]");
+    entry("Support", "clamped", edge_supports(), supports)
+      .means("One word for all four edges, or two: for the edges x = +-a/2 and "
+             "for the edges y = +-b/2. 'simply supported' also stops the "
+             "rotation along the edge (hard support), 'soft simply supported' "
+             "the deflection only. Edges of a file may have each its own, as "
+             "rim: clamped, hole: free.");
+    entry("Outline", "rectangle", word_or_file(), outline)
+      .means("Of the plate. A circle has one edge and one support. A mesh of "
+             "Gmsh, of quadrilaterals and in metres, brings its own lengths "
+             "and cells, and its physical groups of curves name the edges; it "
+             "is looked for beside the scene first.");
+    entry("Impact point", "0, 0", pair_of(any_number()), impact_point)
+      .means("Where the impactor strikes, from the centre of the plate, that "
+             "of the rectangle around it. What is meshed follows: a quarter of "
+             "the plate, a half where one of the two is not 0, or the whole "
+             "plate. [m]");
+    entry("Layup", "", angles_of_plies(), layup)
+      .means("Angles of the fibres to x, from the struck face, of plies with "
+             "equal shares of the thickness; an s at the end mirrors them. "
+             "Empty: homogeneous and isotropic. [degrees]");
+
+    const auto of_ply = entries.section("Ply");
+    of_ply("Longitudinal modulus", "120e9", positive, ply.longitudinal_modulus)
+      .means("E_1 of a ply of the lay-up, along its fibres. [Pa]");
+    of_ply("Transverse modulus", "7.9e9", positive, ply.transverse_modulus)
+      .means("E_2, across them. [Pa]");
+    of_ply("Poisson's ratio", "0.3", any_number(), ply.poissons_ratio)
+      .means("nu_12, below the root of E_1/E_2. [-]");
+    of_ply("In-plane shear modulus",
+           "5.5e9",
+           positive,
+           ply.in_plane_shear_modulus)
+      .means("G_12. [Pa]");
+    of_ply("Longitudinal shear modulus",
+           "5.5e9",
+           positive,
+           ply.longitudinal_shear_modulus)
+      .means("G_13. [Pa]");
+    of_ply("Transverse shear modulus",
+           "5.5e9",
+           positive,
+           ply.transverse_shear_modulus)
+      .means("G_23. [Pa]");
+  }
+} // namespace PlateImpact
