@@ -10,7 +10,6 @@
 #include "plate_impact/command/run.h"
 #include "plate_impact/command/sweep.h"
 #include "plate_impact/output/console.h"
-#include "plate_impact/output/terminal.h"
 #include "plate_impact/scene/scene.h"
 
 #include <CLI/CLI.hpp>
@@ -260,10 +259,9 @@ namespace
   void
   print_error(const std::string &message)
   {
-    const Terminal     terminal(STDERR_FILENO);
     std::istringstream lines(message);
     for (std::string line; std::getline(lines, line);)
-      std::cerr << terminal.emphasized("plate-impact: ", Emphasis::error)
+      std::cerr << emphasized("plate-impact: ", Emphasis::error, STDERR_FILENO)
                 << printable(line) << '\n';
   }
 } // namespace

@@ -4,7 +4,7 @@
     browser_test.py PROGRAM SCENES_DIRECTORY
 
 Reports, a sweep over three entries and a comparison, as wide as a screen, a tablet
-and a telephone: no error on the console, every plot and map drawn, the slider moves
+and a telephone: the words that belong there, no error on the console, every plot and map drawn, the slider moves
 the film and its peak is one of its frames, keys read values, colours and size of
 meshes and film change, legends hide and tables sort, nothing wider than the window, no
 colour of the light page left in the dark. Exit status 77, "skipped", where there is no
@@ -45,11 +45,8 @@ const showsSeries = (chart) => {
 };
 const key = (element, name) => element.dispatchEvent(new KeyboardEvent('keydown', { key: name }));
 
-const plotHolders = [...document.querySelectorAll('[data-plot]')];
-for (const holder of plotHolders) {
-  const canvas = holder.querySelector('canvas');
-  const plot = data.plots[holder.dataset.plot];
-  expect(canvas && isDrawn(canvas), plot.title + ': not drawn');
+for (const { canvas, plot } of plots) {
+  expect(canvas.isConnected && isDrawn(canvas), plot.title + ': not drawn');
   const chart = Chart.getChart(canvas);
   expect(showsSeries(chart), plot.title + ': no series in its colour');
   expect(chart.data.datasets.length === plot.series.length, plot.title + ': series missing');
@@ -60,9 +57,9 @@ for (const holder of plotHolders) {
   canvas.dispatchEvent(new Event('blur'));
 }
 
-for (const holder of plotHolders) {
-  const plot = data.plots[holder.dataset.plot], chart = Chart.getChart(holder.querySelector('canvas'));
-  const buttons = [...holder.nextElementSibling.querySelectorAll('button')].map((button) => button.textContent);
+for (const { canvas, plot } of plots) {
+  const chart = Chart.getChart(canvas);
+  const buttons = [...canvas.closest('figure').querySelectorAll('.save button')].map((button) => button.textContent);
   expect(buttons.join() === 'SVG,PNG,CSV', plot.title + ': cannot be saved');
   const rows = csvOf(chart, plot).trim().split('\\n').length - 1;
   const shown = chart.data.datasets.reduce((n, d, i) => n + (chart.isDatasetVisible(i) ? d.data.length : 0), 0);
@@ -113,7 +110,7 @@ if (player) {
   }
   expect(seen.size === 3 && read.size === 3, 'film: the slider does not move it');
   const before = canvas.toDataURL();
-  player.querySelector('select').value = 'error';
+  player.querySelector('select').value = '1';
   player.querySelector('select').dispatchEvent(new Event('change'));
   expect(canvas.toDataURL() !== before, 'film: the field does not change');
   const turned = canvas.toDataURL();
@@ -142,7 +139,7 @@ for (const group of document.querySelectorAll('.mesh-group')) {
   expect(view().every((box, i) => box !== whole[i] && !box.includes('NaN')), 'meshes: the contact is not shown');
   const { x, y, width, height } = pictures[0].viewBox.baseVal, at = pictures[0].dataset;
   expect(x <= at.x && at.x <= x + width && y <= at.y && at.y <= y + height, 'meshes: the contact is elsewhere');
-  // some of the smallest cells are at the patch; places have two decimals
+  // some of the smallest cells are at the patch; places have three decimals
   const cells = [...pictures.at(-1).querySelectorAll('polygon')].map((cell) => cell.getBBox());
   const least = Math.min(...cells.map((cell) => cell.width));
   if (pictures.at(-1).querySelector('circle.patch') && cells.length > 100)
@@ -167,16 +164,27 @@ for (const group of document.querySelectorAll('.mesh-group')) {
   expect(seen.size === select.options.length, 'meshes: colours do not change with the field');
   expect(!fills().includes('NaN'), 'meshes: a colour is not a number');
 }
-const maps = [...document.querySelectorAll('[data-map]')];
-for (const holder of maps) {
-  const map = data.maps[holder.dataset.map];
-  const values = data.arrays[map.values].filter((value) => value !== null);
-  const fills = [...holder.querySelectorAll('rect')].map((cell) => cell.getAttribute('fill'));
-  expect(fills.length === values.length && !fills.join().includes('NaN'), map.title + ': cells missing');
-  expect(new Set(fills).size > 1 || Math.min(...values) === Math.max(...values), map.title + ': one colour');
-  expect(map.range === null || Math.min(...values) >= map.range[0] * (1 - 1e-5) &&
-    Math.max(...values) <= map.range[1] * (1 + 1e-5), map.title + ': beyond its scale');
+const maps = [...document.querySelectorAll('.map')];
+for (const map of maps) {
+  const title = map.previousSibling.textContent, cells = [...map.querySelectorAll('rect')];
+  const fills = cells.map((cell) => cell.getAttribute('fill'));
+  const values = cells.map((cell) => Number(cell.textContent.split(': ').at(-1)));
+  const scale = [...map.querySelectorAll('.labels span')].map((label) => Number(label.textContent));
+  expect(!fills.join().includes('NaN'), title + ': a colour is not a number');
+  expect(new Set(fills).size > 1 || Math.min(...values) === Math.max(...values), title + ': one colour');
+  expect(Math.min(...values) >= scale[0] * (1 - 1e-3) && Math.max(...values) <= scale[2] * (1 + 1e-3), title + ': beyond its scale');
 }
+
+for (const grid of new Set(maps.map((map) => map.closest('.grid')))) {
+  const figure = data.figures.find(({ title }) => title === grid.previousSibling.textContent);
+  expect(grid.querySelectorAll('rect').length === figure.values.filter((value) => value !== null).length,
+    figure.title + ': cells missing');
+}
+
+const words = document.getElementById('content').textContent.replace(/\s+/g, ' ');
+for (const [word, isThere] of WORDS) expect(words.includes(word) === isThere, word + (isThere ? ' is missing' : ' is too much'));
+expect(!/undefined|NaN|\[object/.test(document.getElementById('content').textContent), 'something is undefined');
+expect(document.querySelectorAll('nav a').length === document.querySelectorAll('section h2').length, 'sections missing in the contents');
 
 const dark = matchMedia('(prefers-color-scheme: dark)').matches;
 const ground = getComputedStyle(document.body).backgroundColor.match(/\d+/g).map(Number);
@@ -185,7 +193,7 @@ expect(dark === (ground[0] < 128), 'wrong ground for ' + (dark ? 'dark' : 'light
 expect(innerWidth === WIDTH, 'seen ' + innerWidth + ' pixels wide');
 expect(document.documentElement.scrollWidth <= innerWidth, 'wider than the window: ' +
   document.documentElement.scrollWidth + ' > ' + innerWidth);
-parent.postMessage(JSON.stringify({ plots: plotHolders.length, film: Boolean(player), maps: maps.length,
+parent.postMessage(JSON.stringify({ plots: plots.length, film: Boolean(player), maps: maps.length,
   meshes: document.querySelectorAll('.mesh-group svg').length, problems }), '*');
 </script>"""
 
@@ -195,10 +203,11 @@ FRAME = """<!DOCTYPE html><html><head><meta name="color-scheme" content="light d
 <script>addEventListener('message', (event) => { document.title = event.data; });</script></body></html>"""
 
 
-def seen_in_browser(browser, page, width, dark, directory):
-    """What the probe finds on a page as wide as that."""
+def seen_in_browser(browser, page, width, dark, words, directory):
+    """What the probe finds on a page as wide as that, with words and whether they belong there."""
     html = page.read_text(encoding="utf-8")
     after = AFTER.replace("WIDTH", str(width)).replace("DARK", "true" if dark else "false")
+    after = after.replace("WORDS", json.dumps(list(words.items())))
     (directory / "probed.html").write_text(
         html.replace("<head>", "<head>" + BEFORE, 1).replace("</body>", after + "</body>", 1),
         encoding="utf-8")
@@ -230,29 +239,37 @@ def main():
                      "Sweep/Entry 3=Plate/Thickness", "Sweep/Values 3=0.004, 0.008"]
     small_comparison = ["Comparison/Maximum cycles=2", "Comparison/Reference peak force=1301",
                         "Comparison/Strategies=uniform, hanging nodes", "Comparison/Elements=MITC9"]
-    # command, scene, entries; what the page has at least: plots, maps, meshes; whether a film
+    struck = {"Inside of the model": True, "Zener": True, "change in the last cycle": True}
+    still = {"Nothing strikes": False, "Zener": False, "Histories": False, "In time": False, "η": False}
+    alone = {"Zener": True, "change in the last cycle": False, "every cell halved": True}
+    blind = {"too coarse to tell": True, "Far outside of the model": False}
+    # command, scene, entries; what the page has at least: plots, maps, meshes; whether a film; words that it has or not
     cases = [
-        ("run", "sphere-on-steel-plate.prm", coarse, (8, 0, 3), True),
-        ("run", "sphere-on-steel-plate.prm", coarse + ["Impactor/Shape=none"], (1, 0, 1), False),
-        ("run", "sphere-on-steel-plate.prm", coarse + ["Adaptivity/Strategy=none"], (5, 0, 1), True),
-        ("run", "paper-cylinder.prm", ["Adaptivity/Maximum cycles=2"], (8, 0, 2), True),
-        ("run", "off-centre.prm", [], (8, 0, 2), True),
-        ("run", "extremes/long-plate.prm", ["Adaptivity/Maximum cycles=2"], (8, 0, 2), True),
-        ("sweep", "sphere-on-steel-plate.prm", coarse + one_mesh + three_entries, (0, 8, 0), False),
-        ("compare", "sphere-on-steel-plate.prm", coarse + small_comparison, (2, 0, 2), False),
+        ("run", "sphere-on-steel-plate.prm", coarse, (8, 0, 3), True, struck),
+        ("run", "sphere-on-steel-plate.prm", coarse + ["Impactor/Shape=none"], (1, 0, 1), False, still),
+        ("run", "sphere-on-steel-plate.prm", coarse + ["Adaptivity/Strategy=none", "Adaptivity/Verify=true"],
+         (5, 0, 1), True, alone),
+        ("run", "compare-thin-plate.prm", ["Adaptivity/Strategy=none"], (5, 0, 1), True, blind),
+        ("run", "paper-cylinder.prm", ["Adaptivity/Maximum cycles=2"], (8, 0, 2), True, {"a lower bound for a cylinder": True}),
+        ("run", "off-centre.prm", [], (8, 0, 2), True, {"The whole plate.": True}),
+        ("run", "extremes/long-plate.prm", ["Adaptivity/Maximum cycles=2"], (8, 0, 2), True, {}),
+        ("sweep", "sphere-on-steel-plate.prm", coarse + one_mesh + three_entries, (0, 8, 0), False,
+         {"failed: 0": True, "Thickness = 0.004 m": True}),
+        ("compare", "sphere-on-steel-plate.prm", coarse + small_comparison, (2, 0, 2), False,
+         {"given by the scene": True, "hanging nodes, MITC9": True}),
     ]
     page_of = {"run": "report.html", "sweep": "sweep.html", "compare": "comparison.html"}
     failures = 0
     with tempfile.TemporaryDirectory() as name:
         directory = pathlib.Path(name)
-        for command, scene, entries, least, has_film in cases:
+        for command, scene, entries, least, has_film, words in cases:
             overrides = [word for entry in entries for word in ("--set", entry)]
             subprocess.run([program, command, scenes / scene, "--quiet", "--output",
                             directory / "results", *overrides],
                            check=True, stderr=subprocess.DEVNULL)
             page = directory / "results" / page_of[command]
             for width, dark in ((1400, False), (800, False), (390, False), (1400, True)):
-                found = seen_in_browser(browser, page, width, dark, directory)
+                found = seen_in_browser(browser, page, width, dark, words, directory)
                 problems = found["problems"]
                 for kind, number in zip(("plots", "maps", "meshes"), least):
                     if found[kind] < number:

@@ -112,7 +112,7 @@ namespace PlateImpact
             }
         }
       const std::string page = text(results() / "comparison.html");
-      EXPECT_NE(page.find("remeshing, MITC9"), std::string::npos);
+      EXPECT_EQ(study_of("comparison.html")["comparison"], json);
       EXPECT_EQ(page.find("src=\"http"), std::string::npos);
       EXPECT_NE(out.find(" times\n"), std::string::npos) << out;
       EXPECT_NE(out.find("6 of 6  remeshing, MITC9, about "), std::string::npos)

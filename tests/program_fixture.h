@@ -213,6 +213,18 @@ namespace PlateImpact
       return content.str();
     }
 
+    /// The study that a page of the results shows.
+    nlohmann::json
+    study_of(const std::string &page) const
+    {
+      const std::string html = text(results() / page),
+                        begin =
+                          "<script type=\"application/json\" id=\"data\">";
+      const std::size_t first = html.find(begin) + begin.size();
+      return nlohmann::json::parse(
+        html.substr(first, html.find("</script>", first) - first));
+    }
+
     const fs::path directory;
     std::string    out, err;
   };

@@ -23,29 +23,12 @@ namespace PlateImpact
 
 
     /// What is printed, as it grows: nothing is said of a scene that fails.
-    class ExpectationText
+    struct ExpectationText
     {
-    public:
-      explicit ExpectationText(const std::string &first_line)
-        : text(first_line + '\n')
-      {}
-
-      void
-      section(const std::string &title)
-      {
-        text += '\n' + title + '\n';
-      }
-
       void
       line(const std::string &name, const std::string &sentence)
       {
         text += format("  {:<22}{}\n", name, in_ascii(sentence));
-      }
-
-      void
-      warning(const std::string &sentence)
-      {
-        text += "  warning: " + in_ascii(sentence) + '\n';
       }
 
       std::string text;
@@ -248,7 +231,7 @@ namespace PlateImpact
       std::string names;
       for (const SweptEntry &entry : plan.entries())
         names += (names.empty() ? "" : ", ") + entry.path;
-      text.section("Sweep");
+      text.text += "\nSweep\n";
       text.line("points", counted(n_points, "impact") + " of " + names);
       text.line("models",
                 format("{}{}{}{} to a load{}",
@@ -268,24 +251,24 @@ namespace PlateImpact
   print_expectation(std::ostream &out, const Scene &scene)
   {
     const Parameters &parameters = scene.parameters;
-    ExpectationText   text(scene.name + " is a valid scene.");
+    ExpectationText   text{scene.name + " is a valid scene.\n"};
     if (parameters.has_impactor())
       {
         const Expectation known(parameters);
-        text.section("Expected");
+        text.text += "\nExpected\n";
         add_impact(text, parameters, known);
         add_waves(text, parameters, known);
         add_frequencies(text, parameters);
-        text.section("Advice");
+        text.text += "\nAdvice\n";
         add_advice(text, parameters, known);
         add_sweep(text, scene.given);
         for (const std::string &warning : known.warnings)
-          text.warning(warning);
+          text.text += "  warning: " + in_ascii(warning) + '\n';
       }
     else
       {
         text.text += "There is no impactor: the plate stays at rest.\n";
-        text.section("Expected");
+        text.text += "\nExpected\n";
         add_frequencies(text, parameters);
       }
     out << text.text;

@@ -2,129 +2,24 @@
 
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/interrupt.h"
-#include "plate_impact/base/version.h"
-#include "plate_impact/comparison/comparison_console.h"
-#include "plate_impact/comparison/comparison_page.h"
+#include "plate_impact/base/text.h"
+#include "plate_impact/comparison/comparison_results.h"
 #include "plate_impact/comparison/strategy_comparison.h"
-#include "plate_impact/output/output.h"
+#include "plate_impact/output/console.h"
+#include "plate_impact/output/result_directory.h"
 
-#include <nlohmann/json.hpp>
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace PlateImpact
 {
   namespace
   {
-    void
-    write_csv(std::ostream &out, const std::vector<ComparisonCurve> &curves)
-    {
-      out.precision(12);
-      out
-        << "strategy,element,cycle,cells,degrees_of_freedom,"
-           "discretization_error,peak_force,peak_force_error,"
-           "peak_force_error_bar,contact_end_error,seconds,cumulative_seconds\n";
-      for (const ComparisonCurve &curve : curves)
-        for (const ComparedMesh &mesh : curve.meshes)
-          {
-            out << word_for(curve.strategy) << ',' << word_for(curve.element)
-                << ',' << mesh.cycle << ',' << mesh.cells << ','
-                << mesh.degrees_of_freedom << ',' << mesh.eta << ','
-                << mesh.peak_force << ',' << mesh.peak_force_error << ',';
-            if (mesh.peak_force_bar)
-              out << *mesh.peak_force_bar;
-            out << ',';
-            if (mesh.contact_end_error)
-              out << *mesh.contact_end_error;
-            out << ',' << mesh.seconds << ',' << mesh.cumulative_seconds
-                << '\n';
-          }
-    }
-
-
-
-    nlohmann::ordered_json
-    to_json(const Reference &reference)
-    {
-      nlohmann::ordered_json json;
-      json["peak_force"] = reference.peak_force;
-      json["origin"]     = reference.history ? "computed" : "given";
-      if (!reference.history)
-        return json;
-      json["uncertainty"] = reference.uncertainty;
-      if (reference.contact_end)
-        json["first_contact_end"] = *reference.contact_end;
-      json["cells"]                = reference.cells;
-      json["degrees_of_freedom"]   = reference.degrees_of_freedom;
-      json["discretization_error"] = *reference.eta;
-      json["seconds"]              = reference.seconds;
-      return json;
-    }
-
-
-
-    /// What comparison.csv has no column for.
-    nlohmann::ordered_json
-    to_json(const std::vector<ComparedMesh> &meshes)
-    {
-      nlohmann::ordered_json json = nlohmann::ordered_json::array();
-      for (const ComparedMesh &mesh : meshes)
-        {
-          json.push_back({{"cycle", mesh.cycle},
-                          {"cells", mesh.cells},
-                          {"comparable", mesh.is_comparable}});
-          if (mesh.effectivity)
-            json.back()["effectivity"] = *mesh.effectivity;
-        }
-      return json;
-    }
-
-
-
-    nlohmann::ordered_json
-    to_json(const ThresholdRow &row)
-    {
-      nlohmann::ordered_json json;
-      json["quantity"]   = row.quantity();
-      json["threshold"]  = row.threshold;
-      json["comparable"] = row.is_comparable;
-      json["reached"]    = nlohmann::ordered_json::array();
-      for (const Achievement &achievement : row.achievements)
-        json["reached"].push_back(
-          {{"strategy", word_for(achievement.curve->strategy)},
-           {"element", word_for(achievement.curve->element)},
-           {"cycle", achievement.mesh->cycle},
-           {"cells", achievement.mesh->cells},
-           {"degrees_of_freedom", achievement.mesh->degrees_of_freedom},
-           {"cumulative_seconds", achievement.mesh->cumulative_seconds},
-           {"times_the_fastest",
-            achievement.mesh->cumulative_seconds /
-              row.achievements.front().mesh->cumulative_seconds}});
-      return json;
-    }
-
-
-
-    void
-    write_json(std::ostream                   &out,
-               const Scene                    &scene,
-               const StrategyComparison       &comparison,
-               const std::vector<std::string> &warnings)
-    {
-      nlohmann::ordered_json json;
-      json["scene"]     = scene.name;
-      json["version"]   = PLATE_IMPACT_VERSION;
-      json["warnings"]  = warnings;
-      json["reference"] = to_json(comparison.reference());
-      json["curves"]    = nlohmann::ordered_json::array();
-      for (const ComparisonCurve &curve : comparison.curves())
-        json["curves"].push_back({{"strategy", word_for(curve.strategy)},
-                                  {"element", word_for(curve.element)},
-                                  {"end", curve.end},
-                                  {"meshes", to_json(curve.meshes)}});
-      json["thresholds"] = nlohmann::ordered_json::array();
-      for (const ThresholdRow &row : comparison.thresholds())
-        json["thresholds"].push_back(to_json(row));
-      out << json.dump(2) << '\n';
-    }
+    /// Curves listed for a threshold; comparison.html has all.
+    constexpr std::size_t n_listed = 4;
 
 
 
@@ -159,52 +54,162 @@ namespace PlateImpact
 
 
 
+    std::string
+    text_of(const Reference &reference)
+    {
+      return "Reference   " + number(reference.peak_force) + " N" +
+        (reference.history ?
+           ", uncertain by " + about_percentage(reference.uncertainty) + ": " +
+             std::to_string(reference.cells) +
+             " cells, eta = " + about_percentage(*reference.eta) + ", " +
+             wall_time(reference.seconds) :
+           ", given") +
+        "\n\ncycle  cells unknowns  eta % peak force N  error %  +- % seconds\n";
+    }
+
+
+
+    /// Before a curve: which of how many, and the time that is left.
+    class CurveTitle
+    {
+    public:
+      explicit CurveTitle(const ComparisonParameters &comparison)
+        : n(comparison.strategies.size() * comparison.elements.size())
+      {}
+
+      std::string
+      next(const ComparedStrategy &strategy, const ElementType element)
+      {
+        const std::chrono::duration<double> elapsed =
+          std::chrono::steady_clock::now() - begin;
+        std::string text = std::to_string(n_begun + 1) + " of " +
+          std::to_string(n) + "  " + word_for(strategy) + ", " +
+          word_for(element);
+        if (n_begun > 0)
+          text += ", about " +
+            waiting_time(elapsed.count() / n_begun * (n - n_begun)) + " left";
+        ++n_begun;
+        return text + '\n';
+      }
+
+    private:
+      const std::size_t                           n;
+      std::size_t                                 n_begun = 0;
+      const std::chrono::steady_clock::time_point begin =
+        std::chrono::steady_clock::now();
+    };
+
+
+
+    std::string
+    line_of(const ComparedMesh &mesh)
+    {
+      const auto percent = [](const double fraction) {
+        return 100. * fraction;
+      };
+      return column(5, "{:.0f}", mesh.cycle) + column(7, "{:.0f}", mesh.cells) +
+        column(9, "{:.0f}", mesh.degrees_of_freedom) +
+        column(7, "{:.2f}", percent(mesh.eta)) +
+        column(13, "{:.6g}", mesh.peak_force) +
+        column(9,
+               mesh.is_comparable ? "{:.4f}" : "({:.4f})",
+               percent(mesh.peak_force_error)) +
+        column(6,
+               "{:.2g}",
+               mesh.peak_force_bar ?
+                 std::optional(percent(*mesh.peak_force_bar)) :
+                 std::nullopt) +
+        column(8, "{:.2f}", mesh.cumulative_seconds) + '\n';
+    }
+
+
+
+    /// Who reaches a threshold first.
+    std::string
+    text_of(const ThresholdRow &row)
+    {
+      const std::vector<Achievement> &reached = row.achievements;
+      std::string                     text =
+        '\n' + row.quantity() + " of " + percentage(row.threshold) + '\n';
+      if (!row.is_comparable)
+        text += " not compared: the reference is not known that well\n";
+      else if (reached.empty())
+        text += " not reached\n";
+      const std::size_t n = std::min(reached.size(), n_listed);
+      for (std::size_t i = 0; i < n; ++i)
+        {
+          const double seconds = reached[i].mesh->cumulative_seconds,
+                       fastest = reached[0].mesh->cumulative_seconds;
+          text += ' ' + left(24, word_for(reached[i].curve->strategy)) +
+            left(12, word_for(reached[i].curve->element)) +
+            column(6, "{:.0f}", reached[i].mesh->cells) + " cells" +
+            column(8, "{:.2f}", seconds) + " s" +
+            (i > 0 && are_tied(reached[i], reached[i - 1]) ?
+               " as the one before\n" :
+               column(7, "{:.1f}", seconds / fastest) + " times\n");
+        }
+      if (reached.size() > n)
+        text += " and " + std::to_string(reached.size() - n) + " more\n";
+      return text;
+    }
+
+
+
     void
-    compare(const Scene &scene, Output &output, ComparisonConsole &console)
+    compare(const Scene           &scene,
+            const ResultDirectory &directory,
+            Console               &console)
     {
       StrategyComparison comparison(
         scene,
         [&console](const auto cycle, const auto step, const auto n_steps) {
           throw_if_interrupted();
-          console.progress.show(cycle, step, n_steps);
+          console.show(column(5, "{:.0f}", cycle) + "  step ", step, n_steps);
         });
-      const auto write = [&] {
-        output.write_file("comparison.csv", [&](std::ostream &out) {
-          write_csv(out, comparison.curves());
+      const auto write_table = [&] {
+        directory.write_file("comparison.csv", [&](std::ostream &out) {
+          write_comparison_table(out, comparison.curves());
         });
       };
-      console.begin(scene);
-      write();
-      console.reference(comparison.compute_reference());
-      bool has_meshes = false;
-      for (const ComparedStrategy &strategy :
-           scene.parameters.comparison.strategies)
-        for (const ElementType element : scene.parameters.comparison.elements)
+      console.print(emphasized(scene.name, Emphasis::bold) +
+                    "\nComputing the reference\n");
+      write_table();
+      console.print(text_of(comparison.compute_reference()));
+      const ComparisonParameters &parameters = scene.parameters.comparison;
+      CurveTitle                  title(parameters);
+      bool                        has_meshes = false;
+      for (const ComparedStrategy &strategy : parameters.strategies)
+        for (const ElementType element : parameters.elements)
           {
-            console.curve(strategy, element);
+            console.print(title.next(strategy, element));
             const ComparisonCurve &curve =
               comparison.compute_curve(strategy,
                                        element,
                                        [&](const ComparisonCurve &curve) {
-                                         write();
-                                         console.mesh(curve);
+                                         write_table();
+                                         console.print(
+                                           line_of(curve.meshes.back()));
                                        });
             has_meshes = has_meshes || !curve.meshes.empty();
-            console.curve_end(curve);
-            const auto warnings = warnings_of(scene, comparison);
-            output.write_file("comparison.json", [&](std::ostream &out) {
-              write_json(out, scene, comparison, warnings);
+            console.print("       " + curve.end + '\n');
+            const Json results =
+              comparison_results(scene,
+                                 comparison,
+                                 warnings_of(scene, comparison));
+            directory.write_file("comparison.json", [&](std::ostream &out) {
+              out << results.dump(2) << '\n';
             });
-            output.write_file("comparison.html", [&](std::ostream &out) {
-              ComparisonPage(scene, comparison, warnings).write(out);
+            directory.write_file("comparison.html", [&](std::ostream &out) {
+              write_comparison_page(out, scene, comparison, results);
             });
           }
       if (!has_meshes)
         throw ComputationError("no strategy gave a result; " +
                                comparison.curves().front().end);
-      console.end(comparison.thresholds(),
-                  warnings_of(scene, comparison),
-                  output.main_files());
+      for (const ThresholdRow &row : comparison.thresholds())
+        console.print(text_of(row));
+      console.print("\nResults     " + directory.main_files() + '\n');
+      print_warnings(warnings_of(scene, comparison));
     }
   } // namespace
 
@@ -216,17 +221,19 @@ namespace PlateImpact
     if (!scene.parameters.has_impactor())
       throw InputError(
         {scene.name + ": Impactor/Shape = none has no force to compare"});
-    ComparisonConsole console(quiet);
-    Output            output(scene);
+    Console               console(quiet);
+    const ResultDirectory directory(scene.parameters.output.directory);
+    directory.clear();
+    directory.write_scene(scene.name, scene.text);
     try
       {
-        compare(scene, output, console);
+        compare(scene, directory, console);
       }
     catch (const Interruption &interruption)
       {
         throw Interruption(
           std::string(interruption.what()) + ": the meshes so far are in " +
-            output.main_files() +
+            directory.main_files() +
             "; Comparison/Strategies and Elements name what is "
             "left",
           interruption.signal);

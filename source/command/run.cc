@@ -4,11 +4,16 @@
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/interrupt.h"
 #include "plate_impact/base/stage_clock.h"
+#include "plate_impact/base/text.h"
 #include "plate_impact/output/console.h"
 #include "plate_impact/output/output.h"
+#include "plate_impact/output/run_in_words.h"
 #include "plate_impact/output/verdict.h"
 
+#include <algorithm>
+#include <iostream>
 #include <new>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,20 +21,221 @@ namespace PlateImpact
 {
   namespace
   {
+    Emphasis
+    emphasis_of(const Verdict::Part &part)
+    {
+      return part.trust == Trust::good ? Emphasis::good :
+        part.trust == Trust::doubtful  ? Emphasis::warning :
+                                         Emphasis::error;
+    }
+
+
+
+    std::string
+    line(const std::string &name, const std::string &text)
+    {
+      return left(12, name) + text + '\n';
+    }
+
+
+
+    /// What `run` prints: lines of text with their ends.
+    class RunText
+    {
+    public:
+      /// @param scene  must outlive the text
+      explicit RunText(const Scene &scene);
+
+      /// The name of the scene and the head of the table of cycles.
+      std::string
+      begin() const;
+
+      /// One line per mesh.
+      std::string
+      cycle(const CycleResult &result) const;
+
+      /// @param results  the files to look at first
+      std::string
+      end(Outcome            outcome,
+          const CycleResult &last,
+          const Verdict     &verdict,
+          const std::string &results) const;
+
+    private:
+      std::string
+      outcome_of(Outcome outcome, const CycleResult &last) const;
+
+      const Scene       &scene;
+      const PrefixedUnit time_unit; ///< for the end time
+    };
+
+
+
+    RunText::RunText(const Scene &scene)
+      : scene(scene)
+      , time_unit("s",
+                  std::max(scene.parameters.time.end_time,
+                           100. * scene.parameters.time.time_step))
+    {}
+
+
+
+    std::string
+    RunText::begin() const
+    {
+      std::string text;
+#ifdef DEBUG
+      text = "DEBUG build, many times slower; configure with "
+             "CMAKE_BUILD_TYPE=Release for results\n";
+#endif
+      return text + emphasized(scene.name, Emphasis::bold) +
+        "\ncycle  cells unknowns  eta % max xi' peak force N  +- %" +
+        right(8, "at " + in_ascii(time_unit.name())) +
+        right(9, "end " + in_ascii(time_unit.name())) + " seconds\n";
+    }
+
+
+
+    std::string
+    RunText::cycle(const CycleResult &result) const
+    {
+      std::optional<double> eta, xi, peak, bar, peak_time, contact_end;
+      if (result.error)
+        {
+          eta = 100. * result.error->eta;
+          xi  = result.error_ratios->max_element();
+        }
+      if (result.history)
+        {
+          peak = result.history->peak().force;
+          if (result.peak_force_bar)
+            bar = 100. * result.peak_force_bar->total();
+          peak_time = time_unit(result.history->peak().time);
+          if (const auto end = result.history->first_contact_end())
+            contact_end = time_unit(*end);
+        }
+      return column(5, "{:.0f}", result.cycle) +
+        column(7, "{:.0f}", result.cells) +
+        column(9, "{:.0f}", result.degrees_of_freedom) +
+        column(7, "{:.2f}", eta) + column(8, "{:.2f}", xi) +
+        column(13, "{:.6g}", peak) + column(6, "{:.2g}", bar) +
+        column(8, "{:.4g}", peak_time) + column(9, "{:.5g}", contact_end) +
+        column(8, "{:.2f}", result.cumulative_seconds()) + '\n';
+    }
+
+
+
+    std::string
+    RunText::outcome_of(const Outcome outcome, const CycleResult &last) const
+    {
+      const AdaptivityParameters &adaptivity = scene.parameters.adaptivity;
+      const bool  for_peak = adaptivity.goal == AdaptationGoal::peak_force;
+      std::string text;
+      if (for_peak && last.peak_force_bar)
+        text = ", peak force to " +
+          about_percentage(last.peak_force_bar->total()) + " (target " +
+          percentage(adaptivity.target()) + ')';
+      else if (last.error)
+        text = ", eta " + percentage(last.error->eta) + " (target " +
+          percentage(adaptivity.target_error) + ')';
+      if (for_peak)
+        return text;
+      if (last.error && last.error->eta <= adaptivity.target_error &&
+          outcome != Outcome::target_reached &&
+          last.error_ratios->max_element() >= 1.)
+        text += ", largest xi' " + about(last.error_ratios->max_element()) +
+          " (limit 1)";
+      if (last.cells_at_minimum_size > 0)
+        text += " (cells at the minimum size that keep xi' >= 1: " +
+          std::to_string(last.cells_at_minimum_size) + ')';
+      return text;
+    }
+
+
+
+    std::string
+    RunText::end(const Outcome      outcome,
+                 const CycleResult &last,
+                 const Verdict     &verdict,
+                 const std::string &results) const
+    {
+      std::string text = '\n' +
+        line("Outcome",
+             emphasized(word_for(outcome), emphasis_of(verdict.convergence)) +
+               outcome_of(outcome, last));
+      if (last.history)
+        {
+          const ContactState &peak = last.history->peak();
+          const double        bar  = last.peak_force_bar ?
+                    last.peak_force_bar->total() * peak.force :
+                    0.;
+          text += line("Peak force",
+                       emphasized(in_ascii(with_error(peak.force, bar, "N")),
+                                  Emphasis::bold) +
+                         " at " + in_ascii(time_unit.text(peak.time)) +
+                         (verdict.convergence.trust == Trust::none &&
+                              !last.peak_force_bar ?
+                            " (error not known)" :
+                            ""));
+          if (last.verification)
+            text +=
+              line("Verified",
+                   number(last.verification->peak_force) + " N on " +
+                     counted(last.verification->cells, "cell") + ", " +
+                     deviation(last.verification->peak_force, peak.force) +
+                     " away");
+        }
+      if (verdict.model.trust != Trust::good)
+        text +=
+          line("Model",
+               emphasized(verdict.model.trust == Trust::none ? "far outside" :
+                                                               "outside",
+                          emphasis_of(verdict.model)) +
+                 ", see " + counted(verdict.model.reasons.size(), "warning"));
+      if (scene.parameters.has_impactor())
+        text += line("Contact",
+                     "local response of a " +
+                       in_ascii(local_response_in_words(scene.parameters)));
+      return text + line("Results", results);
+    }
+
+
+
+    /// For scripts: peak force [N], bar relative to it, outcome, trust.
+    std::string
+    line_for_scripts(const Outcome      outcome,
+                     const CycleResult &last,
+                     const Verdict     &verdict)
+    {
+      std::string text;
+      if (last.history)
+        text = "peak_force=" + shortest(last.history->peak().force) + " bar=" +
+          (last.peak_force_bar ? shortest(last.peak_force_bar->total()) :
+                                 "none") +
+          ' ';
+      return text + "outcome=\"" + word_for(outcome) +
+        "\" trust=" + word_for(verdict.trust()) +
+        " convergence=" + word_for(verdict.convergence.trust) +
+        " model=" + word_for(verdict.model.trust) + '\n';
+    }
+
+
+
     /// Shows and writes what an analysis finds.
     class RunListener : public AnalysisListener
     {
     public:
-      RunListener(Output &output, Console &console)
+      RunListener(Output &output, Console &console, const RunText &text)
         : output(output)
         , console(console)
+        , text(text)
       {}
 
       void
       stage(const unsigned int cycle, const std::string &what) override
       {
         throw_if_interrupted();
-        console.progress.show(cycle, what);
+        console.show(column(5, "{:.0f}", cycle) + "  " + what);
       }
 
       void
@@ -38,19 +244,20 @@ namespace PlateImpact
            const unsigned int n_steps) override
       {
         throw_if_interrupted();
-        console.progress.show(cycle, step, n_steps);
+        console.show(column(5, "{:.0f}", cycle) + "  step ", step, n_steps);
       }
 
       void
       cycle(Cycle &cycle) override
       {
         output.write_cycle(cycle);
-        console.cycle(cycle.result);
+        console.print(text.cycle(cycle.result));
       }
 
     private:
-      Output  &output;
-      Console &console;
+      Output        &output;
+      Console       &console;
+      const RunText &text;
     };
 
 
@@ -77,29 +284,31 @@ namespace PlateImpact
 
 
     void
-    run(const Scene &scene, Output &output, Console &console)
+    run(const Scene &scene, Output &output, const bool quiet)
     {
-      console.begin(scene);
+      const RunText text(scene);
+      Console       console(quiet);
+      console.print(text.begin());
       ImpactAnalysis    analysis(scene.parameters);
       AdaptationControl control(scene.parameters.adaptivity);
-      RunListener       listener(output, console);
+      RunListener       listener(output, console, text);
       const Outcome     outcome = analysis.run(control, listener);
       if (scene.parameters.adaptivity.verify)
         analysis.verify();
-      auto warnings = analysis.all_warnings();
+      Cycle &last     = analysis.last_cycle();
+      auto   warnings = analysis.all_warnings();
       add_frequencies(scene.parameters.output.natural_frequencies,
-                      analysis.last_cycle(),
+                      last,
                       warnings.numerical);
-      const Verdict verdict = verdict_of(scene.parameters,
-                                         outcome,
-                                         analysis.last_cycle().result,
-                                         warnings);
-      output.finish(outcome, warnings.all(), verdict, analysis.last_cycle());
-      console.end(outcome,
-                  analysis.last_cycle().result,
-                  verdict,
-                  warnings.all(),
-                  output.main_files());
+      const Verdict verdict =
+        verdict_of(scene.parameters, outcome, last.result, warnings);
+      output.finish(outcome, warnings.all(), verdict, last);
+      console.print(
+        text.end(outcome, last.result, verdict, output.directory.main_files()));
+      if (quiet)
+        std::cout << line_for_scripts(outcome, last.result, verdict)
+                  << std::flush;
+      print_warnings(warnings.all());
     }
   } // namespace
 
@@ -108,11 +317,10 @@ namespace PlateImpact
   void
   run_scene(const Scene &scene, const bool quiet)
   {
-    Console console(quiet);
-    Output  output(scene);
+    Output output(scene);
     try
       {
-        run(scene, output, console);
+        run(scene, output, quiet);
       }
     catch (const ComputationError &error)
       {

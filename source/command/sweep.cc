@@ -11,7 +11,6 @@
 #include "plate_impact/sweep/sweep_groups.h"
 #include "plate_impact/sweep/sweep_page.h"
 #include "plate_impact/sweep/sweep_table.h"
-#include "plate_impact/sweep/sweep_warnings.h"
 
 #include <algorithm>
 #include <exception>
@@ -80,13 +79,18 @@ namespace PlateImpact
 
 
 
+    /// More histories than these do not show in one plot.
+    constexpr std::size_t most_plotted_histories = 12;
+
+
+
     /// The first process' side of a sweep: what is written and printed.
     class SweepRecord
     {
     public:
       SweepRecord(SweepScene &scene, const SweepOptions &options)
         : scene(scene)
-        , console(options.quiet)
+        , console(scene, options.quiet)
         , directory(scene.parameters().output.directory)
         , table(prepared(directory, scene, options),
                 scene.plan(),
@@ -106,15 +110,14 @@ namespace PlateImpact
       void
       begin(const std::size_t n_groups)
       {
-        console.begin(scene,
-                      n_groups,
+        console.begin(n_groups,
                       scene.plan().n_points() - points_to_do().size());
       }
 
       void
       add(const SweepRow &row, const std::optional<ContactHistory> &history)
       {
-        if (history && histories.size() < SweepPlots::max_histories)
+        if (history && histories.size() < most_plotted_histories)
           histories[row.point] = *history;
         if (history)
           directory.write_file("contact_history_point_" +
@@ -139,23 +142,17 @@ namespace PlateImpact
         for (const std::size_t point : points_to_do())
           add({point, {}, "not computed: its process ended early", {}}, {});
         table.finish();
-        std::string results = (directory / "sweep.csv").string();
         if (scene.parameters().output.write_report)
-          {
-            directory.write_file("sweep.html", [&](std::ostream &out) {
-              SweepPage(scene, table.rows(), histories).write(out, work);
-            });
-            results = (directory / "sweep.html").string() + ", " + results;
-          }
-        std::vector<std::string> warnings = sweep_warnings(table.rows());
+          directory.write_file("sweep.html", [&](std::ostream &out) {
+            write_sweep_page(out, scene, table.rows(), histories, work);
+          });
+        console.end(work, directory.main_files());
+        const std::vector<std::string> warnings = sweep_warnings(table.rows());
         if (std::none_of(table.rows().begin(),
                          table.rows().end(),
                          [](const auto &row) { return row->failure.empty(); }))
-          {
-            console.end(work, {}, results);
-            throw ComputationError(warnings.front());
-          }
-        console.end(work, warnings, results);
+          throw ComputationError(warnings.front());
+        print_warnings(warnings);
       }
 
     private:
@@ -186,37 +183,6 @@ namespace PlateImpact
     /// What a process sends: a row and its history, or at last its work.
     struct Message
     {
-      Message() = default;
-
-      Message(const SweepRow &row, const std::optional<ContactHistory> &history)
-        : point(row.point)
-        , failure(row.failure)
-        , warnings(row.warnings)
-      {
-        for (const auto &value : row.figures)
-          {
-            has_figure.push_back(value.has_value());
-            figures.push_back(value.value_or(0.));
-          }
-        if (history)
-          states = history->states();
-      }
-
-      explicit Message(const SweepWork &work)
-        : is_work(true)
-        , work(work)
-      {}
-
-      SweepRow
-      row() const
-      {
-        SweepRow row{point, {}, failure, warnings};
-        for (std::size_t i = 0; i < figures.size(); ++i)
-          row.figures.push_back(
-            has_figure[i] ? std::optional<double>(figures[i]) : std::nullopt);
-        return row;
-      }
-
       std::optional<ContactHistory>
       history() const
       {
@@ -232,19 +198,14 @@ namespace PlateImpact
       void
       serialize(Archive &archive, const unsigned int)
       {
-        archive &is_work &work.meshes &work.plates             &work.loads;
-        archive &point &failure &warnings &has_figure &figures &states;
+        archive &is_work &work.meshes &work.plates &work.loads &states;
+        archive &row.point &row.figures &row.failure &row.warnings;
       }
 
-      bool                     is_work = false;
-      SweepWork                work;
-      std::size_t              point = 0;
-      std::string              failure;
-      std::vector<std::string> warnings;
-      std::vector<char>        has_figure;
-      std::vector<double>      figures;
-
+      SweepRow                  row;
       std::vector<ContactState> states;
+      bool                      is_work = false;
+      SweepWork                 work    = {};
     };
 
 
@@ -276,14 +237,17 @@ namespace PlateImpact
                       SweepComputation                     &computation,
                       Processes                            &processes)
     {
-      compute_tasks(tasks,
-                    computation,
-                    processes,
-                    [&](const SweepRow                      &row,
-                        const std::optional<ContactHistory> &history) {
-                      processes.send(pack(Message(row, history), false));
-                    });
-      processes.send(pack(Message(computation.work()), false));
+      compute_tasks(
+        tasks,
+        computation,
+        processes,
+        [&](const SweepRow &row, const std::optional<ContactHistory> &history) {
+          processes.send(pack(Message{row,
+                                      history ? history->states() :
+                                                std::vector<ContactState>()},
+                              false));
+        });
+      processes.send(pack(Message{{}, {}, true, computation.work()}, false));
       processes.send({});
     }
 
@@ -304,7 +268,7 @@ namespace PlateImpact
             if (message.is_work)
               of_others += message.work;
             else
-              record.add(message.row(), message.history());
+              record.add(message.row, message.history());
           }
       };
       try

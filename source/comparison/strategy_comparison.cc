@@ -2,16 +2,17 @@
 
 #include <deal.II/base/timer.h>
 
+#include "plate_impact/analysis/adaptation_control.h"
 #include "plate_impact/analysis/impact_analysis.h"
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/text.h"
-#include "plate_impact/comparison/comparison_control.h"
 #include "plate_impact/page/mesh_picture.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <new>
+#include <optional>
 
 namespace PlateImpact
 {
@@ -24,6 +25,55 @@ namespace PlateImpact
 
     /// Meshes with more cells are not drawn.
     constexpr unsigned int most_drawn_cells = 3000;
+
+    /// Cells from which on a mesh, with every cell halved, makes a reference:
+    /// a tenth of the target may be out of reach, by the estimator's limits on
+    /// long transients.
+    constexpr unsigned int enough_reference_cells = 4000;
+
+
+
+    /// Goes on to smaller errors: whenever that of the goal meets the target,
+    /// or the target gives no other mesh, it is halved, up to eight times from
+    /// one mesh to the next.
+    class HalvedTargets : public AdaptationControl
+    {
+    public:
+      using End = std::function<std::optional<Outcome>(const CycleResult &)>;
+
+      /// @param end  why the analysis ends with a cycle; empty when it goes on
+      HalvedTargets(const AdaptivityParameters &adaptivity, const End &end)
+        : AdaptationControl(adaptivity)
+        , end(end)
+      {}
+
+      std::optional<Outcome>
+      check(const CycleResult &result) override
+      {
+        if (const auto outcome = end(result))
+          return outcome;
+        n_halvings = 0;
+        while (goal->error(result) <= target && tighten())
+          ;
+        return {};
+      }
+
+      bool
+      tighten() override
+      {
+        if (n_halvings == 8)
+          return false;
+        ++n_halvings;
+        target *= 0.5;
+        return true;
+      }
+
+    private:
+      const End    end;
+      unsigned int n_halvings = 0; ///< since the last cycle
+    };
+
+
 
     /// Thrown out of a cycle that would exceed the time budget.
     struct BudgetSpent
@@ -118,10 +168,19 @@ namespace PlateImpact
       parameters_of({AdaptationStrategy::hanging_nodes,
                      AdaptationGoal::energy_norm},
                     ElementType::MITC9);
-    ImpactAnalysis   analysis(parameters);
-    ReferenceControl until_fine(parameters.adaptivity);
-    OneMesh          once(parameters.adaptivity);
-    CurveListener    listener(progress);
+    ImpactAnalysis analysis(parameters);
+    HalvedTargets  until_fine(
+      parameters.adaptivity,
+      [&parameters](const CycleResult &result) -> std::optional<Outcome> {
+        if (result.error->eta <= 0.1 * parameters.adaptivity.target_error ||
+            result.cells >= enough_reference_cells)
+          return Outcome::target_reached;
+        return {};
+      });
+    HalvedTargets once(parameters.adaptivity, [](const CycleResult &) {
+      return Outcome::single_mesh;
+    });
+    CurveListener listener(progress);
     analysis.run(until_fine, listener);
     const double coarse_peak =
       analysis.last_cycle().result.history->peak().force;
@@ -198,8 +257,14 @@ namespace PlateImpact
       return !curve.meshes.empty() &&
         seconds + timer.wall_time() > parameters.comparison.time_budget;
     };
-    const auto is_enough = [&](const CycleResult &result) {
-      return is_close_to_reference(result, parameters.adaptivity);
+    const auto end = [&](const CycleResult &result) -> std::optional<Outcome> {
+      if (is_spent())
+        return Outcome::time_budget;
+      if (is_close_to_reference(result, parameters.adaptivity))
+        return Outcome::nearly_as_fine_as_the_reference;
+      if (result.cycle == parameters.comparison.maximum_cycles)
+        return Outcome::maximum_cycles;
+      return {};
     };
     const auto tell_step = [&](auto cycle, auto step, auto n_steps) {
       if (is_spent())
@@ -218,7 +283,7 @@ namespace PlateImpact
         listener(curve);
       timer.restart();
     };
-    CurveControl  control(parameters, is_enough, is_spent);
+    HalvedTargets control(parameters.adaptivity, end);
     CurveListener teller(tell_step, tell_cycle);
     curve.end = word_for(analysis.run(control, teller));
   }
@@ -235,14 +300,10 @@ namespace PlateImpact
         scene.parameters.adaptivity.target_error;
     if (was_met || result.cells > most_drawn_cells)
       return;
-    curve.picture = {
-      curve.name() + ": " + std::to_string(result.cells) + " cells",
-      result.cells,
-      mesh_picture(cycle.mesh(),
-                   scene.parameters,
-                   "Mesh of cycle " + std::to_string(result.cycle),
-                   result.element_errors()),
-      {{"local error ratio ξ′", true, result.error_ratios->elements}}};
+    curve.picture = mesh_on_page(cycle.mesh(),
+                                 curve.name() + ": " +
+                                   std::to_string(result.cells) + " cells",
+                                 result.element_errors());
   }
 
 
@@ -293,22 +354,6 @@ namespace PlateImpact
     return adaptivity.goal == AdaptationGoal::peak_force ?
       make_goal(adaptivity)->error(result) < 3. * the_reference.uncertainty :
       result.error->eta < 3. * *the_reference.eta;
-  }
-
-
-
-  const Reference &
-  StrategyComparison::reference() const
-  {
-    return the_reference;
-  }
-
-
-
-  const std::vector<ComparisonCurve> &
-  StrategyComparison::curves() const
-  {
-    return the_curves;
   }
 
 

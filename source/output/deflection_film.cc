@@ -33,19 +33,6 @@ namespace PlateImpact
 
 
 
-    std::vector<float>
-    corners(const Triangulation<2> &mesh)
-    {
-      std::vector<float> coordinates;
-      for (const auto &cell : mesh.active_cell_iterators())
-        for (const unsigned int v : cell->vertex_indices())
-          for (unsigned int d = 0; d < 2; ++d)
-            coordinates.push_back(cell->vertex(v)[d]);
-      return coordinates;
-    }
-
-
-
     /// Indices of the deflection at the nodes of a cell, row by row, among its
     /// values.
     std::vector<unsigned int>
@@ -114,9 +101,8 @@ namespace PlateImpact
 
 
 
-  nlohmann::ordered_json
-  deflection_film(const Parameters          &parameters,
-                  const CycleResult         &result,
+  Json
+  deflection_film(const CycleResult         &result,
                   const PlateDiscretization &discretization)
   {
     const std::size_t  n_cells        = discretization.mesh().n_active_cells();
@@ -179,17 +165,11 @@ namespace PlateImpact
                 1e4 * std::log10(error / result.error_ratios->element_limit)) :
               std::numeric_limits<std::int16_t>::min());
       }
-    const std::array<bool, 2> symmetric = discretization.is_symmetric();
     return {{"cells", n_cells},
-            {"symmetric", {symmetric[0], symmetric[1]}},
-            {"patch",
-             parameters.contact.has_patch() ? parameters.contact.patch_radius :
-                                              0.},
             {"nodesPerCell", nodes_per_cell},
             {"times", times},
             {"forces", forces},
             {"errors", errors},
-            {"corners", base64(corners(discretization.mesh()))},
             {"deflectionUnit", unit},
             {"deflections", base64(deflection)},
             {"cellErrors", base64(cell_errors)}};

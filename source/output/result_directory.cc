@@ -23,12 +23,9 @@ namespace PlateImpact
       "element_errors_cycle_[0-9]+\\.csv|mesh_cycle_[0-9]+\\.svg|"
       "comparison\\.(csv|json|html)|sweep\\.(csv|html))"
       "(\\.incomplete)?");
-  } // namespace
 
 
 
-  namespace
-  {
     int
     create_and_open(const fs::path &directory)
     {
@@ -131,6 +128,26 @@ namespace PlateImpact
           << " for " << scene << "\n\n"
           << text;
     });
+  }
+
+
+
+  std::string
+  ResultDirectory::main_files() const
+  {
+    std::string text;
+    for (const std::string name : {"report.html",
+                                   "comparison.html",
+                                   "comparison.csv",
+                                   "comparison.json",
+                                   "sweep.html",
+                                   "sweep.csv",
+                                   "summary.json",
+                                   "contact_history.csv",
+                                   "fields.pvd"})
+      if (fs::exists(directory / name))
+        text += (text.empty() ? "" : ", ") + (directory / name).string();
+    return text;
   }
 
 

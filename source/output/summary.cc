@@ -18,9 +18,9 @@ namespace PlateImpact
   {
     /// The largest of all plies by their names, and those of every ply.
     void
-    add_stresses(const Eigen::MatrixXd  &stresses,
-                 const PlateParameters  &plate,
-                 nlohmann::ordered_json &cycle)
+    add_stresses(const Eigen::MatrixXd &stresses,
+                 const PlateParameters &plate,
+                 Json                  &cycle)
     {
       if (stresses.size() == 0)
         return;
@@ -34,7 +34,7 @@ namespace PlateImpact
         cycle["max_" + names[k]] = stresses.col(k).maxCoeff();
       for (Eigen::Index ply = 0; ply < stresses.rows(); ++ply)
         {
-          nlohmann::ordered_json of_ply;
+          Json of_ply;
           of_ply["ply"]   = ply + 1;
           of_ply["angle"] = plate.layup.angles[ply];
           for (std::size_t k = 0; k < names.size(); ++k)
@@ -47,9 +47,9 @@ namespace PlateImpact
 
     /// Beside an infinite thin plate, struck by a sphere.
     void
-    add_zener(const ContactHistory   &history,
-              const Parameters       &parameters,
-              nlohmann::ordered_json &cycle)
+    add_zener(const ContactHistory &history,
+              const Parameters     &parameters,
+              Json                 &cycle)
     {
       if (const auto e = restitution(history))
         cycle["coefficient_of_restitution"] = *e;
@@ -66,12 +66,12 @@ namespace PlateImpact
 
 
 
-  nlohmann::ordered_json
+  Json
   inputs_of(const std::string &text)
   {
-    nlohmann::ordered_json inputs;
-    std::istringstream     lines(text);
-    std::string            line, section;
+    Json               inputs;
+    std::istringstream lines(text);
+    std::string        line, section;
     while (std::getline(lines, line))
       {
         const std::size_t begin = line.find_first_not_of(' ');
@@ -90,10 +90,10 @@ namespace PlateImpact
 
 
 
-  nlohmann::ordered_json
+  Json
   summary_of(const CycleResult &result, const Parameters &parameters)
   {
-    nlohmann::ordered_json cycle;
+    Json cycle;
     cycle["cycle"]              = result.cycle;
     cycle["cells"]              = result.cells;
     cycle["degrees_of_freedom"] = result.degrees_of_freedom;

@@ -139,4 +139,14 @@ namespace PlateImpact
             warning);
     return verdict;
   }
+
+
+
+  std::string
+  model_in_words(const Verdict &verdict)
+  {
+    return verdict.model.trust == Trust::good ? "Inside of the model" :
+      verdict.model.trust == Trust::doubtful  ? "Outside of the model" :
+                                                "Far outside of the model";
+  }
 } // namespace PlateImpact

@@ -8,12 +8,11 @@ function decoded(text, Type) {
 /** Plays deflection_film(): the whole plate, drawn from the part that is
     computed, seen from any side. */
 class Film {
-  constructor(holder, film) {
-    Object.assign(this, { holder, film, frame: 0, azimuth: 0.6, elevation: 0.55, zoom: 1, isAtContact: false,
+  constructor(holder, { film, patch, symmetric }, mesh) {
+    Object.assign(this, { holder, film, patch, symmetric, mesh, frame: 0, azimuth: 0.6, elevation: 0.55, zoom: 1, isAtContact: false,
       field: 'deflection', timer: null });
     this.deflections = decoded(film.deflections, Int16Array);
     this.cellErrors = decoded(film.cellErrors, Int16Array);
-    this.corners = decoded(film.corners, Float32Array);
     this.largest = this.deflections.reduce((a, b) => Math.max(a, Math.abs(b)), 1);
     // the frame of the largest force says most
     this.frame = film.forces.indexOf(Math.max(...film.forces));
@@ -24,16 +23,16 @@ class Film {
 
   /** Quadrilaterals to draw, with their nodes, for all mirror images. */
   makePatches() {
-    const { film, corners } = this;
+    const { film, mesh: { vertices, cells } } = this;
     const nine = film.nodesPerCell === 9;
     // with the corners along which a quadrilateral borders on other cells
     const quads = nine ?
       [[[0, 1, 4, 3], [3, 0, 1]], [[1, 2, 5, 4], [0, 1, 2]], [[3, 4, 7, 6], [0, 3, 2]], [[4, 5, 8, 7], [1, 2, 3]]] :
       [[[0, 1, 3, 2], [0, 1, 2, 3, 0]]];
     const side = nine ? 3 : 2;
-    const mirrored = film.symmetric.map((is) => (is ? [1, -1] : [1]));
+    const mirrored = this.symmetric.map((is) => (is ? [1, -1] : [1]));
     const begin = [Infinity, Infinity], end = [-Infinity, -Infinity];
-    corners.forEach((c, i) => mirrored[i % 2].forEach((sign) => {
+    vertices.forEach((c, i) => mirrored[i % 2].forEach((sign) => {
       begin[i % 2] = Math.min(begin[i % 2], sign * c);
       end[i % 2] = Math.max(end[i % 2], sign * c);
     }));
@@ -47,7 +46,7 @@ class Film {
       for (let n = 0; n < film.nodesPerCell; ++n) {
         const s = (n % side) / (side - 1), t = Math.floor(n / side) / (side - 1);
         for (let d = 0; d < 2; ++d) {
-          const c = (v) => corners[8 * cell + 2 * v + d];
+          const c = (v) => vertices[2 * cells[4 * cell + v] + d];
           this.nodes[2 * (cell * film.nodesPerCell + n) + d] =
             (1 - t) * ((1 - s) * c(0) + s * c(1)) + t * ((1 - s) * c(2) + s * c(3));
         }
@@ -73,37 +72,32 @@ class Film {
   makeControls() {
     const { holder, film } = this;
     const add = (name, properties, parent) => {
-      const element = Object.assign(document.createElement(name), properties);
-      parent.append(element);
-      return element;
+      parent.append(element(name, properties));
+      return parent.lastChild;
     };
-    this.canvas = add('canvas', { tabIndex: 0 }, holder);
-    this.canvas.setAttribute('role', 'img');
-    this.canvas.setAttribute('aria-label', 'The deflected plate. Arrow keys turn it, + and - change its size.');
+    this.canvas = add('canvas', { tabIndex: 0, role: 'img',
+      'aria-label': 'The deflected plate. Arrow keys turn it, + and - change its size.' }, holder);
     const controls = add('div', { className: 'controls' }, holder);
     this.button = add('button', { type: 'button', textContent: '▶ Play' }, controls);
-    this.slider = add('input', { type: 'range', min: 0, max: film.times.length - 1, value: this.frame }, controls);
-    this.slider.setAttribute('aria-label', 'Time');
-    const label = add('label', { textContent: 'Colour: ' }, controls);
-    this.select = add('select', {}, label);
-    for (const [value, text] of [['deflection', 'deflection'], ['error', 'local error ratio ξ']])
-      add('option', { value, textContent: text }, this.select);
+    this.slider = add('input', { type: 'range', min: 0, max: film.times.length - 1, value: this.frame, 'aria-label': 'Time' }, controls);
+    controls.append(selection('Colour: ', ['deflection', 'local error ratio ξ'], (chosen) => {
+      this.field = ['deflection', 'error'][chosen];
+      this.draw();
+    }));
     const contact = () => {
       // five radii to either side, or a part of the plate under a point load
       this.isAtContact = true;
-      this.zoom = this.radius / (film.patch > 0 ? 5 * film.patch : this.radius / 16);
+      this.zoom = this.radius / (this.patch.radius > 0 ? 5 * this.patch.radius : this.radius / 16);
       this.enlarge(1);
     };
     addZoomButtons(controls, (factor) => this.enlarge(factor), () => this.showWhole(), contact);
-    this.readout = add('div', { className: 'readout' }, holder);
-    this.readout.setAttribute('aria-live', 'off');
+    this.readout = add('div', { className: 'readout', 'aria-live': 'off' }, holder);
     this.scale = add('div', {}, holder);
     add('figcaption', { textContent: `Deflection magnified ${formatted(this.lift / film.deflectionUnit, 3)} times; the largest is ` +
       `${withUnit(this.largest * film.deflectionUnit, 'm')}. ξ is the error of a cell over what the target allows it at that time. ` +
       'Drag or arrow keys turn the plate; wheel (after a click), two fingers, + and − change its size.' }, holder);
 
     this.slider.addEventListener('input', () => { this.frame = Number(this.slider.value); this.draw(); });
-    this.select.addEventListener('change', () => { this.field = this.select.value; this.draw(); });
     this.button.addEventListener('click', () => this.toggle());
     const fingers = makeZoomable(this.canvas, (factor) => this.enlarge(factor), () => this.showWhole());
     this.canvas.addEventListener('pointerdown', (event) => this.canvas.setPointerCapture(event.pointerId));
@@ -225,5 +219,3 @@ class Film {
       makeScale(ratioScale.palette, ratioScale.labels, 'local error ratio ξ(t)'));
   }
 }
-
-document.querySelectorAll('[data-film]').forEach((holder) => new Film(holder, data.film));

@@ -16,27 +16,13 @@ function colourAt(palette, s) {
 
 /** A bar with the colours of a palette, with labels evenly along it. */
 function makeScale(palette, labels, title) {
-  const scale = document.createElement('div');
-  scale.className = 'scale';
-  const bar = document.createElement('div');
-  bar.className = 'bar';
-  bar.style.background = 'linear-gradient(to right,' +
-    palette.map((_, i) => colourAt(palette, i / (palette.length - 1))).join(',') + ')';
-  const line = document.createElement('div');
-  line.className = 'labels';
-  line.append(...labels.map((label) => Object.assign(document.createElement('span'), { textContent: label })));
-  scale.append(title, bar, line);
-  return scale;
+  const colours = palette.map((_, i) => colourAt(palette, i / (palette.length - 1)));
+  return element('div', { className: 'scale' }, title,
+    element('div', { className: 'bar', style: `background: linear-gradient(to right, ${colours.join()})` }),
+    element('div', { className: 'labels' }, labels.map((label) => element('span', {}, label))));
 }
 
 // ---------------------------------------------------------------- colour maps
-
-function svgElement(name, attributes, text) {
-  const element = document.createElementNS('http://www.w3.org/2000/svg', name);
-  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
-  if (text !== undefined) element.textContent = text;
-  return element;
-}
 
 /** Ticks of an axis of a map, with their places in cells: round values where the values are evenly
     spaced, or else values themselves, not more than there is room for. */
@@ -52,28 +38,27 @@ function mapTicks(values, room) {
   return ticks;
 }
 
-function makeMap(holder) {
-  const map = data.maps[holder.dataset.map];
-  const xs = data.arrays[map.xValues], ys = data.arrays[map.yValues], values = data.arrays[map.values];
-  const known = values.filter((v) => v !== null);
-  const [low, high] = map.range ?? [Math.min(...known), Math.max(...known)];
+/** Coloured fields over two axes with a `title`, a `valueTitle`, axes `x` and `y` with a title and `values`,
+    and `values` row by row, x fastest, null where there is none; `range` of the scale; `marked`, numbers of
+    values to look at. */
+function makeMap(map) {
+  const xs = map.x.values, ys = map.y.values, [low, high] = map.range;
   const width = 480, height = Math.min(480, Math.max(160, width * ys.length / xs.length)), left = 70, bottom = 44;
   const svg = svgElement('svg', { viewBox: `0 0 ${left + width + 10} ${height + bottom + 8}`, 'font-size': 13, role: 'img',
-    'aria-label': `${map.value} from ${formatted(low)} to ${formatted(high)} over ${map.x.title} and ${map.y.title}` });
+    'aria-label': `${map.valueTitle} from ${formatted(low)} to ${formatted(high)} over ${map.x.title} and ${map.y.title}` });
   const dx = width / xs.length, dy = height / ys.length;
-  const readout = document.createElement('div');
-  readout.className = 'readout';
-  values.forEach((value, k) => {
+  const readout = element('div', { className: 'readout' });
+  map.values.forEach((value, k) => {
     if (value === null) return;
     const i = k % xs.length, j = Math.floor(k / xs.length);
     const cell = svgElement('rect', { x: left + i * dx, y: 4 + height - (j + 1) * dy, width: dx + 0.3, height: dy + 0.3,
       fill: colourAt(palettes.sequential, high > low ? (value - low) / (high - low) : 0.5) });
-    const text = `${map.x.title}: ${formatted(xs[i])}, ${map.y.title}: ${formatted(ys[j])}, ${map.value}: ${formatted(value)}`;
+    const text = `${map.x.title}: ${formatted(xs[i])}, ${map.y.title}: ${formatted(ys[j])}, ${map.valueTitle}: ${formatted(value)}`;
     cell.append(svgElement('title', {}, text));
     cell.addEventListener('pointerenter', () => { readout.textContent = text; });
     svg.append(cell);
   });
-  for (const k of data.arrays[map.marked])
+  for (const k of map.marked)
     svg.append(svgElement('text', { x: left + (k % xs.length + 0.5) * dx, y: 4 + height - (Math.floor(k / xs.length) + 0.5) * dy,
       class: 'marked', 'text-anchor': 'middle', 'dominant-baseline': 'central' }, '!'));
   for (const { value, at } of mapTicks(xs, 8))
@@ -82,12 +67,11 @@ function makeMap(holder) {
     svg.append(svgElement('text', { x: left - 6, y: 8 + height - (at + 0.5) * dy, 'text-anchor': 'end' }, formatted(value)));
   svg.append(svgElement('text', { x: left + width / 2, y: height + 40, 'text-anchor': 'middle' }, map.x.title));
   svg.append(svgElement('text', { transform: `translate(14 ${height / 2}) rotate(-90)`, 'text-anchor': 'middle' }, map.y.title));
-  holder.append(svg, makeScale(palettes.sequential, [formatted(low), formatted((low + high) / 2), formatted(high)], map.value), readout);
-  if (data.arrays[map.marked].length > 0)
-    holder.append(Object.assign(document.createElement('p'), { textContent: '!: with warnings.' }));
+  const labels = [low, (low + high) / 2, high].map((value) => formatted(value));
+  return element('figure', {}, element('h3', {}, map.title), element('div', { className: 'map' }, svg,
+    makeScale(palettes.sequential, labels, map.valueTitle), readout,
+    map.marked.length > 0 && paragraph('!: with warnings.')));
 }
-
-document.querySelectorAll('[data-map]').forEach(makeMap);
 
 // ---------------------------------------------------------------- meshes
 
@@ -100,7 +84,7 @@ function fieldScale(fields) {
   if (fields[0].isRatio) return ratioScale;
   let high = 0, isSigned = false;
   for (const { values } of fields)
-    for (const value of data.arrays[values]) {
+    for (const value of values) {
       high = Math.max(high, Math.abs(value));
       isSigned = isSigned || value < 0;
     }
@@ -115,8 +99,7 @@ function fieldScale(fields) {
 
 /** One part of the plate in all pictures of a group, with a scale bar in each. */
 function makeMeshView(pictures, controls) {
-  const { width, height } = pictures[0].viewBox.baseVal;
-  const { x: left, y: top } = pictures[0].viewBox.baseVal;
+  const [left, top, width, height] = pictures[0].getAttribute('viewBox').split(' ').map(Number);
   const { unit, x, y, r } = Object.fromEntries(Object.entries(pictures[0].dataset).map(([key, value]) => [key, Number(value)]));
   const view = { factor: 1, x: left + width / 2, y: top + height / 2 };
   const bars = pictures.map((picture) => {
@@ -177,40 +160,50 @@ function makeMeshView(pictures, controls) {
   show();
 }
 
-function makeMeshes(holder) {
-  const meshes = data.meshes[holder.dataset.meshes];
-  const figures = [...holder.querySelectorAll('figure')];
-  const controls = document.createElement('div');
-  controls.className = 'controls';
-  holder.prepend(controls);
-  makeMeshView(figures.map((figure) => figure.querySelector('svg')), controls);
-  if (!meshes.every((mesh) => mesh.fields.length > 0)) return;
-  const label = Object.assign(document.createElement('label'), { textContent: 'Colour: ' });
-  const select = document.createElement('select');
-  meshes[0].fields.forEach((field, i) => select.append(new Option(field.name, i)));
-  label.append(select);
-  controls.prepend(label);
-  const scaleHolder = document.createElement('div');
-  const readout = Object.assign(document.createElement('div'), { className: 'readout' });
-  controls.after(scaleHolder);
-  holder.append(readout);
+/** A mesh whose cells are coloured later, y upwards, with the load patch and what a view needs of it: the
+    length of a metre and where the contact, the origin, is. */
+function meshPicture({ title, vertices, cells }, patch) {
+  const extent = [0, 1].map((d) => {
+    const values = vertices.filter((_, i) => i % 2 === d);
+    return [values.reduce((a, b) => Math.min(a, b)), values.reduce((a, b) => Math.max(a, b))];
+  });
+  const [width, height] = extent.map(([low, high]) => high - low), unit = 400 / Math.max(width, height);
+  const [x, y] = [-unit * extent[0][0], unit * extent[1][1]];
+  const picture = svgElement('svg', { viewBox: `-1 -1 ${unit * width + 2} ${unit * height + 2}`, role: 'img', 'aria-label': `Mesh, ${title}`,
+    'data-unit': unit, 'data-x': x, 'data-y': y, 'data-r': unit * patch.radius });
+  const place = (vertex) => `${(x + unit * vertices[2 * vertex]).toFixed(3)},${(y - unit * vertices[2 * vertex + 1]).toFixed(3)}`;
+  const group = svgElement('g', { class: 'mesh' });
+  for (let c = 0; c < cells.length; c += 4)
+    group.append(svgElement('polygon', { points: [0, 1, 3, 2].map((v) => place(cells[c + v])).join(' '), fill: 'none' }));
+  picture.append(group);
+  if (patch.isDisc) picture.append(svgElement('circle', { class: 'patch', cx: x, cy: y, r: unit * patch.radius }));
+  return picture;
+}
 
-  const show = () => {
-    const scale = fieldScale(meshes.map((mesh) => mesh.fields[select.value]));
-    scaleHolder.replaceChildren(makeScale(scale.palette, scale.labels, meshes[0].fields[select.value].name));
-    meshes.forEach((mesh, i) => {
-      const values = data.arrays[mesh.fields[select.value].values];
-      figures[i].querySelectorAll('polygon').forEach((cell, c) => cell.setAttribute('fill', colourAt(scale.palette, scale.place(values[c]))));
-    });
+/** Meshes beside each other where there is room, to be coloured by any of their fields, on one scale for
+    all. A mesh has a `title`, `vertices` (x and y of each [m], the impact at the origin), `cells` (four vertices
+    of each, lexicographic) and `fields` of values by cell with a `name` and, where they are ratios to a limit,
+    `isRatio`. */
+function meshGroup(meshes, patch) {
+  const figures = meshes.map((mesh) => element('figure', {}, meshPicture(mesh, patch), element('figcaption', {}, mesh.title)));
+  const controls = element('div', { className: 'controls' }), scaleHolder = element('div');
+  const readout = element('div', { className: 'readout' });
+  makeMeshView(figures.map((figure) => figure.querySelector('svg')), controls);
+  const group = element('div', { className: 'mesh-group' }, controls, scaleHolder, element('div', { className: 'grid meshes' }, figures), readout);
+  if (!meshes.every((mesh) => mesh.fields.length > 0)) return group;
+  const show = (chosen) => {
+    const fields = meshes.map((mesh) => mesh.fields[chosen]), scale = fieldScale(fields);
+    scaleHolder.replaceChildren(makeScale(scale.palette, scale.labels, fields[0].name));
+    figures.forEach((figure, i) => figure.querySelectorAll('polygon').forEach((cell, c) =>
+      cell.setAttribute('fill', colourAt(scale.palette, scale.place(fields[i].values[c])))));
   };
-  select.addEventListener('change', show);
+  controls.prepend(selection('Colour: ', meshes[0].fields.map((field) => field.name), show));
   figures.forEach((figure, i) => figure.addEventListener('pointerover', (event) => {
     if (event.target.tagName !== 'polygon') return;
     const c = [...event.target.parentNode.children].indexOf(event.target);
     readout.textContent = `${meshes[i].title.split(':')[0]}, cell ${c}: ` + meshes[i].fields
-      .map((field) => `${field.name} ${formatted(data.arrays[field.values][c], 4)}`).join(', ');
+      .map((field) => `${field.name} ${formatted(field.values[c], 4)}`).join(', ');
   }));
-  show();
+  show(0);
+  return group;
 }
-
-document.querySelectorAll('[data-meshes]').forEach(makeMeshes);

@@ -59,58 +59,6 @@ namespace PlateImpact
             height * std::log(highest / tick) / std::log(highest / lowest)
             << "\">" << tick << (tick == 1. ? " (limit)" : "") << "</text>\n";
     }
-
-
-    /// The rectangle around a mesh. [m]
-    struct Extent
-    {
-      explicit Extent(const Triangulation<2> &mesh)
-      {
-        const auto box = GridTools::compute_bounding_box(mesh);
-        begin          = box.get_boundary_points().first;
-        size           = Point<2>(box.get_boundary_points().second - begin);
-      }
-
-      double
-      longest() const
-      {
-        return std::max(size[0], size[1]);
-      }
-
-      Point<2> begin, size;
-    };
-
-
-
-    /// The cells, coloured by xi' where it is known, y upwards.
-    /// @param scale      from metres
-    /// @param begin      lower left corner of the mesh [m]
-    /// @param left, bottom  where it is
-    void
-    write_cells(std::ostream              &out,
-                const Triangulation<2>    &mesh,
-                const std::vector<double> &errors,
-                const double               scale,
-                const Point<2>            &begin,
-                const double               left,
-                const double               bottom)
-    {
-      const unsigned int around[] = {0, 1, 3, 2};
-      out << "<g class=\"mesh\" stroke=\"#444\" stroke-width=\"0.6\">\n"
-          << std::fixed << std::setprecision(2);
-      for (const auto &cell : mesh.active_cell_iterators())
-        {
-          out << "<polygon points=\"";
-          for (const unsigned int v : around)
-            out << (v == 0 ? "" : " ")
-                << left + scale * (cell->vertex(v)[0] - begin[0]) << ','
-                << bottom - scale * (cell->vertex(v)[1] - begin[1]);
-          const std::string fill =
-            errors.empty() ? "none" : colour(errors[cell->active_cell_index()]);
-          out << "\" fill=\"" << fill << "\"/>\n";
-        }
-      out << "</g>\n" << std::defaultfloat << std::setprecision(8);
-    }
   } // namespace
 
 
@@ -121,15 +69,17 @@ namespace PlateImpact
                  const std::string         &caption,
                  const std::vector<double> &errors)
   {
-    const Extent extent(mesh);
-    const double size = 600., margin = 20., header = 34.;
-    const double scale  = size / extent.longest();
-    const double width  = extent.size[0] * scale,
-                 height = extent.size[1] * scale;
-    const double total_width =
-      std::max(2 * margin + width + (errors.empty() ? 0. : 150.), 420.);
+    const auto box =
+      GridTools::compute_bounding_box(mesh).get_boundary_points();
+    const Tensor<1, 2> extent = box.second - box.first;
+    const double       size = 600., margin = 20., header = 34.;
+    const double       scale     = size / std::max(extent[0], extent[1]);
+    const double       height    = extent[1] * scale;
+    const bool         has_scale = !errors.empty();
+    const double       total_width =
+      std::max(2 * margin + extent[0] * scale + (has_scale ? 150. : 0.), 420.);
     const double total_height =
-      header + 2 * margin + std::max(height, errors.empty() ? 0. : 330.);
+      header + 2 * margin + std::max(height, has_scale ? 330. : 0.);
 
     out << std::setprecision(8)
         << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 "
@@ -138,66 +88,71 @@ namespace PlateImpact
         << "\" font-family=\"sans-serif\" font-size=\"13\">\n"
         << "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
         << "<text x=\"" << margin << "\" y=\"" << header - 8 << "\">" << caption
-        << "</text>\n";
-    write_cells(out,
-                mesh,
-                errors,
-                scale,
-                extent.begin,
-                margin,
-                header + margin + height);
-    if (!errors.empty())
-      write_scale(out, 2 * margin + width, header + margin + 24.);
+        << "</text>\n"
+        << "<g class=\"mesh\" stroke=\"#444\" stroke-width=\"0.6\">\n"
+        << std::fixed << std::setprecision(2);
+    for (const auto &cell : mesh.active_cell_iterators())
+      {
+        out << "<polygon points=\"";
+        for (const unsigned int v : {0, 1, 3, 2})
+          {
+            const Tensor<1, 2> place = cell->vertex(v) - box.first;
+            out << (v == 0 ? "" : " ") << margin + scale * place[0] << ','
+                << header + margin + height - scale * place[1];
+          }
+        out << "\" fill=\""
+            << (has_scale ? colour(errors[cell->active_cell_index()]) : "none")
+            << "\"/>\n";
+      }
+    out << "</g>\n" << std::defaultfloat << std::setprecision(8);
+    if (has_scale)
+      write_scale(out, 2 * margin + extent[0] * scale, header + margin + 24.);
     out << "</svg>\n";
   }
 
 
 
-  std::string
-  mesh_picture(const Triangulation<2>    &mesh,
-               const Parameters          &parameters,
-               const std::string         &label,
+  Json
+  mesh_on_page(const Triangulation<2>    &mesh,
+               const std::string         &title,
                const std::vector<double> &errors)
   {
-    const Extent             extent(mesh);
-    const double             scale   = 400. / extent.longest();
-    const ContactParameters &contact = parameters.contact;
-    // the impact is the origin
-    const double x = -scale * extent.begin[0],
-                 y = scale * (extent.size[1] + extent.begin[1]),
-                 r = contact.has_patch() ? scale * contact.patch_radius : 0.;
-    std::ostringstream out;
-    out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-1 -1 "
-        << scale * extent.size[0] + 2. << ' ' << scale * extent.size[1] + 2.
-        << "\" role=\"img\" aria-label=\"" << label << "\" data-unit=\""
-        << scale << "\" data-x=\"" << x << "\" data-y=\"" << y << "\" data-r=\""
-        << r << "\">\n";
-    write_cells(out,
-                mesh,
-                errors,
-                scale,
-                extent.begin,
-                0.,
-                scale * extent.size[1]);
-    if (r > 0. && !contact.load_has_length())
-      out << "<circle class=\"patch\" cx=\"" << x << "\" cy=\"" << y
-          << "\" r=\"" << r << "\"/>\n";
-    out << "</svg>";
-    return out.str();
+    std::vector<double>       coordinates;
+    std::vector<unsigned int> cells, number(mesh.n_vertices());
+    for (unsigned int v = 0; v < mesh.n_vertices(); ++v)
+      if (mesh.vertex_used(v))
+        {
+          number[v] = coordinates.size() / 2;
+          coordinates.push_back(mesh.get_vertices()[v][0]);
+          coordinates.push_back(mesh.get_vertices()[v][1]);
+        }
+    for (const auto &cell : mesh.active_cell_iterators())
+      for (const unsigned int v : cell->vertex_indices())
+        cells.push_back(number[cell->vertex_index(v)]);
+    Json fields = Json::array();
+    if (!errors.empty())
+      fields.push_back({{"name", "local error ratio ξ′"},
+                        {"isRatio", true},
+                        {"values", numbers_on_page(errors)}});
+    return {{"title", title},
+            {"vertices", numbers_on_page(coordinates)},
+            {"cells", cells},
+            {"fields", fields}};
   }
 
 
 
-  std::string
-  meshed_part_in_words(const PlateParameters &plate)
+  Json
+  plate_on_page(const Parameters &parameters)
   {
-    const bool left  = geometry_of(plate)->is_symmetric(0),
-               lower = geometry_of(plate)->is_symmetric(1);
-    if (left && lower)
-      return "A quarter of the plate; the impact is at the lower left corner.";
-    if (left || lower)
-      return std::string("Half of the plate; the impact is on the ") +
-        (left ? "left" : "lower") + " side.";
-    return "The whole plate.";
+    const ContactParameters &contact = parameters.contact;
+    const PlateParameters   &plate   = parameters.plate;
+    const double radius = contact.has_patch() ? contact.patch_radius : 0.;
+    return {{"patch",
+             {{"radius", radius},
+              {"isDisc", radius > 0. && !contact.load_has_length()}}},
+            {"symmetric",
+             {geometry_of(plate)->is_symmetric(0),
+              geometry_of(plate)->is_symmetric(1)}}};
   }
 } // namespace PlateImpact

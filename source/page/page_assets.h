@@ -7,8 +7,8 @@
 /// the program.
 namespace PlateImpact::PageAssets
 {
-  extern const std::string_view page, style, plots_js, zoom_js, maps_js,
-    film_js, chart_js;
+  extern const std::string_view page, style, page_js, plots_js, zoom_js,
+    maps_js, film_js, run_js, comparison_js, sweep_js, chart_js;
 }
 
 #endif

@@ -1,30 +1,9 @@
-'use strict';
-
-const data = JSON.parse(document.getElementById('data').textContent);
+// ---------------------------------------------------------------- plots
 
 /** A colour of page.css as it is now, in light or dark. */
 function cssColour(name) {
   return getComputedStyle(document.documentElement).getPropertyValue('--' + name).trim();
 }
-
-function formatted(value, digits = 4) {
-  if (value === null || !Number.isFinite(value)) return '–';
-  const size = Math.abs(value);
-  if (size !== 0 && (size < 1e-4 || size >= 1e7))
-    return value.toExponential(Math.max(0, digits - 1)).replace(/\.?0+e/, 'e');
-  return String(Number(value.toPrecision(digits)));
-}
-
-/** A value with the prefix that makes it easy to read. */
-function withUnit(value, unit) {
-  if (value === 0) return '0 ' + unit;
-  const power = Math.min(4, Math.max(-4, Math.floor(Math.log10(Math.abs(value)) / 3 + 1e-9)));
-  const everyday = Math.abs(value) >= 1 && Math.abs(value) < 1e5;
-  return everyday ? formatted(value, 4) + ' ' + unit :
-    formatted(value * 10 ** (-3 * power), 4) + ' ' + ['p', 'n', 'µ', 'm', '', 'k', 'M', 'G', 'T'][power + 4] + unit;
-}
-
-// ---------------------------------------------------------------- plots
 
 /** Of every series the point nearest in x to the pointer. */
 Chart.Interaction.modes.nearestOfEach = (chart, event) => {
@@ -101,20 +80,18 @@ function shown({ plot, view }) {
 
 /** Series of the page as datasets of Chart.js. */
 function datasets(plot, hidden) {
-  const bars = plot.categories.length > 0;
+  const bars = Boolean(plot.categories);
   return plot.series.map((series) => {
-    const y = data.arrays[series.y];
     const colour = cssColour('c' + (series.colour % 8));
     const dataset = { label: series.marker ? series.name + ', ' + series.marker : series.name,
       hidden: hidden.has(series.name) || hidden.has(series.marker),
       pointStyle: shapeOf(series.marker, plot), style: series.style, group: series.colour,
       backgroundColor: colour, borderColor: series.style === 'faint' ? colour + '90' : colour };
-    if (bars) return { ...dataset, data: y, stack: 'all' };
-    const x = data.arrays[series.x];
+    if (bars) return { ...dataset, data: series.y, stack: 'all' };
     const points = series.style.includes('points');
     return {
       ...dataset,
-      data: x.map((value, i) => ({ x: value, y: y[i] })),
+      data: series.x.map((value, i) => ({ x: value, y: series.y[i] })),
       showLine: series.style !== 'points',
       borderWidth: series.style === 'faint' ? 1 : 2,
       borderDash: series.style === 'dashed' ? [6, 4] : [],
@@ -164,10 +141,10 @@ function readByKeys(canvas) {
 
 function makePlot(canvas, entry) {
   const plot = shown(entry), { hidden } = entry.view;
-  const bars = plot.categories.length > 0;
+  const bars = Boolean(plot.categories);
   // points in the order of x need no parsing
   const sorted = plot.series.every((series) =>
-    (data.arrays[series.x] ?? []).every((value, i, x) => i === 0 || x[i - 1] <= value));
+    (series.x ?? []).every((value, i, x) => i === 0 || x[i - 1] <= value));
   const unit = (title) => (title.match(/\[(.*)\]/) ?? ['', ''])[1];
   Chart.getChart(canvas)?.destroy();
   return new Chart(canvas, {
@@ -179,7 +156,7 @@ function makePlot(canvas, entry) {
       interaction: bars ? { mode: 'index', axis: 'y', intersect: false } : { mode: 'nearestOfEach', intersect: false },
       scales: bars ?
         { x: axis(plot.x, { stacked: true }), y: axis(plot.y, { type: 'category', stacked: true }) } :
-        { x: axis(plot.x, {}, plot.series.flatMap((series) => data.arrays[series.x])), y: axis(plot.y) },
+        { x: axis(plot.x, {}, plot.series.flatMap((series) => series.x)), y: axis(plot.y) },
       plugins: {
         legend: {
           display: plot.series.length > 1 && !plot.series.some((series) => series.marker), position: 'bottom', onClick: toggleSeries,
@@ -206,7 +183,7 @@ function csvOf(chart, plot) {
   chart.data.datasets.forEach((dataset, i) => {
     if (!chart.isDatasetVisible(i)) return;
     dataset.data.forEach((point, k) => {
-      rows.push(plot.categories.length > 0 ? [dataset.label, point, plot.categories[k]] :
+      rows.push(plot.categories ? [dataset.label, point, plot.categories[k]] :
         [dataset.label, point.x, point.y]);
     });
   });
@@ -255,7 +232,7 @@ function svgOf(chart, plot) {
       else lines.at(-1).push(point);
     }
     const points = lines.flat();
-    if (plot.categories.length > 0)
+    if (plot.categories)
       points.forEach((bar) => parts.push(`<rect x="${Math.min(bar.base, bar.x)}" y="${bar.y - bar.height / 2}" ` +
         `width="${Math.abs(bar.x - bar.base)}" height="${bar.height}" fill="${dataset.backgroundColor}"/>`));
     else if (dataset.showLine !== false)
@@ -276,59 +253,34 @@ function svgOf(chart, plot) {
 }
 
 /** Buttons that save a plot. */
-function saveButtons(holder, canvas, entry) {
-  const { plot } = entry;
-  const bar = document.createElement('div');
-  bar.className = 'controls save';
-  const save = (name, url) => {
-    const link = document.createElement('a');
-    link.download = (plot.title.replace(/[^\w]+/g, '-').toLowerCase() || 'plot') + '.' + name;
-    link.href = url;
-    link.click();
-  };
+function saveButtons(canvas, entry) {
+  const { title } = entry.plot;
+  const save = (name, url) => element('a', { href: url,
+    download: `${title.replace(/[^\w]+/g, '-').toLowerCase() || 'plot'}.${name}` }).click();
   const file = (text, type) => URL.createObjectURL(new Blob([text], { type }));
   const ways = {
     SVG: () => save('svg', file(svgOf(Chart.getChart(canvas), shown(entry)), 'image/svg+xml')),
     PNG: () => save('png', canvas.toDataURL('image/png')),
     CSV: () => save('csv', file(csvOf(Chart.getChart(canvas), shown(entry)), 'text/csv'))
   };
-  for (const [name, way] of Object.entries(ways)) {
-    const button = document.createElement('button');
-    button.textContent = name;
-    button.title = `Save the plot "${plot.title}" as ${name}`;
+  return element('div', { className: 'controls save' }, Object.entries(ways).map(([name, way]) => {
+    const button = element('button', { title: `Save the plot "${title}" as ${name}` }, name);
     button.addEventListener('click', way);
-    bar.append(button);
-  }
-  holder.after(bar);
+    return button;
+  }));
 }
 
-/** What the plots of a grid share: the abscissa, and the names of series and shapes that are hidden. */
-const views = new Map();
-
-function viewOf(grid) {
-  if (!views.has(grid)) views.set(grid, { x: 0, hidden: new Set() });
-  return views.get(grid);
-}
-
-/** One legend for the plots of a grid, by colours and by shapes, and the choice of the abscissa. */
-function makeLegend(grid, entries) {
+/** One legend for plots beside each other, by colours and by shapes, and the choice of the abscissa. */
+function makeLegend(entries) {
   const { plot, view } = entries[0];
-  if (!plot.series.some((series) => series.marker)) return;
-  const bar = Object.assign(document.createElement('div'), { className: 'controls legend' });
   const redraw = () => entries.forEach((entry) => makePlot(entry.canvas, entry));
-  const label = Object.assign(document.createElement('label'), { textContent: 'Against: ' });
-  const select = document.createElement('select');
-  [plot.x, ...plot.moreX].forEach((x, i) => select.append(new Option(x.title, i)));
-  select.addEventListener('change', () => { view.x = Number(select.value); redraw(); });
-  label.append(select);
-  bar.append(label);
+  const bar = element('div', { className: 'controls legend' },
+    selection('Against: ', [plot.x, ...plot.moreX].map((x) => x.title), (x) => { view.x = x; redraw(); }));
   const toggle = (name, sign, colour) => {
-    const button = Object.assign(document.createElement('button'), { type: 'button' });
-    const holder = document.createElement('span');
+    const holder = element('span');
     holder.innerHTML = `<svg width="16" height="12" style="display: inline; width: 16px">${sign}</svg>`;
-    button.append(holder, ' ' + name);
+    const button = element('button', { type: 'button', 'aria-pressed': 'true' }, holder, ` ${name}`);
     if (colour) button.style.color = `var(--${colour})`;
-    button.setAttribute('aria-pressed', 'true');
     button.addEventListener('click', () => {
       if (!view.hidden.delete(name)) view.hidden.add(name);
       button.setAttribute('aria-pressed', String(!view.hidden.has(name)));
@@ -341,60 +293,45 @@ function makeLegend(grid, entries) {
     toggle(series.name, '<path d="M0 6h16" stroke="currentColor" stroke-width="3"/>', 'c' + (series.colour % 8));
   for (const series of once('marker'))
     toggle(series.marker, shapePath(shapeOf(series.marker, plot), 8, 6, 5, 'currentColor'));
-  grid.before(bar);
+  return bar;
 }
 
-const plots = Array.from(document.querySelectorAll('[data-plot]'), (holder) => {
-  const plot = data.plots[holder.dataset.plot];
-  const canvas = document.createElement('canvas');
-  canvas.tabIndex = 0;
-  canvas.setAttribute('role', 'img');
-  canvas.setAttribute('aria-label', `${plot.title}: ${plot.y.title} over ${plot.x.title}. Left and right keys read values.`);
-  if (plot.categories.length > 0) {
-    holder.classList.add('flat');
-    holder.style.height = 6 + 2.2 * plot.categories.length + 'rem';
-  }
-  holder.append(canvas);
-  readByKeys(canvas);
-  const entry = { canvas, plot, view: viewOf(holder.closest('.grid')) };
-  saveButtons(holder, canvas, entry);
-  return entry;
-});
-for (const [grid, view] of views) makeLegend(grid, plots.filter((entry) => entry.view === view));
+/** All plots of the page. */
+const plots = [];
+
+/** Plots beside each other where there is room. Those whose series have markers share one legend, by
+    colours and by shapes, and the choice of x.
+
+    A plot has a `title`, a `caption`, axes `x` and `y` (`title` with its unit, `logarithmic`; `range`, what
+    it shows at least; `limits`, beyond which it shows nothing) and `series`: `name`, numbers `x` and `y`
+    (null: a gap), `colour`, `style` (line; faint, which hides and shows with the series of the same colour;
+    dashed, points, line and points), `marker` (those of one name have points of one shape) and `moreX`,
+    numbers for the axes `moreX` that a reader may choose in place of x. With `categories` it is stacked
+    horizontal bars, one for each category.
+    @param size  small, for many, or large */
+function plotGrid(list, size = '') {
+  const view = { x: 0, hidden: new Set() }; // what they share: the abscissa, and what is hidden
+  const entries = [];
+  const figures = list.map((plot) => {
+    const canvas = element('canvas', { tabIndex: 0, role: 'img',
+      'aria-label': `${plot.title}: ${plot.y.title} over ${plot.x.title}. Left and right keys read values.` });
+    const holder = element('div', { className: plot.categories ? 'plot flat' : 'plot' }, canvas);
+    if (plot.categories) holder.style.height = 6 + 2.2 * plot.categories.length + 'rem';
+    readByKeys(canvas);
+    const entry = { canvas, plot, view };
+    entries.push(entry);
+    return element('figure', {}, element('h3', {}, plot.title), holder, saveButtons(canvas, entry),
+      plot.caption && element('figcaption', {}, plot.caption));
+  });
+  plots.push(...entries);
+  return [list[0]?.series.some((series) => series.marker) && makeLegend(entries),
+    element('div', { className: `grid ${size} ${list.length === 1 ? 'single' : ''}` }, figures)];
+}
 
 /** Draws all plots in the colours and the size of the medium. */
 function drawPlots() {
   plots.forEach((entry) => makePlot(entry.canvas, entry));
 }
 
-drawPlots();
 matchMedia('(prefers-color-scheme: dark)').addEventListener('change', drawPlots);
 matchMedia('print').addEventListener('change', drawPlots);
-
-// ---------------------------------------------------------------- tables
-
-/** A number in a cell, in parentheses or not; text sorts behind. */
-function sortKey(cell) {
-  const number = parseFloat(cell.textContent.replace(/[()]/g, ''));
-  return Number.isNaN(number) ? Infinity : number;
-}
-
-document.querySelectorAll('table.sortable').forEach((table) => {
-  table.querySelectorAll('thead th').forEach((head, column) => {
-    const button = Object.assign(document.createElement('button'), { type: 'button', textContent: head.textContent, title: 'Sort' });
-    head.replaceChildren(button);
-    button.addEventListener('click', () => {
-      const up = head.getAttribute('aria-sort') !== 'ascending';
-      table.querySelectorAll('thead th').forEach((other) => other.removeAttribute('aria-sort'));
-      head.setAttribute('aria-sort', up ? 'ascending' : 'descending');
-      const body = table.tBodies[0];
-      const rows = [...body.rows].sort((a, b) => {
-        const [x, y] = [sortKey(a.cells[column]), sortKey(b.cells[column])];
-        const order = column === 0 || (x === Infinity && y === Infinity) ?
-          a.cells[column].textContent.localeCompare(b.cells[column].textContent) : x < y ? -1 : x > y ? 1 : 0;
-        return up ? order : -order;
-      });
-      body.append(...rows);
-    });
-  });
-});

@@ -44,15 +44,8 @@ function makeZoomable(element, zoom, reset) {
 function addZoomButtons(controls, zoom, reset, contact) {
   for (const [text, title, act] of [['−', 'Smaller', () => zoom(1 / 1.4)], ['+', 'Larger', () => zoom(1.4)],
     ['contact', 'The contact and what is around it', contact], ['whole', 'All of it', reset]]) {
-    const button = Object.assign(document.createElement('button'), { type: 'button', textContent: text, title });
+    const button = element('button', { type: 'button', className: 'zoom', title }, text);
     button.addEventListener('click', act);
-    button.className = 'zoom';
     controls.append(button);
   }
-}
-
-/** The largest of 1, 2, 5, 10 ... that is at most a length. */
-function roundBelow(length) {
-  const decade = 10 ** Math.floor(Math.log10(length));
-  return decade * [5, 2, 1].find((lead) => lead * decade <= length * (1 + 1e-9));
 }

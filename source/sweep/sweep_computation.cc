@@ -9,6 +9,7 @@
 #include "plate_impact/plate/plate_mesh.h"
 #include "plate_impact/transient/contact_end.h"
 
+#include <cmath>
 #include <fmt/format.h>
 #include <new>
 #include <tuple>
@@ -78,14 +79,6 @@ namespace PlateImpact
 
 
 
-  const SweepWork &
-  SweepComputation::work() const
-  {
-    return done;
-  }
-
-
-
   std::pair<SweepRow, std::optional<ContactHistory>>
   SweepComputation::compute(const std::size_t group, const std::size_t point)
   {
@@ -95,12 +88,13 @@ namespace PlateImpact
     row.failure = failure_of([&] {
       const SweepPoint valid    = scene.point(point);
       Computed         computed = compute(group, valid);
-      row.figures               = values_of_figures(computed.impact,
-                                      valid.parameters,
-                                      valid.expected,
-                                      computed.discretization_error,
-                                      computed.peak_force_bar);
-      row.warnings              = std::move(computed.warnings);
+      for (const auto &value : values_of_figures(computed.impact,
+                                                 valid.parameters,
+                                                 valid.expected,
+                                                 computed.discretization_error,
+                                                 computed.peak_force_bar))
+        row.figures.push_back(value.value_or(std::nan("")));
+      row.warnings = std::move(computed.warnings);
       if (valid.parameters.sweep.write_histories)
         history = std::move(computed.impact.history);
     });

@@ -4,9 +4,9 @@
 #include "plate_impact/base/text.h"
 
 #include <algorithm>
-#include <csignal>
-#include <iostream>
-#include <unistd.h>
+#include <cmath>
+#include <optional>
+#include <vector>
 
 namespace PlateImpact
 {
@@ -43,50 +43,40 @@ namespace PlateImpact
 
 
 
-  SweepConsole::SweepConsole(const bool quiet)
-    : quiet(quiet)
-    , out(STDOUT_FILENO)
-    // mpirun makes its processes' output a terminal where it has none itself,
-    // but not their input
-    , shows_progress(!quiet && out.is_interactive() && isatty(STDIN_FILENO))
-    , start(std::chrono::steady_clock::now())
-    , last_progress(start)
-  {
-    std::signal(SIGPIPE, SIG_IGN);
-  }
+  SweepConsole::SweepConsole(const SweepScene &scene, const bool quiet)
+    : scene(scene)
+    , console(quiet)
+  {}
 
 
 
   void
-  SweepConsole::begin(const SweepScene &scene,
-                      const std::size_t n_groups,
-                      const std::size_t n_done)
+  SweepConsole::begin(const std::size_t n_groups, const std::size_t n_done)
   {
-    plan     = scene.plan();
-    n_points = plan->n_points() - n_done;
-    if (quiet)
-      return;
+    const SweepPlan &plan = scene.plan();
+    n_points              = plan.n_points() - n_done;
     std::string names;
-    for (const SweptEntry &entry : plan->entries())
+    for (const SweptEntry &entry : plan.entries())
       names += (names.empty() ? "" : ", ") + entry.path;
-    std::cout << out.emphasized(scene.name(), Emphasis::bold) << ": "
-              << counted(plan->n_points(), "point") << " of " << names << " on "
-              << counted(n_groups, "plate");
+    std::string text = emphasized(scene.name(), Emphasis::bold) + ": " +
+      counted(plan.n_points(), "point") + " of " + names + " on " +
+      counted(n_groups, "plate");
     if (scene.may_adapt())
-      std::cout << (scene.parameters().sweep.adapt ==
-                        SweepAdaptation::each_point ?
-                      ", a mesh for each point" :
-                      ", each mesh adapted for its shortest contact");
+      text += scene.parameters().sweep.adapt == SweepAdaptation::each_point ?
+        ", a mesh for each point" :
+        ", each mesh adapted for its shortest contact";
     if (n_done > 0)
-      std::cout << ", " << n_done << " of them done before";
-    std::cout << '\n';
-    if (n_points > most_lines || n_points == 0)
-      return;
-    for (const SweptEntry &entry : plan->entries())
-      std::cout << right(width_of(entry), entry.path);
-    for (const Column &column : columns)
-      std::cout << right(14, column.title);
-    std::cout << std::endl;
+      text += ", " + std::to_string(n_done) + " of them done before";
+    text += '\n';
+    if (n_points <= most_lines && n_points > 0)
+      {
+        for (const SweptEntry &entry : plan.entries())
+          text += right(width_of(entry), entry.path);
+        for (const Column &column : columns)
+          text += right(14, column.title);
+        text += '\n';
+      }
+    console.print(text);
   }
 
 
@@ -95,64 +85,40 @@ namespace PlateImpact
   SweepConsole::row(const SweepRow &row)
   {
     ++n_computed;
-    if (quiet)
-      return;
     if (n_points > most_lines)
-      {
-        const auto now = std::chrono::steady_clock::now();
-        if (!shows_progress ||
-            (has_progress &&
-             now - last_progress < std::chrono::milliseconds(500)))
-          return;
-        last_progress                               = now;
-        has_progress                                = true;
-        const std::chrono::duration<double> elapsed = now - start;
-        std::cout << "\r\033[K " << n_computed << " of " << n_points << ", "
-                  << waiting_time(elapsed.count() * (n_points - n_computed) /
-                                  n_computed)
-                  << " left" << std::flush;
-        return;
-      }
-    const std::vector<std::string> values = plan->values(row.point);
+      return console.show(" ", n_computed, n_points);
+    const SweepPlan               &plan   = scene.plan();
+    const std::vector<std::string> values = plan.values(row.point);
+    std::string                    text;
     for (std::size_t i = 0; i < values.size(); ++i)
-      std::cout << right(width_of(plan->entries()[i]), values[i]);
+      text += right(width_of(plan.entries()[i]), values[i]);
     if (!row.failure.empty())
-      std::cout << "  " << row.failure;
+      text += "  " + row.failure;
     else
       for (const Column &shown : columns)
         for (std::size_t i = 0; i < impact_figures().size(); ++i)
           if (impact_figures()[i].name == shown.figure)
-            {
-              std::optional<double> value = row.figures[i];
-              if (value)
-                *value *= shown.factor;
-              std::cout << column(14, shown.format, value);
-            }
-    std::cout << std::endl;
+            text += column(14,
+                           shown.format,
+                           std::isnan(row.figures[i]) ?
+                             std::nullopt :
+                             std::optional(shown.factor * row.figures[i]));
+    console.print(text + '\n');
   }
 
 
 
   void
-  SweepConsole::end(const SweepWork                &work,
-                    const std::vector<std::string> &warnings,
-                    const std::string              &results)
+  SweepConsole::end(const SweepWork &work, const std::string &results)
   {
-    const double seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
-        .count();
-    if (!quiet)
-      {
-        if (has_progress)
-          std::cout << "\r\033[K";
-        std::cout << "\nComputed    " << counted(n_computed, "point") << " in "
-                  << about(seconds) << " s, " << about(n_computed / seconds)
-                  << " points/s"
-                  << "\nMade        " << counted(work.meshes, "mesh") << ", "
-                  << counted(work.plates, "plate model") << ", "
-                  << counted(work.loads, "response") << " to a load"
-                  << "\nResults     " << results << std::endl;
-      }
-    print_warnings(warnings);
+    const std::chrono::duration<double> elapsed =
+      std::chrono::steady_clock::now() - start;
+    console.print("\nComputed    " + counted(n_computed, "point") + " in " +
+                  about(elapsed.count()) + " s, " +
+                  about(n_computed / elapsed.count()) +
+                  " points/s\nMade        " + counted(work.meshes, "mesh") +
+                  ", " + counted(work.plates, "plate model") + ", " +
+                  counted(work.loads, "response") + " to a load\nResults     " +
+                  results + '\n');
   }
 } // namespace PlateImpact

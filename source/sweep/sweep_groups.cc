@@ -72,22 +72,6 @@ namespace PlateImpact
 
 
 
-  const std::vector<std::vector<std::size_t>> &
-  SweepGroups::groups() const
-  {
-    return found;
-  }
-
-
-
-  std::size_t
-  SweepGroups::n_loads() const
-  {
-    return n_found_loads;
-  }
-
-
-
   std::vector<SweepGroups::Task>
   SweepGroups::tasks(const std::vector<bool> &to_do,
                      const std::size_t        most_points) const

@@ -7,9 +7,12 @@
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/text.h"
 
+#include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <map>
 #include <ostream>
+#include <regex>
 #include <system_error>
 
 namespace PlateImpact
@@ -65,6 +68,28 @@ namespace PlateImpact
         text += as_field(value) + ',';
       return text;
     }
+
+
+
+    /// A sentence without its numbers and the prefixes of their units.
+    std::string
+    kind_of(const std::string &sentence)
+    {
+      static const std::regex number("[0-9][0-9.]*(e[-+]?[0-9]+)?"),
+        prefix("# (p|n|µ|m|k|M|G|T)(m|s|N|J|Pa)\\b");
+      return std::regex_replace(std::regex_replace(sentence, number, "#"),
+                                prefix,
+                                "# $2");
+    }
+
+
+
+    /// Points that have the same to tell.
+    struct Kind
+    {
+      std::string name, first;
+      std::size_t n_points;
+    };
   } // namespace
 
 
@@ -103,8 +128,8 @@ namespace PlateImpact
     std::string text = joined(plan.values(row.point));
     for (std::size_t i = 0; i < impact_figures().size(); ++i)
       {
-        if (row.failure.empty() && row.figures[i])
-          text += shortest(*row.figures[i]);
+        if (row.failure.empty() && !std::isnan(row.figures[i]))
+          text += shortest(row.figures[i]);
         text += ',';
       }
     std::string warnings;
@@ -137,10 +162,11 @@ namespace PlateImpact
           continue;
         SweepRow row;
         for (std::size_t i = 0; i < n_figures; ++i)
-          if (const std::string &field = fields[n_values + i]; field.empty())
-            row.figures.emplace_back();
-          else
-            any_number().read(field, row.figures.emplace_back(0.).value());
+          {
+            row.figures.push_back(std::nan(""));
+            if (const std::string &field = fields[n_values + i]; !field.empty())
+              any_number().read(field, row.figures.back());
+          }
         row.warnings =
           dealii::Utilities::split_string_list(fields[n_values + n_figures],
                                                separator);
@@ -192,9 +218,38 @@ namespace PlateImpact
 
 
 
-  const std::vector<std::optional<SweepRow>> &
-  SweepTable::rows() const
+  std::vector<std::string>
+  sweep_warnings(const std::vector<std::optional<SweepRow>> &rows)
   {
-    return found;
+    std::size_t       n_failed = 0;
+    std::string       first_failure;
+    std::vector<Kind> kinds;
+    for (const auto &row : rows)
+      {
+        if (!row->failure.empty() && ++n_failed == 1)
+          first_failure = row->failure;
+        for (const std::string &warning : row->warnings)
+          {
+            const std::string name = kind_of(warning);
+            const auto        kind =
+              std::find_if(kinds.begin(), kinds.end(), [&](const Kind &k) {
+                return k.name == name;
+              });
+            if (kind == kinds.end())
+              kinds.push_back({name, warning, 1});
+            else
+              ++kind->n_points;
+          }
+      }
+
+    const std::string        of_all = " of " + std::to_string(rows.size());
+    std::vector<std::string> warnings;
+    if (n_failed > 0)
+      warnings.push_back(std::to_string(n_failed) + of_all +
+                         " points failed; the first: " + first_failure);
+    for (const Kind &kind : kinds)
+      warnings.push_back(std::to_string(kind.n_points) + of_all +
+                         " points; the first: " + kind.first);
+    return warnings;
   }
 } // namespace PlateImpact

@@ -65,7 +65,7 @@ namespace PlateImpact
     std::string                   end;     ///< why it ends there
     std::optional<ContactHistory> history; ///< of the last mesh
     std::vector<std::string>      warnings;
-    std::optional<MeshPicture>    picture; ///< of the mesh that meets eta
+    Json picture; ///< of the mesh that meets eta; null: none was drawn
 
     /// "hanging nodes, MITC9"
     std::string
@@ -152,10 +152,16 @@ namespace PlateImpact
       const std::function<void(const ComparisonCurve &)> &listener = {});
 
     const Reference &
-    reference() const;
+    reference() const
+    {
+      return the_reference;
+    }
 
     const std::vector<ComparisonCurve> &
-    curves() const;
+    curves() const
+    {
+      return the_curves;
+    }
 
     /// Who reaches 5, 2, 1, 0.5, 0.3 and 0.1 % of peak-force error, and of eta.
     std::vector<ThresholdRow>

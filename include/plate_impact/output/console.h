@@ -1,56 +1,72 @@
 #ifndef plate_impact_output_console_h
 #define plate_impact_output_console_h
 
-#include "plate_impact/analysis/cycle_result.h"
-#include "plate_impact/analysis/outcome.h"
-#include "plate_impact/base/text.h"
-#include "plate_impact/output/progress_line.h"
-#include "plate_impact/output/terminal.h"
-#include "plate_impact/output/verdict.h"
-#include "plate_impact/scene/scene.h"
-
+#include <chrono>
+#include <cstddef>
 #include <string>
+#include <unistd.h>
 #include <vector>
 
 namespace PlateImpact
 {
-  /// What a user sees of a run. Results count more than that: a
-  /// reader who closes the pipe (`| head`) does not end the run.
+  enum class Emphasis
+  {
+    good,
+    warning,
+    error,
+    bold
+  };
+
+  /// The text in colour; as it is in pipes and files, on terminals that know no
+  /// colours, and where the environment variable NO_COLOR is set and not empty
+  /// (no-color.org).
+  /// @param stream  that it goes to, by its descriptor
+  std::string
+  emphasized(const std::string &text,
+             Emphasis           emphasis,
+             int                stream = STDOUT_FILENO);
+
+  /// To the standard error, a line each.
+  void
+  print_warnings(const std::vector<std::string> &warnings);
+
+
+  /// What a user sees while something is computed. Results count more than
+  /// that: a reader who closes the pipe (`| head`) does not end the
+  /// computation.
   class Console
   {
   public:
-    /// @param quiet  only warnings, errors and a line for scripts
+    /// @param quiet  prints nothing
     explicit Console(bool quiet);
 
-    void
-    begin(const Scene &scene);
+    ~Console();
 
-    /// One line per mesh.
+    /// A text that stays, with the ends of its lines.
     void
-    cycle(const CycleResult &result);
+    print(const std::string &text);
 
+    /// What is done now, until something else is shown or printed; on
+    /// terminals.
     void
-    end(Outcome                         outcome,
-        const CycleResult              &last,
-        const Verdict                  &verdict,
-        const std::vector<std::string> &warnings,
-        const std::string              &results);
+    show(const std::string &stage);
 
-    /// Of the transient that is computed.
-    ProgressLine progress;
+    /// The same of a count, with the time that the rest takes; twice a second
+    /// at most.
+    /// @param what  before the count; another one begins another count
+    void
+    show(const std::string &what, std::size_t n_done, std::size_t n);
 
   private:
-    /// For scripts: peak force [N], bar relative to it, outcome, trust.
-    void
-    print_line(Outcome            outcome,
-               const CycleResult &last,
-               const Verdict     &verdict) const;
+    using Clock = std::chrono::steady_clock;
 
-    const bool           quiet;
-    const Terminal       out;
-    AdaptivityParameters adaptivity = {};
-    PrefixedUnit         time_unit  = {"s", 0.}; ///< for the end time
-    std::string          local_response;         ///< in words
+    void
+    clear();
+
+    const bool        quiet, overwrites;
+    bool              has_text = false;
+    std::string       counted;
+    Clock::time_point begin_of_count, last;
   };
 } // namespace PlateImpact
 

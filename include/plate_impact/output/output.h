@@ -1,8 +1,6 @@
 #ifndef plate_impact_output_output_h
 #define plate_impact_output_output_h
 
-#include <deal.II/grid/tria.h>
-
 #include "plate_impact/analysis/cycle.h"
 #include "plate_impact/analysis/outcome.h"
 #include "plate_impact/output/report.h"
@@ -10,10 +8,6 @@
 #include "plate_impact/output/verdict.h"
 #include "plate_impact/scene/scene.h"
 
-#include <nlohmann/json.hpp>
-
-#include <functional>
-#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -46,35 +40,22 @@ namespace PlateImpact
     void
     write_failure(const std::string &failure);
 
-    /// Any other file.
-    /// @param write  writes its content
-    void
-    write_file(const std::string                         &name,
-               const std::function<void(std::ostream &)> &write);
-
     /// Where the files are and of how many cycles, for a user whose run ends
     /// early.
     std::string
     kept() const;
 
-    /// The files to look at first, for the user.
-    std::string
-    main_files() const;
+    const ResultDirectory directory;
 
   private:
-    /// fields.pvd and a VTU file for every snapshot: deflection, rotations,
-    /// recovered resultants, von Mises stress at the faces, xi'.
-    void
-    write_fields(const Cycle &cycle);
-    nlohmann::ordered_json
+    Json
     write_summary(const std::string              &outcome,
                   const std::vector<std::string> &warnings,
                   const Verdict                  &verdict);
 
-    const Scene           &scene;
-    const ResultDirectory  directory;
-    nlohmann::ordered_json cycles = nlohmann::ordered_json::array();
-    Report                 report;
+    const Scene &scene;
+    Json         cycles = Json::array();
+    Report       report;
   };
 } // namespace PlateImpact
 

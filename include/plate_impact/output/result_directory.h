@@ -41,6 +41,10 @@ namespace PlateImpact
     void
     write_scene(const std::string &scene, const std::string &text) const;
 
+    /// The files to look at first, for the user.
+    std::string
+    main_files() const;
+
     std::filesystem::path
     operator/(const std::string &name) const;
 

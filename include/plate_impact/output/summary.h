@@ -3,19 +3,18 @@
 
 #include "plate_impact/analysis/cycle_result.h"
 #include "plate_impact/base/parameters.h"
-
-#include <nlohmann/json.hpp>
+#include "plate_impact/page/page.h"
 
 #include <string>
 
 namespace PlateImpact
 {
   /// What summary.json says of a cycle (doc/results.md has every key).
-  nlohmann::ordered_json
+  Json
   summary_of(const CycleResult &result, const Parameters &parameters);
 
   /// Every entry of a scene by its path, from the text of the scene.
-  nlohmann::ordered_json
+  Json
   inputs_of(const std::string &text);
 } // namespace PlateImpact
 

@@ -52,6 +52,10 @@ namespace PlateImpact
              Outcome            outcome,
              const CycleResult &last,
              const Warnings    &warnings);
+
+  /// Where the impact is: "Outside of the model".
+  std::string
+  model_in_words(const Verdict &verdict);
 } // namespace PlateImpact
 
 #endif

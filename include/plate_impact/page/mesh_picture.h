@@ -4,6 +4,7 @@
 #include <deal.II/grid/tria.h>
 
 #include "plate_impact/base/parameters.h"
+#include "plate_impact/page/page.h"
 
 #include <iosfwd>
 #include <string>
@@ -21,20 +22,19 @@ namespace PlateImpact
                  const std::string              &caption,
                  const std::vector<double>      &errors);
 
-  /// The same without caption and scale, for pages, with the load patch and
-  /// what the scripts need to show it alone: data-unit, the length of a metre,
-  /// and data-x, -y, -r of the patch.
-  /// @param label  for those who do not see it
-  std::string
-  mesh_picture(const dealii::Triangulation<2> &mesh,
-               const Parameters               &parameters,
-               const std::string              &label,
+  /// A mesh for a page: `title`, `vertices` (x and y of each [m]), `cells`
+  /// (four vertices of each, lexicographic), and `fields`, with xi' as the
+  /// first where it is known.
+  Json
+  mesh_on_page(const dealii::Triangulation<2> &mesh,
+               const std::string              &title,
                const std::vector<double>      &errors);
 
-  /// Which part of the plate the meshes of a scene are, and where the impact
-  /// is.
-  std::string
-  meshed_part_in_words(const PlateParameters &plate);
+  /// What pictures of meshes need of a scene: `patch`, the load around the
+  /// origin, with its `radius` [m], 0 without one, and `isDisc`; `symmetric`,
+  /// whether the plate mirrors in x = 0 and y = 0.
+  Json
+  plate_on_page(const Parameters &parameters);
 } // namespace PlateImpact
 
 #endif

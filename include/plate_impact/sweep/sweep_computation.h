@@ -44,7 +44,10 @@ namespace PlateImpact
     compute(std::size_t group, std::size_t point);
 
     const SweepWork &
-    work() const;
+    work() const
+    {
+      return done;
+    }
 
   private:
     struct Computed

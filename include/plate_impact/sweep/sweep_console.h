@@ -1,29 +1,28 @@
 #ifndef plate_impact_sweep_sweep_console_h
 #define plate_impact_sweep_sweep_console_h
 
-#include "plate_impact/output/terminal.h"
+#include "plate_impact/output/console.h"
 #include "plate_impact/scene/sweep_scene.h"
 #include "plate_impact/sweep/sweep_computation.h"
 #include "plate_impact/sweep/sweep_table.h"
 
 #include <chrono>
 #include <string>
-#include <vector>
 
 namespace PlateImpact
 {
-  /// What a user sees while a sweep runs. A reader who closes the pipe
-  /// (`| head`) does not end it.
+  /// What a user sees while a sweep runs.
   class SweepConsole
   {
   public:
-    /// @param quiet  only warnings and errors
-    explicit SweepConsole(bool quiet);
+    /// @param scene  must outlive the console
+    /// @param quiet  prints nothing
+    SweepConsole(const SweepScene &scene, bool quiet);
 
     /// @param n_groups  plates that the points share
     /// @param n_done    points taken over from an interrupted sweep
     void
-    begin(const SweepScene &scene, std::size_t n_groups, std::size_t n_done);
+    begin(std::size_t n_groups, std::size_t n_done);
 
     /// A line per point of a small sweep; of a large one, on a terminal, the
     /// number of points done so far and the time that the others take.
@@ -31,19 +30,15 @@ namespace PlateImpact
     row(const SweepRow &row);
 
     void
-    end(const SweepWork                &work,
-        const std::vector<std::string> &warnings,
-        const std::string              &results);
+    end(const SweepWork &work, const std::string &results);
 
   private:
-    const bool                                  quiet;
-    const Terminal                              out;
-    const bool                                  shows_progress;
-    std::optional<SweepPlan>                    plan;
-    std::size_t                                 n_points = 0, n_computed = 0;
-    const std::chrono::steady_clock::time_point start;
-    std::chrono::steady_clock::time_point       last_progress;
-    bool                                        has_progress = false;
+    const SweepScene &scene;
+    Console           console;
+    std::size_t       n_points = 0, n_computed = 0;
+
+    const std::chrono::steady_clock::time_point start =
+      std::chrono::steady_clock::now();
   };
 } // namespace PlateImpact
 

@@ -26,12 +26,18 @@ namespace PlateImpact
 
     /// Points by group.
     const std::vector<std::vector<std::size_t>> &
-    groups() const;
+    groups() const
+    {
+      return found;
+    }
 
     /// Loads with time steps, as the swept entries tell them apart, in all
     /// groups together.
     std::size_t
-    n_loads() const;
+    n_loads() const
+    {
+      return n_found_loads;
+    }
 
     /// Parts of groups to compute one after another: points that are still to
     /// be computed, at most so many.

@@ -16,9 +16,9 @@ namespace PlateImpact
   /// What became of a point.
   struct SweepRow
   {
-    std::size_t                        point = 0;
-    std::vector<std::optional<double>> figures; ///< empty for a failed point
-    std::string                        failure; ///< the reason, in one line
+    std::size_t              point = 0;
+    std::vector<double>      figures;  ///< NaN: none; empty for a failed point
+    std::string              failure;  ///< the reason, in one line
     std::vector<std::string> warnings; ///< a sentence each, as of `run`
   };
 
@@ -46,7 +46,10 @@ namespace PlateImpact
 
     /// By point; empty for points to come.
     const std::vector<std::optional<SweepRow>> &
-    rows() const;
+    rows() const
+    {
+      return found;
+    }
 
   private:
     std::string
@@ -63,6 +66,13 @@ namespace PlateImpact
     std::vector<std::optional<SweepRow>> found;
     std::ofstream                        out;
   };
+
+
+  /// What a user should know about the rows of a sweep: how many points failed,
+  /// and how many have warnings that differ in their numbers only, with the
+  /// first of each kind.
+  std::vector<std::string>
+  sweep_warnings(const std::vector<std::optional<SweepRow>> &rows);
 } // namespace PlateImpact
 
 #endif

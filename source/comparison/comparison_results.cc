@@ -1,0 +1,199 @@
+#include "plate_impact/comparison/comparison_results.h"
+
+#include "plate_impact/base/text.h"
+#include "plate_impact/base/version.h"
+#include "plate_impact/output/report.h"
+#include "plate_impact/page/mesh_picture.h"
+
+#include <ostream>
+
+namespace PlateImpact
+{
+  namespace
+  {
+    /// A history has as many steps as a scene asks for; a plot shows that many.
+    constexpr std::size_t most_plotted_states = 600;
+
+    /// Columns of comparison.csv after strategy and element.
+    const std::vector<std::string> columns_of_meshes = {"cycle",
+                                                        "cells",
+                                                        "degrees_of_freedom",
+                                                        "discretization_error",
+                                                        "peak_force",
+                                                        "peak_force_error",
+                                                        "peak_force_error_bar",
+                                                        "contact_end_error",
+                                                        "seconds",
+                                                        "cumulative_seconds"};
+
+
+
+    void
+    add(Json &json, const std::string &key, const std::optional<double> &value)
+    {
+      if (value)
+        json[key] = *value;
+    }
+
+
+
+    Json
+    to_json(const Reference &reference)
+    {
+      Json json = {{"peak_force", reference.peak_force},
+                   {"origin", reference.history ? "computed" : "given"}};
+      if (!reference.history)
+        return json;
+      json["uncertainty"] = reference.uncertainty;
+      add(json, "first_contact_end", reference.contact_end);
+      json["cells"]                = reference.cells;
+      json["degrees_of_freedom"]   = reference.degrees_of_freedom;
+      json["discretization_error"] = *reference.eta;
+      json["seconds"]              = reference.seconds;
+      return json;
+    }
+
+
+
+    Json
+    to_json(const ComparedMesh &mesh)
+    {
+      Json json = {{"cycle", mesh.cycle},
+                   {"cells", mesh.cells},
+                   {"degrees_of_freedom", mesh.degrees_of_freedom},
+                   {"discretization_error", mesh.eta},
+                   {"peak_force", mesh.peak_force},
+                   {"peak_force_error", mesh.peak_force_error},
+                   {"comparable", mesh.is_comparable},
+                   {"seconds", mesh.seconds},
+                   {"cumulative_seconds", mesh.cumulative_seconds}};
+      add(json, "peak_force_error_bar", mesh.peak_force_bar);
+      add(json, "contact_end_error", mesh.contact_end_error);
+      add(json, "effectivity", mesh.effectivity);
+      return json;
+    }
+
+
+
+    Json
+    to_json(const ComparisonCurve &curve)
+    {
+      Json json = {{"strategy", word_for(curve.strategy)},
+                   {"element", word_for(curve.element)},
+                   {"end", curve.end},
+                   {"meshes", Json::array()}};
+      for (const ComparedMesh &mesh : curve.meshes)
+        json["meshes"].push_back(to_json(mesh));
+      return json;
+    }
+
+
+
+    Json
+    to_json(const ThresholdRow &row)
+    {
+      Json json = {{"quantity", row.quantity()},
+                   {"threshold", row.threshold},
+                   {"comparable", row.is_comparable},
+                   {"reached", Json::array()}};
+      for (const Achievement &achievement : row.achievements)
+        {
+          const Achievement  &first = row.achievements.front();
+          const ComparedMesh &mesh  = *achievement.mesh;
+          json["reached"].push_back(
+            {{"strategy", word_for(achievement.curve->strategy)},
+             {"element", word_for(achievement.curve->element)},
+             {"cycle", mesh.cycle},
+             {"cells", mesh.cells},
+             {"degrees_of_freedom", mesh.degrees_of_freedom},
+             {"cumulative_seconds", mesh.cumulative_seconds},
+             {"times_the_fastest",
+              mesh.cumulative_seconds / first.mesh->cumulative_seconds},
+             {"as_fast_as_the_first", are_tied(achievement, first)}});
+        }
+      return json;
+    }
+  } // namespace
+
+
+
+  Json
+  comparison_results(const Scene                    &scene,
+                     const StrategyComparison       &comparison,
+                     const std::vector<std::string> &warnings)
+  {
+    Json json = {{"scene", scene.name},
+                 {"version", PLATE_IMPACT_VERSION},
+                 {"warnings", warnings},
+                 {"reference", to_json(comparison.reference())},
+                 {"curves", Json::array()},
+                 {"thresholds", Json::array()}};
+    for (const ComparisonCurve &curve : comparison.curves())
+      json["curves"].push_back(to_json(curve));
+    for (const ThresholdRow &row : comparison.thresholds())
+      json["thresholds"].push_back(to_json(row));
+    return json;
+  }
+
+
+
+  void
+  write_comparison_table(std::ostream                       &out,
+                         const std::vector<ComparisonCurve> &curves)
+  {
+    out << "strategy,element";
+    for (const std::string &column : columns_of_meshes)
+      out << ',' << column;
+    out << '\n';
+    for (const ComparisonCurve &curve : curves)
+      for (const ComparedMesh &mesh : curve.meshes)
+        {
+          const Json json = to_json(mesh);
+          out << word_for(curve.strategy) << ',' << word_for(curve.element);
+          for (const std::string &column : columns_of_meshes)
+            {
+              out << ',';
+              if (json.contains(column))
+                out << json[column];
+            }
+          out << '\n';
+        }
+  }
+
+
+
+  void
+  write_comparison_page(std::ostream             &out,
+                        const Scene              &scene,
+                        const StrategyComparison &comparison,
+                        const Json               &results)
+  {
+    const Parameters &parameters = scene.parameters;
+    const Reference  &reference  = comparison.reference();
+    const auto forces = [](const std::optional<ContactHistory> &history) {
+      return history ?
+        history_on_page(*history, most_plotted_states, {"time", "force"}) :
+        Json();
+    };
+    Json study          = {{"study", "comparison"}, {"text", scene.text}};
+    study["comparison"] = results;
+    study["target"]     = parameters.adaptivity.target_error;
+    study.update(plate_on_page(parameters));
+    study["meshes"] = Json::array();
+    for (const ComparisonCurve &curve : comparison.curves())
+      {
+        study["histories"].push_back(forces(curve.history));
+        if (!curve.picture.is_null())
+          study["meshes"].push_back(curve.picture);
+      }
+    study["histories"].push_back(forces(reference.history));
+    write_page(out,
+               {"Comparison: " + scene.name,
+                "Ways to make the mesh follow the error, side by side: what a "
+                "user waits for an error, and how many cells it takes.",
+                "The peak force of the reference is " +
+                  number(reference.peak_force, "N") +
+                  "; comparison.csv has the meshes."},
+               study);
+  }
+} // namespace PlateImpact

@@ -1,0 +1,141 @@
+// ---------------------------------------------------------------- comparison.html
+
+const nameOf = ({ strategy, element }) => `${strategy}, ${element}`;
+const isOfEta = (row) => row.quantity === 'eta';
+const wallTime = (seconds) => `${seconds.toFixed(2)} s`;
+
+/** The entry of a curve among those that reach a threshold. */
+const reachedBy = (row, curve) => row.reached.find((reached) => nameOf(reached) === nameOf(curve));
+
+/** A curve's cell in a table of thresholds. */
+function achieved(row, curve) {
+  if (!row.comparable) return 'not compared';
+  const reached = reachedBy(row, curve);
+  return !reached ? '–' : `${wallTime(reached.cumulative_seconds)}, ${reached.cells} cells, ` +
+    (reached.as_fast_as_the_first ? 'first' : `${formatted(reached.times_the_fastest, 3)} times`);
+}
+
+function showOutcome({ warnings, reference, thresholds }) {
+  const first = thresholds.filter((row) => !isOfEta(row) && row.reached.length > 0 && [0.01, 0.001].includes(row.threshold));
+  section('Outcome', warnings.map((warning) => notice(`Warning: ${warning}`)), facts([
+    ['Reference peak force', prefixed('N', [reference.peak_force]).text(reference.peak_force, 6), reference.origin === 'given' ? 'given by the scene' :
+      `uncertain by ${percentage(reference.uncertainty, 3)}: ${reference.cells} cells, η = ${percentage(reference.discretization_error, 3)}`],
+    ...first.map(({ threshold, reached }) => [`First at ${percentage(threshold, 3)}`,
+      reached.filter((one) => one.as_fast_as_the_first).map(nameOf).join(' and '),
+      `${wallTime(reached[0].cumulative_seconds)}, ${reached[0].cells} cells`])]));
+}
+
+function showThresholds({ thresholds, curves }) {
+  const tables = [false, true].map((ofEta) => {
+    const rows = thresholds.filter((row) => isOfEta(row) === ofEta);
+    return table([ofEta ? 'η' : 'Error of the peak force', ...rows.map((row) => percentage(row.threshold, 3))],
+      curves.map((curve) => [nameOf(curve), ...rows.map((row) => achieved(row, curve))]), 'words');
+  });
+  section('Who is first', paragraph('Seconds until an error is reached and kept on all later meshes, the cells of that mesh, ' +
+    'and how many times the seconds of the fastest.'), tables);
+}
+
+function showCosts({ curves, reference }, colourOf) {
+  const costs = [['seconds, cycles before included [s]', 'cumulative_seconds'], ['unknowns', 'degrees_of_freedom'], ['cells', 'cells']];
+  const column = (curve, key, factor = 1) => curve.meshes.map((mesh) => factor * mesh[key]);
+  const [x, ...moreX] = costs.map(([title]) => ({ title, logarithmic: true }));
+  const list = [['error of the peak force [%]', 'peak_force_error'], ['η [%]', 'discretization_error']].map(([title, key]) => ({
+    title, x, moreX, y: { title, logarithmic: true },
+    series: curves.map((curve) => ({ name: curve.strategy, marker: curve.element, colour: colourOf(curve), style: 'line and points',
+      x: column(curve, costs[0][1]), moreX: costs.slice(1).map(([, cost]) => column(curve, cost)), y: column(curve, key, 100) })) }));
+  if (reference.uncertainty > 0) {
+    const [first, ...others] = costs.map(([, cost]) => {
+      const values = curves.flatMap((curve) => column(curve, cost));
+      return [Math.min(...values), Math.max(...values)];
+    });
+    list[0].series.push({ name: 'uncertainty of the reference', colour: colourOf({}), style: 'dashed', x: first, moreX: others,
+      y: [0, 0].fill(100 * reference.uncertainty) });
+  }
+  section('Error against cost', paragraph('Every point is a mesh. Errors of the peak force below the dashed line, ' +
+    'the uncertainty of the reference, say nothing about the mesh.'), plotGrid(list, 'large'));
+}
+
+/** A plot for every element with a series for every strategy. */
+function plotsByElement(curves, colourOf, frame, seriesOf) {
+  const elements = [...new Set(curves.map((curve) => curve.element))];
+  return elements.map((title) => ({ ...frame, title, series: curves.filter((curve) => curve.element === title)
+    .map((curve) => ({ name: curve.strategy, colour: colourOf(curve), style: 'line and points', ...seriesOf(curve) })) }));
+}
+
+function showEffectivity({ curves }, colourOf) {
+  const known = (curve) => curve.meshes.filter((mesh) => mesh.effectivity !== undefined);
+  if (curves.every((curve) => known(curve).length === 0)) return;
+  const frame = { x: { title: 'cells', logarithmic: true }, y: { title: 'effectivity' } };
+  section('Effectivity of the estimator', paragraph("η over the error in energy against the reference, on meshes whose η is at " +
+    "least three times the reference's."), plotGrid(plotsByElement(curves, colourOf, frame, (curve) =>
+    ({ x: known(curve).map((mesh) => mesh.cells), y: known(curve).map((mesh) => mesh.effectivity) })), 'small'));
+}
+
+function showForces({ comparison: { curves, reference }, histories }, colourOf) {
+  const second = prefixed('s', histories.flatMap((history) => history?.time.at(-1) ?? 0)), newton = prefixed('N', [reference.peak_force]);
+  const lines = (history) => history ? { x: second.of(history.time), y: newton.of(history.force) } : { x: [], y: [] };
+  const frame = { x: { title: titled('time', second.name) }, y: { title: titled('force', newton.name) } };
+  const list = plotsByElement(curves, colourOf, frame, (curve) => ({ style: 'line', ...lines(histories[curves.indexOf(curve)]) }));
+  const ofReference = histories[curves.length];
+  if (ofReference)
+    for (const plot of list) plot.series.push({ name: 'reference', colour: colourOf({}), style: 'dashed', ...lines(ofReference) });
+  section('Force histories', paragraph('On the last mesh of every curve.'), plotGrid(list, 'small'));
+}
+
+/** Cells and eta of both strategies where they keep eta at 5 %, element by element. */
+function fairnessTable({ thresholds, curves }) {
+  const atFivePercent = thresholds.find((row) => isOfEta(row) && row.threshold === 0.05);
+  const meshOf = (strategy, element) => {
+    const reached = reachedBy(atFivePercent, { strategy, element });
+    return reached && curves.find((curve) => nameOf(curve) === nameOf(reached)).meshes.find((mesh) => mesh.cycle === reached.cycle);
+  };
+  const rows = [...new Set(curves.map((curve) => curve.element))]
+    .map((name) => [name, meshOf('hanging nodes', name), meshOf('remeshing', name)])
+    .filter(([, halved, remeshed]) => halved && remeshed)
+    .map(([name, ...both]) => [name, ...both.map((mesh) => mesh.cells), ...both.map((mesh) => formatted(100 * mesh.discretization_error))]);
+  return rows.length > 0 &&
+    table(['Element', 'hanging nodes [cells]', 'remeshing [cells]', 'hanging nodes η [%]', 'remeshing η [%]'], rows);
+}
+
+function showFairness(comparison) {
+  section('What is compared', paragraph('All curves share the initial cells, which those by force refine towards the load, time step, ' +
+    'integrator, linear solver, load and error estimator. Whenever η meets the target error, the target is halved, so that every curve ' +
+    'goes on to smaller errors. The cost of a mesh is what a user waits for it: assembly, transient, estimation and adaptation of its ' +
+    'own cycle and of all before it; the start of the program is left out. Errors are those of the mesh: the reference has the same ' +
+    'time step.'),
+  paragraph('Hanging nodes halve sizes: a cell that needs a little less than its size gets half of it, up to four times the cells. ' +
+    'Remeshing gives any size, but its cells are no parallelograms, on which elements of eight nodes (serendipity, and the deflection ' +
+    'of heterosis) lose an order (Arnold, Boffi & Falk 2002); compare the strategies with MITC9 or Lagrange as well. The first meshes ' +
+    'at η of at most 5 % show both effects:'), fairnessTable(comparison));
+}
+
+function showNumbers({ curves }) {
+  const percent = (value) => value === undefined ? '–' : formatted(100 * value);
+  const rows = curves.flatMap((curve) => curve.meshes.map((mesh) => [nameOf(curve), mesh.cycle, mesh.cells, mesh.degrees_of_freedom,
+    percent(mesh.discretization_error), formatted(mesh.peak_force, 6),
+    mesh.comparable ? percent(mesh.peak_force_error) : `(${percent(mesh.peak_force_error)})`, percent(mesh.peak_force_error_bar),
+    percent(mesh.contact_end_error), formatted(mesh.effectivity), formatted(mesh.seconds), formatted(mesh.cumulative_seconds)]));
+  section('All meshes', paragraph('Errors in parentheses are not above the uncertainty of the reference. The effectivity is η over the ' +
+    'error in energy against the reference, where that is three times better. comparison.csv has all digits.'),
+  table(['Strategy and element', 'Cycle', 'Cells', 'Unknowns', 'η [%]', 'Peak force [N]', 'Error [%]', 'Error bar [%]',
+    'Error of contact end [%]', 'Effectivity', 'Seconds', 'So far [s]'], rows, 'sortable'),
+  table(['Strategy and element', 'Ends with'], curves.map((curve) => [nameOf(curve), curve.end]), 'words'));
+}
+
+function showComparison(study) {
+  const { comparison } = study, { curves } = comparison;
+  const strategies = [...new Set(curves.map((curve) => curve.strategy))];
+  const colourOf = ({ strategy }) => strategy ? strategies.indexOf(strategy) : strategies.length;
+  showOutcome(comparison);
+  showThresholds(comparison);
+  showCosts(comparison, colourOf);
+  showEffectivity(comparison, colourOf);
+  showForces(study, colourOf);
+  if (study.meshes.length > 0)
+    section('Meshes', paragraph(`The first mesh of each curve whose η is at most ${percentage(study.target, 3)}, or its last that can be ` +
+      `drawn. ${meshedPart(study.symmetric)}`), meshGroup(study.meshes, study.patch));
+  showFairness(comparison);
+  showNumbers(comparison);
+  section('Scene', paragraph(`plate-impact ${comparison.version}; save as a .prm file and give it to plate-impact compare to repeat ` +
+    'the comparison.'), preformatted(study.text));
+}
