@@ -6,7 +6,6 @@
 
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/text.h"
-#include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
 
 #include <algorithm>
@@ -161,9 +160,9 @@ namespace PlateImpact
         data_out.build_patches(curved_mapping(),
                                2,
                                DataOut<2>::CurvedCellRegion::curved_boundary);
-        if (geometry_of(plate)->is_symmetric()[0])
+        if (plate.is_symmetric()[0])
           data_out.mirror(0, {"rotation_x", "moment_xy", "shear_force_x"});
-        if (geometry_of(plate)->is_symmetric()[1])
+        if (plate.is_symmetric()[1])
           data_out.mirror(1, {"rotation_y", "moment_xy", "shear_force_y"});
         const std::string name =
           "fields_" + std::to_string(record.size()) + ".vtu";

@@ -13,16 +13,10 @@ namespace PlateImpact
 
   namespace
   {
-    const std::vector<Word<PlateOutline>> outlines = {
-      {PlateOutline::rectangle, "rectangle"},
-      {PlateOutline::circle, "circle"}};
-
-
-
     Allowed<Outline>
     word_or_file()
     {
-      const auto word = one_of(outlines);
+      const auto word = one_of<PlateOutline>();
       return {word.words + " | the name of a mesh of Gmsh, ending in .msh",
               [word](const std::string &text, Outline &outline) {
                 if (std::filesystem::path(text).extension() != ".msh")

@@ -1,10 +1,11 @@
 #include "plate_impact/plate/plate_geometry.h"
 
+#include "plate_impact/base/entries.h"
 #include "plate_impact/plate/plate_mesh.h"
 
 #include <algorithm>
-#include <stdexcept>
-#include <utility>
+#include <string>
+#include <vector>
 
 namespace PlateImpact
 {
@@ -71,22 +72,34 @@ namespace PlateImpact
 
   namespace
   {
-    const std::vector<
-      std::pair<PlateOutline, decltype(&make_rectangular_plate)>>
-      outlines = {{PlateOutline::rectangle, make_rectangular_plate},
-                  {PlateOutline::circle, make_circular_plate},
-                  {PlateOutline::file, make_plate_from_file}};
+    struct OutlineRow
+    {
+      PlateOutline choice;
+      std::string  word; ///< empty: a file's name stands for it
+      std::unique_ptr<const PlateGeometry> (*make)(const PlateParameters &);
+    };
+
+    const std::vector<OutlineRow> outlines = {
+      {PlateOutline::rectangle, "rectangle", make_rectangular_plate},
+      {PlateOutline::circle, "circle", make_circular_plate},
+      {PlateOutline::file, "", make_plate_from_file}};
   } // namespace
+
+
+
+  template <>
+  const std::vector<Word<PlateOutline>> Choices<PlateOutline>::words = [] {
+    auto words = words_of(outlines);
+    words.pop_back(); // of files
+    return words;
+  }();
 
 
 
   std::unique_ptr<const PlateGeometry>
   geometry_of(const PlateParameters &plate)
   {
-    for (const auto &[outline, make] : outlines)
-      if (outline == plate.outline.shape)
-        return make(plate);
-    throw std::logic_error("no such outline");
+    return row_of(plate.outline.shape, outlines).make(plate);
   }
 
 

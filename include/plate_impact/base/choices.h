@@ -176,6 +176,8 @@ namespace PlateImpact
   template <>
   const std::vector<Word<LoadShape>> Choices<LoadShape>::words;
   template <>
+  const std::vector<Word<PlateOutline>> Choices<PlateOutline>::words;
+  template <>
   const std::vector<Word<ElementType>> Choices<ElementType>::words;
   template <>
   const std::vector<Word<SolverType>> Choices<SolverType>::words;
