@@ -33,7 +33,7 @@ namespace PlateImpact
     const double first_yield =
       yield_indentation(0.01, modulus, 3.55e8, /*poissons_ratio=*/0.3);
     const auto yielding_law =
-      std::make_shared<YieldingLaw>(1.5e10, first_yield);
+      std::make_shared<YieldingLaw>(1.5e10, first_yield, 0.5);
 
     const std::vector<std::shared_ptr<const ContactLaw>> laws =
       {hertz_law, line_law, line_law_on_layer, yielding_law};
@@ -50,7 +50,7 @@ namespace PlateImpact
                                                            &line_on_layer};
 
     const auto yang_sun = std::make_shared<YangSunUnloading>(2e-5);
-    const auto plastic  = std::make_shared<PlasticUnloading>(first_yield);
+    const auto plastic  = std::make_shared<PlasticUnloading>(yielding_law);
 
     /// Contacts that leave a dent, each in series with nothing, and with what
     /// is stiffer or softer.

@@ -72,11 +72,12 @@ namespace PlateImpact
     {
       const NewmarkScheme scheme(twenty_seconds());
       const auto          law = std::make_shared<HertzLaw>(10.);
-      const Contact       hertz(law), series(law, -0.01),
+      const auto yielding_law = std::make_shared<YieldingLaw>(10., 0.01, 0.5);
+      const Contact hertz(law), series(law, -0.01),
         soft(std::make_shared<HertzLaw>(0.1)),
-        yielding(std::make_shared<YieldingLaw>(10., 0.01),
+        yielding(yielding_law,
                  0.,
-                 std::make_shared<PlasticUnloading>(0.01));
+                 std::make_shared<PlasticUnloading>(yielding_law));
       for (const auto choice :
            {ForceIntegration::energy_conserving, ForceIntegration::collocation})
         for (const Contact *contact : {&hertz, &soft, &series, &yielding})

@@ -204,9 +204,28 @@ namespace PlateImpact
                      pressure = contact_pressure(parameters,
                                                  peak.force,
                                                  peak.indentation);
-        const bool yields     = of_plate < impactor.youngs_modulus ?
-              !plate.is_laminate() && plate.poissons_ratio < 0.45 :
-              impactor.poissons_ratio < 0.45;
+        if (const auto weaker = weaker_body(parameters))
+          {
+            const auto   first_yield = yield_indentation(parameters);
+            const double w = first_yield ? peak.indentation / *first_yield : 0.;
+            limit(w,
+                  100.,
+                  "the indentation is {} times that at first yield: the law of "
+                  "a contact that yields was compared up to 100",
+                  about(w));
+            // Johnson, Contact Mechanics, sec. 6.1
+            if (impactor.is_cylinder())
+              limit(pressure,
+                    1.67 * weaker->yield_strength,
+                    "the contact pressure reaches {}: a line contact yields "
+                    "from 1.67 of the yield strength on, for which there is no "
+                    "law here; the force is an upper bound",
+                    about(pressure, "Pa"));
+            return;
+          }
+        const bool yields = of_plate < impactor.youngs_modulus ?
+          !plate.is_laminate() && plate.poissons_ratio < 0.45 :
+          impactor.poissons_ratio < 0.45;
         if (yields)
           limit(pressure,
                 0.03 * softer,

@@ -45,6 +45,8 @@ namespace PlateImpact
     entry("Young's modulus", "2.1e11", positive, youngs_modulus).means("[Pa]");
     entry("Poisson's ratio", "0.3", number_between(-1, 0.5), poissons_ratio)
       .means("[-]");
+    entry("Yield strength", "0", number_from(0), yield_strength)
+      .means("As Plate/Yield strength; 0: does not yield. [Pa]");
     entry("Velocity", "1.0", positive, velocity)
       .means("Towards the plate. [m/s]");
   }

@@ -1,10 +1,13 @@
 #include "plate_impact/contact/make_contact.h"
 
 #include "plate_impact/base/entries.h"
+#include "plate_impact/contact/ball_compliance.h"
 #include "plate_impact/contact/contact_area.h"
 #include "plate_impact/contact/hertz_law.h"
 #include "plate_impact/contact/line_law.h"
 #include "plate_impact/contact/yang_sun_unloading.h"
+#include "plate_impact/contact/yielding_law.h"
+#include "plate_impact/contact/zener.h"
 #include "plate_impact/plate/layer_response.h"
 #include "plate_impact/plate/plate_section.h"
 
@@ -69,24 +72,46 @@ namespace PlateImpact
 
 
 
-    std::shared_ptr<const Unloading>
-    make_unloading(const ContactParameters &contact)
-    {
-      if (contact.unloading == UnloadingLaw::Yang_Sun)
-        return std::make_shared<YangSunUnloading>(contact.critical_indentation);
-      return nullptr;
-    }
-
-
-
     /// The contact of a sphere.
     /// @param compliance  in series [m/N]
     Contact
     make_sphere_contact(const Parameters &parameters, const double compliance)
     {
-      return Contact(std::make_shared<HertzLaw>(coefficient_of(parameters)),
-                     compliance,
-                     make_unloading(parameters.contact));
+      const double k = coefficient_of(parameters);
+      if (parameters.contact.unloading == UnloadingLaw::Yang_Sun)
+        return Contact(std::make_shared<HertzLaw>(k),
+                       compliance,
+                       std::make_shared<YangSunUnloading>(
+                         parameters.contact.critical_indentation));
+      if (const auto weaker = weaker_body(parameters))
+        {
+          const auto law =
+            std::make_shared<YieldingLaw>(k,
+                                          *yield_indentation(parameters),
+                                          weaker->share_of_compliance);
+          return Contact(law,
+                         compliance,
+                         std::make_shared<PlasticUnloading>(law));
+        }
+      return Contact(std::make_shared<HertzLaw>(k), compliance);
+    }
+
+
+
+    /// Of the ball that the scene takes for one, at the contact radius of the
+    /// expected peak: it depends on that by a logarithm. [m/N]
+    double
+    compliance_of_ball(const Parameters &parameters)
+    {
+      const ImpactorParameters &impactor = parameters.impactor;
+      if (!parameters.contact.finite_ball)
+        return 0.;
+      const ExpectedPeak peak = zener_peak(parameters);
+      return ball_compliance(
+        impactor.radius,
+        0.5 * impactor.youngs_modulus / (1. + impactor.poissons_ratio),
+        impactor.poissons_ratio,
+        contact_radius(parameters, peak.force, peak.indentation));
     }
   } // namespace
 
@@ -136,7 +161,8 @@ namespace PlateImpact
     const double of_layer = layer_constant /
       (PlateSection(parameters.plate).shear_modulus *
        parameters.plate.thickness);
-    return make_sphere_contact(parameters, of_layer);
+    return make_sphere_contact(parameters,
+                               of_layer + compliance_of_ball(parameters));
   }
 
 
@@ -185,8 +211,12 @@ namespace PlateImpact
              "which counts the shortest waves twice; where no response is "
              "given, that of the law Sun, of point and line loads, of "
              "laminates and of unloading by Yang-Sun.");
+    entry("Finite ball", "false", truth(), finite_ball)
+      .means("With a layer, a sphere as the elastic body that it is, held by "
+             "its inertia, in place of Hertz's half-space.");
     entry("Unloading", "elastic", one_of(unloadings), unloading)
-      .means("elastic: along the curve of loading. Yang-Sun: steeper, down to "
+      .means("elastic: along the curve of loading, or down to the dent of a "
+             "contact that yields. Yang-Sun: steeper, down to "
              "a dent, and back by another curve, as measured on laminates; of "
              "spheres on a half-space.");
     entry("Critical indentation", "8e-5", number_above(0), critical_indentation)

@@ -6,17 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace PlateImpact
 {
-  namespace
-  {
-    /// c of the law.
-    constexpr double softening_rate = 0.0823;
-  } // namespace
-
-
-
   double
   yield_pressure_ratio(const double poissons_ratio)
   {
@@ -40,9 +33,11 @@ namespace PlateImpact
 
 
   YieldingLaw::YieldingLaw(const double coefficient,
-                           const double yield_indentation)
+                           const double yield_indentation,
+                           const double share_of_compliance)
     : hertz(coefficient)
     , first_yield(yield_indentation)
+    , rate(0.066 + 0.033 * share_of_compliance)
   {}
 
 
@@ -50,7 +45,15 @@ namespace PlateImpact
   double
   YieldingLaw::softening(const double indentation) const
   {
-    return 1. + softening_rate * std::max(0., indentation / first_yield - 1.);
+    return 1. + rate * std::max(0., indentation / first_yield - 1.);
+  }
+
+
+
+  double
+  YieldingLaw::share_of_hertz(const double indentation) const
+  {
+    return 1. / std::cbrt(softening(indentation));
   }
 
 
@@ -58,7 +61,7 @@ namespace PlateImpact
   double
   YieldingLaw::force(const double indentation) const
   {
-    return hertz.force(indentation) / std::cbrt(softening(indentation));
+    return hertz.force(indentation) * share_of_hertz(indentation);
   }
 
 
@@ -70,7 +73,7 @@ namespace PlateImpact
     const double elastic = hertz.stiffness(indentation) / std::cbrt(s);
     return indentation <= first_yield ?
       elastic :
-      elastic - force(indentation) * softening_rate / (3. * first_yield * s);
+      elastic - force(indentation) * rate / (3. * first_yield * s);
   }
 
 
@@ -112,8 +115,8 @@ namespace PlateImpact
 
 
 
-  PlasticUnloading::PlasticUnloading(const double yield_indentation)
-    : first_yield(yield_indentation)
+  PlasticUnloading::PlasticUnloading(std::shared_ptr<const YieldingLaw> law)
+    : law(std::move(law))
   {}
 
 
@@ -121,10 +124,8 @@ namespace PlateImpact
   double
   PlasticUnloading::dent(const double largest_indentation) const
   {
-    const double w = largest_indentation / first_yield;
-    return w > 1. ? largest_indentation * (1. - std::pow(w, -0.28)) *
-        (1. - std::pow(w, -0.69)) :
-                    0.;
+    const double x = 1. - law->share_of_hertz(largest_indentation);
+    return largest_indentation * x / (0.345 + 0.77 * x);
   }
 
 
@@ -132,7 +133,8 @@ namespace PlateImpact
   double
   PlasticUnloading::power(const double largest_indentation) const
   {
-    const double w = largest_indentation / first_yield;
-    return 1.5 * std::pow(std::max(1., w), -0.0331);
+    const double x    = 1. - law->share_of_hertz(largest_indentation);
+    const double back = 0.4 * std::pow(1. - x, 2.2 - 1.25 * x);
+    return (1. - dent(largest_indentation) / largest_indentation) / back - 1.;
   }
 } // namespace PlateImpact

@@ -153,13 +153,18 @@ namespace PlateImpact
         add_zener(history, parameters, cycle);
         if (result.error)
           add_stresses(result.error->max_stresses, parameters.plate, cycle);
-        if (parameters.contact.unloading != UnloadingLaw::elastic)
+        if (parameters.contact.unloading != UnloadingLaw::elastic ||
+            yield_indentation(parameters))
           {
             cycle["dissipated_energy"] =
               history.states().back().dissipated_energy;
             cycle["permanent_indentation"] =
               history.states().back().permanent_indentation;
           }
+        if (const auto weaker = weaker_body(parameters))
+          cycle["mean_pressure_over_yield_strength"] = 2. / 3. *
+            contact_pressure(parameters, peak.force, peak.indentation) /
+            weaker->yield_strength;
         cycle["relative_energy_drift"] = history.relative_energy_drift();
         cycle["steps"]                 = result.steps;
         cycle["end_time"]              = history.states().back().time;

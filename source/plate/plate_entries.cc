@@ -112,6 +112,10 @@ namespace PlateImpact
     entry("Poisson's ratio", "0.3", number_between(-1, 0.5), poissons_ratio)
       .means("[-]");
     entry("Density", "7800", positive, density).means("[kg/m^3]");
+    entry("Yield strength", "0", number_from(0), yield_strength)
+      .means("With one of plate or impactor above 0 the contact of a sphere "
+             "yields where it is exceeded, the weaker body first, and leaves a "
+             "dent; 0: not given, the contact stays elastic. [Pa]");
     entry("Shear correction factor",
           "0.8333333333333333",
           positive,

@@ -47,8 +47,9 @@ namespace PlateImpact
                      "Plate/Layup");
         return;
       }
-    for (const std::string path :
-         {"Plate/Young's modulus", "Plate/Poisson's ratio"})
+    for (const std::string path : {"Plate/Young's modulus",
+                                   "Plate/Poisson's ratio",
+                                   "Plate/Yield strength"})
       if (entries.at(path).value != entries.at(path).default_value)
         refuse({path, "Plate/Layup"},
                "is of an isotropic plate, and there is a lay-up; expected the "

@@ -158,8 +158,18 @@ namespace PlateImpact
              "m reaches beyond the plate; expected at most twice the distance "
              "to its nearer edge along x, " +
                number(longest) + " m");
+    if (plate.is_laminate() && impactor.yield_strength > 0.)
+      refuse({"Impactor/Yield strength", "Plate/Layup"},
+             "Pa is of a contact with an isotropic plate; expected 0 on a "
+             "laminate");
     if (contact.unloading == UnloadingLaw::elastic)
       return;
+    if (plate.yield_strength > 0. || impactor.yield_strength > 0.)
+      refuse({"Contact/Unloading",
+              "Plate/Yield strength",
+              "Impactor/Yield strength"},
+             "is a law of laminates; expected elastic where a yield strength "
+             "is given, by which the contact unloads");
     if (is_cylinder)
       refuse({"Contact/Unloading", "Impactor/Shape"},
              "is a law of spheres; expected elastic for a cylinder");

@@ -63,6 +63,7 @@ namespace PlateImpact
     double                youngs_modulus;
     double                poissons_ratio;
     double                density;
+    double                yield_strength; ///< 0: not given
     double                shear_correction_factor;
     /// one, x edges and y edges, or those of a file by their names
     std::vector<EdgeSupports> supports;
@@ -106,6 +107,7 @@ namespace PlateImpact
     double        density;
     double        youngs_modulus;
     double        poissons_ratio;
+    double        yield_strength; ///< 0: does not yield
     double        velocity;
 
     void
@@ -134,6 +136,7 @@ namespace PlateImpact
                       density,
                       youngs_modulus,
                       poissons_ratio,
+                      yield_strength,
                       velocity);
     }
   };
@@ -142,6 +145,7 @@ namespace PlateImpact
   {
     ForceLaw         law;
     LocalResponse    local_response;
+    bool             finite_ball; ///< beside a layer
     LoadShape        load_distribution;
     double           patch_radius;
     ForceIntegration integration;
@@ -184,6 +188,7 @@ namespace PlateImpact
     {
       return std::tie(law,
                       local_response,
+                      finite_ball,
                       load_distribution,
                       patch_radius,
                       integration,

@@ -10,7 +10,8 @@ namespace PlateImpact
   /// (eq. 17 as printed: 1/E for the plate, after Yang & Sun, NASA CR-165460,
   /// 1981) or `Hertz` ((1 - nu^2)/E for both bodies, Johnson, Contact
   /// Mechanics, eq. 4.23), in series with the local response of the layer that
-  /// the plate is where the scene says so.
+  /// the plate is, and of the finite ball, where the scene says so. A sphere
+  /// yields where the scene gives a yield strength of it or of the plate.
   Contact
   make_contact(const Parameters &parameters);
 
