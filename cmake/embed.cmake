@@ -1,23 +1,30 @@
 # Writes text files into a C++ source as constants of one namespace.
 #
-#   cmake -DOUTPUT=... -DNAMES="a,b" -DFILES="x.html,y.css" -P embed.cmake
+#   cmake -DOUTPUT=... -DNAMES="a,b,b" -DFILES="x.html,y.js,z.js" -P embed.cmake
 #
-# Pieces of a raw string stay below the length that every compiler takes.
+# Files of one name, next to each other, are one constant. Pieces of a raw string stay
+# below the length that every compiler takes.
 
 string(REPLACE "," ";" names "${NAMES}")
 string(REPLACE "," ";" files "${FILES}")
 set(source "#include \"page/page_assets.h\"\n\nnamespace PlateImpact::PageAssets\n{\n")
+set(last "")
 foreach(name file IN ZIP_LISTS names files)
+  if(NOT name STREQUAL last)
+    if(last)
+      string(APPEND source ";\n")
+    endif()
+    string(APPEND source "const std::string_view ${name} =\n")
+    set(last "${name}")
+  endif()
   file(READ "${file}" text)
   string(LENGTH "${text}" length)
-  set(pieces "")
   set(begin 0)
   while(begin LESS length)
     string(SUBSTRING "${text}" ${begin} 16000 piece)
-    string(APPEND pieces "R\"asset(${piece})asset\"\n")
+    string(APPEND source "R\"asset(${piece})asset\"\n")
     math(EXPR begin "${begin} + 16000")
   endwhile()
-  string(APPEND source "const std::string_view ${name} =\n${pieces};\n")
 endforeach()
-string(APPEND source "}\n")
+string(APPEND source ";\n}\n")
 file(WRITE "${OUTPUT}" "${source}")

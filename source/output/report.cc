@@ -134,14 +134,14 @@ namespace PlateImpact
                 const Scene   &scene,
                 const Verdict &verdict,
                 const Json    &summary,
-                const Cycle   &last) const
+                const Cycle   &last)
   {
     const Parameters &parameters = scene.parameters;
     Json              study      = {{"study", "run"}, {"text", scene.text}};
     study["summary"]             = summary;
     study.update(plate_on_page(parameters));
-    study["histories"] = histories;
-    study["errors"]    = errors;
+    study["histories"] = std::move(histories);
+    study["errors"]    = std::move(errors);
     if (parameters.has_impactor())
       {
         const ExpectedPeak expected = zener_peak(parameters);
@@ -153,7 +153,7 @@ namespace PlateImpact
                                        {"load", load_in_words(parameters)},
                                        {"model", model_in_words(verdict)}};
       }
-    study["meshes"] = meshes;
+    study["meshes"] = std::move(meshes);
     // the last meshes matter most
     std::size_t n_cells = 0;
     for (auto mesh = study["meshes"].rbegin(); mesh != study["meshes"].rend();

@@ -1,39 +1,30 @@
 #include "plate_impact/page/page.h"
 
+#include <deal.II/base/utilities.h>
+
 #include "page/page_assets.h"
 
 #include <cmath>
 #include <map>
 #include <ostream>
 #include <string_view>
+#include <utility>
 
 namespace PlateImpact
 {
+  using dealii::Utilities::replace_in_string;
+
   namespace
   {
-    /// Text with characters replaced by what stands for them.
     std::string
-    replaced(const std::string                  &text,
-             const std::map<char, const char *> &replacements)
+    as_html(std::string text)
     {
-      std::string result;
-      for (const char c : text)
-        if (const auto found = replacements.find(c);
-            found != replacements.end())
-          result += found->second;
-        else
-          result += c;
-      return result;
-    }
-
-
-
-    std::string
-    as_html(const std::string &text)
-    {
-      return replaced(
-        text,
-        {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}});
+      // the first first: it is in all that stands for others
+      const std::pair<const char *, const char *> characters[] =
+        {{"&", "&amp;"}, {"<", "&lt;"}, {">", "&gt;"}, {"\"", "&quot;"}};
+      for (const auto &[character, entity] : characters)
+        text = replace_in_string(text, character, entity);
+      return text;
     }
   } // namespace
 
@@ -43,27 +34,17 @@ namespace PlateImpact
   write_page(std::ostream &out, const PageText &text, const Json &study)
   {
     using namespace PageAssets;
-    std::string script;
-    for (const std::string_view part : {page_js,
-                                        plots_js,
-                                        zoom_js,
-                                        maps_js,
-                                        film_js,
-                                        run_js,
-                                        comparison_js,
-                                        sweep_js})
-      script += part;
+    const std::string data =
+      study.dump(-1, ' ', false, Json::error_handler_t::replace);
     const std::map<std::string_view, std::string> values = {
       {"TITLE", as_html(text.title)},
       {"LEAD", as_html(text.lead)},
       {"WORDS", as_html(text.words)},
       {"STYLE", std::string(style)},
       // nothing within a script element may look like its end
-      {"DATA",
-       replaced(study.dump(-1, ' ', false, Json::error_handler_t::replace),
-                {{'<', "\\u003c"}})},
-      {"LIBRARY", std::string(chart_js)},
-      {"SCRIPT", script}};
+      {"DATA", replace_in_string(data, "<", "\\u003c")},
+      {"LIBRARY", std::string(library)},
+      {"SCRIPT", std::string(script)}};
     std::string_view rest = page;
     for (std::size_t begin; (begin = rest.find('%')) != rest.npos;)
       {

@@ -3,12 +3,11 @@
 
 #include <string_view>
 
-/// The files of source/page/ and Chart.js, which cmake/embed.cmake writes into
-/// the program.
+/// The files of source/page/, its scripts as one, and Chart.js, which
+/// cmake/embed.cmake writes into the program.
 namespace PlateImpact::PageAssets
 {
-  extern const std::string_view page, style, page_js, plots_js, zoom_js,
-    maps_js, film_js, run_js, comparison_js, sweep_js, chart_js;
+  extern const std::string_view page, style, script, library;
 }
 
 #endif

@@ -20,13 +20,13 @@ class SweepResults {
 
   /** The texts of a point; in a product the values of the last entry change fastest. */
   valuesAt(point) {
+    if (!this.isProduct) return this.entries.map(({ values }) => values[point]);
     let rest = point;
-    return this.entries.map(({ values }) => values[point]).map((value, i, all) => {
-      if (!this.isProduct) return value;
-      const stride = this.entries.slice(i + 1).reduce((n, entry) => n * entry.values.length, 1);
-      const { values } = this.entries[i];
-      return values[Math.floor(rest / stride) % values.length];
-    });
+    return [...this.entries].reverse().map(({ values }) => {
+      const text = values[rest % values.length];
+      rest = Math.floor(rest / values.length);
+      return text;
+    }).reverse();
   }
 }
 

@@ -31,6 +31,7 @@ namespace PlateImpact
     void
     add_cycle(const Cycle &cycle);
 
+    /// Once, at the end.
     /// @param summary  the content of summary.json
     /// @param last     for the film of the deflection
     void
@@ -38,7 +39,7 @@ namespace PlateImpact
           const Scene   &scene,
           const Verdict &verdict,
           const Json    &summary,
-          const Cycle   &last) const;
+          const Cycle   &last);
 
   private:
     Json histories = Json::array(), errors = Json::array(),
