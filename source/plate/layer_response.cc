@@ -2,7 +2,6 @@
 
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/quadrature/gauss.hpp>
-#include <boost/math/special_functions/bessel.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -36,22 +35,37 @@ namespace PlateImpact
 
 
     /// Hankel transform of a hemispherical pressure on a disc of radius 1,
-    /// normalized: 3 (sin x - x cos x) / x^3, where x > 0.
+    /// normalized: 3 (sin x - x cos x) / x^3.
     double
     transform_of_hertz_disc(const double x)
     {
-      return x > 1. ? 3. * (std::sin(x) - x * std::cos(x)) / (x * x * x) :
-                      3. * boost::math::sph_bessel(1, x) / x;
+      if (x > 1.)
+        return 3. * (std::sin(x) - x * std::cos(x)) / (x * x * x);
+      double sum = 0., term = 1.;
+      for (unsigned int n = 1; std::abs(term) > 1e-18; ++n)
+        {
+          sum += term;
+          term *= -x * x / (2 * n * (2 * n + 3));
+        }
+      return sum;
     }
 
 
 
     /// Hankel transform of a constant pressure on that disc, and Fourier
-    /// transform of a hemispherical one on a strip, where x > 0.
+    /// transform of a hemispherical one on a strip: 2 J_1(x) / x.
     double
     transform_of_uniform_disc(const double x)
     {
-      return 2. * ::j1(x) / x;
+      if (x > 1.)
+        return 2. * ::j1(x) / x;
+      double sum = 0., term = 1.;
+      for (unsigned int n = 1; std::abs(term) > 1e-18; ++n)
+        {
+          sum += term;
+          term *= -x * x / (4 * n * (n + 1));
+        }
+      return sum;
     }
   } // namespace
 
