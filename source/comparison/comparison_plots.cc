@@ -11,7 +11,7 @@ namespace PlateImpact
   namespace
   {
     /// A history has as many steps as a scene asks for; a plot shows that many.
-    constexpr std::size_t max_plotted_states = 600;
+    constexpr std::size_t max_states_of_a_curve = 600;
 
 
 
@@ -197,7 +197,8 @@ namespace PlateImpact
     const PrefixedUnit force("N", comparison.reference().peak_force);
     const auto fill = [&](const ContactHistory &history, Series &series) {
       const auto       &states = history.states();
-      const std::size_t stride = 1 + (states.size() - 1) / max_plotted_states;
+      const std::size_t stride =
+        1 + (states.size() - 1) / max_states_of_a_curve;
       for (std::size_t i = 0; i < states.size(); i += stride)
         {
           series.x.push_back(time(states[i].time));
