@@ -79,6 +79,7 @@ namespace PlateImpact
   void
   StressRecovery::mark_vertices(const IsRough &is_rough)
   {
+    // includes the coarse cell at a hanging vertex
     const auto cells = GridTools::vertex_to_cell_map(mesh);
     for (unsigned int vertex = 0; vertex < mesh.n_vertices(); ++vertex)
       {
