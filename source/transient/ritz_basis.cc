@@ -52,17 +52,20 @@ namespace PlateImpact
   RitzBasis::append()
   {
     // A times the candidate is what it is solved for
-    A_candidate = n == 0 ? u : M_last;
-    matrices.solve(sigma, A_candidate, candidate);
-    if (n > 0)
+    matrices.solve(sigma, n == 0 ? u : M_last, candidate);
+    if (n == 0)
+      A_candidate = u;
+    else if (n == 1)
       {
-        candidate -= diagonal[n - 1] * Q.col(n - 1);
-        A_candidate -= diagonal[n - 1] * A_last;
+        candidate -= diagonal[0] * Q.col(0);
+        A_candidate = M_last - diagonal[0] * A_last;
       }
-    if (n > 1)
+    else
       {
-        candidate -= subdiagonal[n - 2] * Q.col(n - 2);
-        A_candidate -= subdiagonal[n - 2] * A_before;
+        candidate -=
+          diagonal[n - 1] * Q.col(n - 1) + subdiagonal[n - 2] * Q.col(n - 2);
+        A_candidate =
+          M_last - diagonal[n - 1] * A_last - subdiagonal[n - 2] * A_before;
       }
     const double norm = orthogonalize();
     if (n == Q.rows() || (n > 0 && norm * sigma <= least_coupling))
