@@ -1,0 +1,107 @@
+"""Quasi-static indentation of an elastic-plastic half-space by an elastic ball, by CalculiX.
+
+  indentation.py [--cases FILE.json] [--output FILE.json] [--only NAME ...] [--cells N]
+
+The half-space is a block whose depth and radius are 20 contact radii, on a smooth bed; the ball
+is pushed by the nodes above its centre, down to the largest indentation and back. What block and
+ball lack of two half-spaces is a compliance C: the same mesh is pushed as an elastic body first, and
+C(F) is what its displacement has more than Hertz's indentation at the same force F. The
+indentation of the elastic-plastic one is its displacement less C(F) F: far from the contact both
+are elastic. Loads are then compared with Hertz's force at the same indentation alpha, over
+w = alpha / alpha_y, alpha_y = R (pi C_y Y / (2 E*))^2 and C_y = 1.295 exp(0.736 nu) (Green 2005,
+doi:10.1016/j.ijengsci.2004.06.004).
+"""
+
+import argparse
+import json
+import sys
+
+import numpy as np
+
+import ccx
+import mesh
+
+REACH = 20  # depth and radius of the block over the contact radius
+
+
+def plane_modulus(*bodies):
+    return 1 / sum((1 - b["nu"] ** 2) / b["E"] for b in bodies)
+
+
+def yield_indentation(plate, ball):
+    """[m] of the ball at which the plate yields first."""
+    pressure = 1.295 * np.exp(0.736 * plate["nu"]) * plate["yield_strength"]
+    return ball["radius"] * (np.pi * pressure / (2 * plane_modulus(plate, ball))) ** 2
+
+
+def push(plate, ball, depth, cells, steps, penalty):
+    """Displacements [m] of the upper half of the ball and forces [N], down to `depth` and, where
+    the plate yields, back."""
+    radius, depth = 1e3 * ball["radius"], 1e3 * depth
+    contact = np.sqrt(radius * depth)
+    cell = contact / cells
+    block = REACH * contact
+    bodies = [
+        mesh.plate(block, block, cell, 1.5 * contact, 1.3, block / 6),
+        mesh.ball(radius, cell),
+    ]
+    model = ccx.Mesh(bodies, radius)
+    stiffness = penalty * plate["E"] / 1e6 / cell
+    lines = ccx.model(model, ["PLATE", "BALL"], {"PLATE": plate, "BALL": ball}, stiffness)
+    z = model.nodes[:, 1]
+    lines += ["*NSET, NSET=TOP", ccx.numbers(np.flatnonzero(z >= radius * (1 - 1e-9)) + 1)]
+    lines += ["*NSET, NSET=BED", ccx.numbers(np.flatnonzero(z <= block * (1e-9 - 1)) + 1)]
+    lines += ["*BOUNDARY", "BED, 2, 2"]
+    goals = [-depth, 0] if plate.get("yield_strength") else [-depth]
+    for goal in goals:
+        lines += ["*STEP, INC=1000", "*STATIC", f"{1 / steps}, 1, 1e-6, {1 / steps}"]
+        lines += ["*BOUNDARY", f"TOP, 2, 2, {goal:.12g}"]
+        lines += ["*NODE PRINT, NSET=TOP, TOTALS=ONLY", "RF", "*END STEP"]
+    rows = ccx.printed(ccx.run(lines), "total force")
+    time = rows[:, 0]
+    down = depth * np.where(time <= 1, time, 2 - time)
+    # ccx turns an axisymmetric model into a wedge of two degrees
+    return 1e-3 * down, -180 * rows[:, 2], time <= 1
+
+
+def indentation(case, cells=6, steps=24, penalty=30):
+    """Loading and unloading of a case: (alpha [m], F [N]) each."""
+    plate, ball = case["plate"], case["impactor"]
+    depth = case["w"] * yield_indentation(plate, ball)
+    elastic = {**plate, "yield_strength": None}
+    hertz = 4 / 3 * plane_modulus(plate, ball) * np.sqrt(ball["radius"])
+    down, force, _ = push(elastic, ball, depth, cells, 12, penalty)
+    compliance = down / force - (force / hertz) ** (2 / 3) / force
+    down, plastic, loading = push(plate, ball, depth, cells, steps, penalty)
+    alpha = down - np.interp(plastic, force, compliance) * plastic
+    return (alpha[loading], plastic[loading]), (alpha[~loading], plastic[~loading])
+
+
+def main():
+    arguments = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    arguments.add_argument("--cases", required=True)
+    arguments.add_argument("--output")
+    arguments.add_argument("--only", nargs="*")
+    arguments.add_argument("--cells", type=int, default=6)
+    arguments.add_argument("--penalty", type=float, default=30)
+    arguments.add_argument("--steps", type=int, default=24)
+    asked = arguments.parse_args()
+    if ccx.MISSING:
+        print("ccx is not installed (Debian: calculix-ccx)")
+        sys.exit(77)
+    with open(asked.cases) as file:
+        cases = json.load(file)
+    for case in cases:
+        if asked.only and case["name"] not in asked.only:
+            continue
+        load, unload = indentation(case, asked.cells, asked.steps, asked.penalty)
+        case["loading"] = [[*pair] for pair in zip(*load)]
+        case["unloading"] = [[*pair] for pair in zip(*unload)]
+        print(case["name"], load[1][-1], flush=True)
+        if asked.output:
+            with open(asked.output, "w") as file:
+                json.dump(cases, file, indent=1)
+
+
+if __name__ == "__main__":
+    main()
