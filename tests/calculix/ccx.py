@@ -10,6 +10,7 @@ import tempfile
 
 import numpy as np
 
+WEDGES = 180  # ccx turns an axisymmetric model into a wedge of two degrees
 MISSING = shutil.which("ccx") is None
 
 

@@ -19,6 +19,9 @@
 
 constexpr double pi = 3.14159265358979323846;
 
+/// Values at the four Gauss points.
+using Values = Eigen::Array4d;
+
 struct Point
 {
   double r = 0;
@@ -38,20 +41,20 @@ struct Material
 /// state of its material.
 struct Element
 {
-  std::array<int, 4>                   nodes;
-  const Material                      *material;
-  std::array<std::array<double, 4>, 4> d_r;    // [Gauss point][node]
-  std::array<std::array<double, 4>, 4> d_z;    // [Gauss point][node]
-  std::array<std::array<double, 4>, 4> over_r; // N / r
-  std::array<double, 4>                weight; // 2 pi r dA
-  std::array<double, 4>                mean_d_r;
-  std::array<double, 4>                mean_d_z;
-  std::array<double, 4>                mean_over_r;
-  std::array<double, 4>                mass;
-  std::array<std::array<double, 4>, 4> deviator{}; // rr, zz, tt, rz
-  std::array<double, 4>                strength;   // [Pa]
-  double                               volume   = 0;
-  double                               pressure = 0; // mean stress
+  std::array<int, 4>    nodes;
+  const Material       *material;
+  std::array<Values, 4> d_r; // by node
+  std::array<Values, 4> d_z;
+  std::array<Values, 4> over_r; // N / r
+  Values                weight; // 2 pi r dA
+  std::array<double, 4> mean_d_r;
+  std::array<double, 4> mean_d_z;
+  std::array<double, 4> mean_over_r;
+  std::array<double, 4> mass;
+  Values                s_rr, s_zz, s_tt, s_rz; // deviatoric stress
+  Values                strength;               // [Pa]
+  double                volume   = 0;
+  double                pressure = 0; // mean stress
 };
 
 inline Element
@@ -65,7 +68,8 @@ make_element(const std::array<int, 4> &quad,
   Element          element = {};
   element.nodes            = quad;
   element.material         = &material;
-  element.strength.fill(material.yield_strength);
+  element.strength         = material.yield_strength;
+  element.s_rr = element.s_zz = element.s_tt = element.s_rz = 0;
   for (int q = 0; q < 4; ++q)
     {
       double shape[4], d_xi[4], d_eta[4];
@@ -91,12 +95,12 @@ make_element(const std::array<int, 4> &quad,
       element.volume += element.weight[q];
       for (int i = 0; i < 4; ++i)
         {
-          element.d_r[q][i]    = (z_eta * d_xi[i] - z_xi * d_eta[i]) / jacobian;
-          element.d_z[q][i]    = (r_xi * d_eta[i] - r_eta * d_xi[i]) / jacobian;
-          element.over_r[q][i] = shape[i] / r;
-          element.mean_d_r[i] += element.weight[q] * element.d_r[q][i];
-          element.mean_d_z[i] += element.weight[q] * element.d_z[q][i];
-          element.mean_over_r[i] += element.weight[q] * element.over_r[q][i];
+          element.d_r[i][q]    = (z_eta * d_xi[i] - z_xi * d_eta[i]) / jacobian;
+          element.d_z[i][q]    = (r_xi * d_eta[i] - r_eta * d_xi[i]) / jacobian;
+          element.over_r[i][q] = shape[i] / r;
+          element.mean_d_r[i] += element.weight[q] * element.d_r[i][q];
+          element.mean_d_z[i] += element.weight[q] * element.d_z[i][q];
+          element.mean_over_r[i] += element.weight[q] * element.over_r[i][q];
           element.mass[i] += material.density * element.weight[q] * shape[i];
         }
     }
@@ -109,75 +113,69 @@ make_element(const std::array<int, 4> &quad,
   return element;
 }
 
-/// Returns the deviatoric stress (rr, zz, tt, rz) to the yield surface, which
-/// it moves.
+/// Returns the deviatoric stress to the yield surface, which it moves.
 inline void
-yield(const Material &material, std::array<double, 4> &s, double &strength)
+yield(Element &element)
 {
-  const double square =
-    s[0] * s[0] + s[1] * s[1] + s[2] * s[2] + 2 * s[3] * s[3];
-  if (1.5 * square <= strength * strength)
+  const double shear   = element.material->shear;
+  const double slope   = element.material->plastic_modulus;
+  const Values squares = 1.5 *
+    (element.s_rr.square() + element.s_zz.square() + element.s_tt.square() +
+     2 * element.s_rz.square());
+  if (!(squares > element.strength.square()).any())
     return;
-  const double mises = std::sqrt(1.5 * square);
-  const double plastic =
-    (mises - strength) / (3 * material.shear + material.plastic_modulus);
-  for (double &component : s)
-    component *= 1 - 3 * material.shear * plastic / mises;
-  strength += material.plastic_modulus * plastic;
+  const Values mises = squares.sqrt().max(1e-300);
+  const Values plastic =
+    (mises - element.strength).max(0) / (3 * shear + slope);
+  const Values factor = 1 - 3 * shear * plastic / mises;
+  element.s_rr *= factor;
+  element.s_zz *= factor;
+  element.s_tt *= factor;
+  element.s_rz *= factor;
+  element.strength += slope * plastic;
 }
 
-/// Strains the element by `increment` (displacements of its nodes) and
-/// returns the forces that it then exerts on its nodes.
+/// Strains the element by `increment` (displacements of its nodes) and returns
+/// the forces that it then exerts on its nodes.
 inline std::array<Point, 4>
 strain(Element &element, const std::array<Point, 4> &increment)
 {
-  const auto &mean_d_r = element.mean_d_r, &mean_d_z = element.mean_d_z,
-             &mean_over_r = element.mean_over_r;
-  const double shear      = element.material->shear;
+  const double shear  = element.material->shear;
   double       volume = 0, gamma = 0;
+  Values e_rr = Values::Zero(), e_zz = Values::Zero(), e_tt = Values::Zero();
   for (int i = 0; i < 4; ++i)
     {
-      volume += (mean_d_r[i] + mean_over_r[i]) * increment[i].r +
-        mean_d_z[i] * increment[i].z;
-      gamma += mean_d_z[i] * increment[i].r + mean_d_r[i] * increment[i].z;
+      volume +=
+        (element.mean_d_r[i] + element.mean_over_r[i]) * increment[i].r +
+        element.mean_d_z[i] * increment[i].z;
+      gamma += element.mean_d_z[i] * increment[i].r +
+        element.mean_d_r[i] * increment[i].z;
+      e_rr += element.d_r[i] * increment[i].r;
+      e_zz += element.d_z[i] * increment[i].z;
+      e_tt += element.over_r[i] * increment[i].r;
     }
+  const Values mean = (e_rr + e_zz + e_tt) / 3;
   element.pressure += element.material->bulk * volume;
+  element.s_rr += 2 * shear * (e_rr - mean);
+  element.s_zz += 2 * shear * (e_zz - mean);
+  element.s_tt += 2 * shear * (e_tt - mean);
+  element.s_rz += shear * gamma;
+  if (element.material->yield_strength > 0)
+    yield(element);
 
+  const double         mean_force  = element.volume * element.pressure;
+  const double         shear_force = (element.weight * element.s_rz).sum();
+  const Values         f_rr        = element.weight * element.s_rr;
+  const Values         f_zz        = element.weight * element.s_zz;
+  const Values         f_tt        = element.weight * element.s_tt;
   std::array<Point, 4> forces;
-  double               shear_force = 0;
-  for (int q = 0; q < 4; ++q)
-    {
-      const auto &d_r = element.d_r[q], &d_z = element.d_z[q],
-                 &over_r = element.over_r[q];
-      double e_rr = 0, e_zz = 0, e_tt = 0;
-      for (int i = 0; i < 4; ++i)
-        {
-          e_rr += d_r[i] * increment[i].r;
-          e_zz += d_z[i] * increment[i].z;
-          e_tt += over_r[i] * increment[i].r;
-        }
-      const double mean = (e_rr + e_zz + e_tt) / 3;
-      auto        &s    = element.deviator[q];
-      s[0] += 2 * shear * (e_rr - mean);
-      s[1] += 2 * shear * (e_zz - mean);
-      s[2] += 2 * shear * (e_tt - mean);
-      s[3] += shear * gamma;
-      if (element.strength[q] > 0)
-        yield(*element.material, s, element.strength[q]);
-      const double weight = element.weight[q];
-      for (int i = 0; i < 4; ++i)
-        {
-          forces[i].r -= weight * (s[0] * d_r[i] + s[2] * over_r[i]);
-          forces[i].z -= weight * s[1] * d_z[i];
-        }
-      shear_force += weight * s[3];
-    }
-  const double mean_force = element.volume * element.pressure;
   for (int i = 0; i < 4; ++i)
     {
-      forces[i].r -=
-        mean_force * (mean_d_r[i] + mean_over_r[i]) + shear_force * mean_d_z[i];
-      forces[i].z -= mean_force * mean_d_z[i] + shear_force * mean_d_r[i];
+      forces[i].r = -(f_rr * element.d_r[i] + f_tt * element.over_r[i]).sum() -
+        mean_force * (element.mean_d_r[i] + element.mean_over_r[i]) -
+        shear_force * element.mean_d_z[i];
+      forces[i].z = -(f_zz * element.d_z[i]).sum() -
+        mean_force * element.mean_d_z[i] - shear_force * element.mean_d_r[i];
     }
   return forces;
 }
@@ -187,11 +185,13 @@ strain(Element &element, const std::array<Point, 4> &increment)
 inline double
 largest_eigenvalue(const Element &element)
 {
+  Material elastic       = *element.material;
+  elastic.yield_strength = 0;
   Eigen::Matrix<double, 8, 8> matrix;
   for (int column = 0; column < 8; ++column)
     {
-      Element virgin = element;
-      virgin.strength.fill(0);
+      Element virgin  = element;
+      virgin.material = &elastic;
       std::array<Point, 4> unit;
       (column % 2 == 0 ? unit[column / 2].r : unit[column / 2].z) = 1;
       const auto forces = strain(virgin, unit);

@@ -289,7 +289,6 @@ namespace
     out.precision(10);
     double time = 0, impulse = 0, since = 0, touched = 0;
     bool   first = true;
-    std::cout << elements.size() << " elements, step " << step << " s\n";
     while (time < model.end_time)
       {
         // displacement and force at `time`, velocity half a step earlier

@@ -1,28 +1,39 @@
-"""Impacts of a ball on a plate, both elastic-plastic bodies, by the program explicit.cc.
+"""Impacts of a ball on a plate, both bodies elastic or elastic-plastic, by explicit.cc.
 
-  impact.py EXPLICIT CASES.json [--output FILE.json] [--only NAME ...] [--cells N M]
+  impact.py EXPLICIT CASES.json [--only NAME ...] [--cells N ...] [--output FILE.json] [--within PART]
 
-EXPLICIT is the compiled program (target `explicit_impact`). Every impact is computed on two
-meshes, N and M cells in the contact radius that Hertz's law and Zener's equation give; the finer
-one's results are printed, beside those that the case carries, with their difference from the coarser
-one's as uncertainty. SI units throughout: m, s, kg, N, Pa.
+EXPLICIT is the compiled program (target `explicit_impact`). Every impact is computed on several
+meshes, of N cells in the contact radius that Hertz's law and Zener's equation give. Their mean is the
+result, half their range its uncertainty: the contact's edge jumps from node to node, and where it
+stands at the peak is chance. Prints a table, with the peaks that the cases carry; --output writes
+the results in the format of the cases; --within fails where a peak is further off. SI units throughout:
+m, s, kg, N, Pa.
 
-The plate is so large that no wave is back at the axis before the contact ends.
+A case has plate {thickness, E, nu, rho, yield_strength, hardening}, impactor {radius, ...},
+velocity and, if wanted, end_time. A yield strength of null is an elastic body; hardening is the slope of
+the strength over the plastic strain. The plate is so large that no wave is back at the axis before
+the contact ends, or the end time.
 """
 
 import argparse
 import json
 import pathlib
 import subprocess
+import sys
 import tempfile
 
 import numpy as np
 
 import mesh
-from indentation import plane_modulus
 
-CELLS = 10, 15
+CELLS = 8, 10, 12
 PENALTY = 4  # [plate's modulus per cell]
+OUTPUT = 5e-8  # interval of the histories [s]
+AVERAGED = 5e-7  # over which the force is averaged: the meshes' own waves are shorter [s]
+
+
+def plane_modulus(*bodies):
+    return 1 / sum((1 - b["nu"] ** 2) / b["E"] for b in bodies)
 
 
 def zener(case):
@@ -82,66 +93,89 @@ def run(explicit, case, bodies, parameters, **sets):
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
         write_model(folder / "model", case, bodies, parameters, **sets)
-        subprocess.run([explicit, *(folder / f for f in ("model", "history", "face"))], check=True)
+        files = [folder / name for name in ("model", "history", "face")]
+        subprocess.run([explicit, *files], check=True)
         return np.loadtxt(folder / "history"), np.loadtxt(folder / "face")
 
 
-def smooth(values, width):
-    return np.convolve(values, np.ones(width) / width, mode="same")
-
-
 def impact(explicit, case, cells, penalty=PENALTY):
-    """Results of one mesh."""
-    plate, ball = case["plate"], case["impactor"]
+    """Results on one mesh."""
+    ball, thickness = case["impactor"], 1e3 * case["plate"]["thickness"]
     alpha, time = zener(case)
+    end = case.get("end_time", 2 * time)
     contact = 1e3 * np.sqrt(ball["radius"] * alpha)
-    cell = contact / cells
-    thickness = 1e3 * plate["thickness"]
+    size = reach(case["plate"], min(time, end))
     bodies = (
-        mesh.plate(thickness, reach(plate, time), cell, 1.6 * contact, 1.2, thickness / 8),
-        mesh.ball(1e3 * ball["radius"], cell),
+        mesh.plate(thickness, size, contact / cells, 1.6 * contact, 1.2, thickness / 8),
+        mesh.ball(1e3 * ball["radius"], contact / cells),
     )
-    output = time / 1000
-    stiffness = penalty * plate["E"] / (1e-3 * cell)
-    history, face = run(
-        explicit, case, bodies, (stiffness, case["velocity"], 0, 2 * time, output)
-    )
+    stiffness = penalty * case["plate"]["E"] * cells / (1e-3 * contact)
+    parameters = stiffness, case["velocity"], 0, end, OUTPUT
+    history, face = run(explicit, case, bodies, parameters)
     return results(history, face, 1e-3 * contact)
 
 
 def results(history, face, contact):
-    time, force, velocity = history[:, 0], history[:, 1], history[:, 2]
-    steady = smooth(force, 9)
+    time, force, velocity = history[:, :3].T
+    width = max(1, round(AVERAGED / OUTPUT))
+    steady = np.convolve(force, np.ones(width) / width, mode="same")
     peak = np.argmax(steady)
-    touching = force > 0
     # the crater: below the parabola through the face around it
     around = (face[:, 0] > 3 * contact) & (face[:, 0] < 8 * contact)
     level = np.polyfit(face[around, 0] ** 2, face[around, 1], 1)[1]
+    ended = force[-1] == 0
     return {
         "peak_force": steady[peak],
         "time_of_peak": time[peak],
-        "contact_end": time[touching][-1],
-        "rebound_velocity": velocity[-1],
-        "dent": level - face[0, 1],
+        "contact_end": time[force > 0][-1] if ended else None,
+        "rebound_velocity": velocity[-1] if ended else None,
+        "dent": level - face[0, 1] if ended else None,
         "contact_radius": history[:, 4].max(),
     }
+
+
+def mean_and_range(runs):
+    """Means of the results, to five digits, and the uncertainty of the important ones."""
+    kept = {}
+    for name in runs[0]:
+        values = [run[name] for run in runs]
+        known = None not in values
+        kept[name] = float(f"{np.mean(values):.5g}") if known else None
+        if known and name in ("peak_force", "rebound_velocity", "dent"):
+            kept[f"uncertainty_of_{name}"] = float(f"{np.ptp(values) / 2:.2g}")
+    return kept
 
 
 def main():
     arguments = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     arguments.add_argument("explicit")
     arguments.add_argument("cases")
-    arguments.add_argument("--output")
     arguments.add_argument("--only", nargs="*")
-    arguments.add_argument("--cells", nargs=2, type=int, default=CELLS)
+    arguments.add_argument("--cells", nargs="*", type=int, default=CELLS)
     arguments.add_argument("--penalty", type=float, default=PENALTY)
+    arguments.add_argument("--output")
+    arguments.add_argument("--within", type=float)
     asked = arguments.parse_args()
     cases = json.loads(pathlib.Path(asked.cases).read_text())
+    print("| case | peak [N] | +- | kept [N] | end [us] | rebound [m/s] | dent [um] |")
+    print("| --- | --- | --- | --- | --- | --- | --- |")
+    far = False
     for case in cases:
         if asked.only and case["name"] not in asked.only:
             continue
-        for cells in asked.cells:
-            print(case["name"], cells, impact(asked.explicit, case, cells, asked.penalty), flush=True)
+        kept = case.get("peak_force")
+        new = mean_and_range([impact(asked.explicit, case, n, asked.penalty) for n in asked.cells])
+        case.update(new, cells=list(asked.cells))
+        columns = new["peak_force"], new["uncertainty_of_peak_force"], kept or "",
+        after = [
+            "" if new[name] is None else f"{scale * new[name]:.4g}"
+            for name, scale in (("contact_end", 1e6), ("rebound_velocity", 1), ("dent", 1e6))
+        ]
+        print("|", " | ".join(map(str, (case["name"], *columns, *after))), "|", flush=True)
+        far |= bool(asked.within and kept and abs(new["peak_force"] / kept - 1) > asked.within)
+        if asked.output:
+            pathlib.Path(asked.output).write_text(json.dumps(cases, indent=1) + "\n")
+    sys.exit("peaks are further from those that are kept than allowed" if far else 0)
 
 
 if __name__ == "__main__":

@@ -19,34 +19,37 @@ import sys
 import numpy as np
 
 import ccx
+import impact
 import mesh
 
 REACH = 20  # depth and radius of the block over the contact radius
 
 
-def plane_modulus(*bodies):
-    return 1 / sum((1 - b["nu"] ** 2) / b["E"] for b in bodies)
-
-
 def yield_indentation(plate, ball):
     """[m] of the ball at which the plate yields first."""
     pressure = 1.295 * np.exp(0.736 * plate["nu"]) * plate["yield_strength"]
-    return ball["radius"] * (np.pi * pressure / (2 * plane_modulus(plate, ball))) ** 2
+    return ball["radius"] * (np.pi * pressure / (2 * impact.plane_modulus(plate, ball))) ** 2
+
+
+def block_and_ball(ball, depth, cells):
+    """Meshes [mm], the nodes of the bed and those that are pushed."""
+    radius = 1e3 * ball["radius"]
+    contact = np.sqrt(radius * 1e3 * depth)
+    block = REACH * contact
+    bodies = (
+        mesh.plate(block, block, contact / cells, 1.5 * contact, 1.3, block / 6),
+        mesh.ball(radius, contact / cells),
+    )
+    return bodies, block
 
 
 def push(plate, ball, depth, cells, steps, penalty):
-    """Displacements [m] of the upper half of the ball and forces [N], down to `depth` and, where
-    the plate yields, back."""
+    """By ccx: displacements [m] of the upper half of the ball, forces [N] and whether it goes
+    down, down to `depth` and, where the plate yields, back."""
+    bodies, block = block_and_ball(ball, depth, cells)
     radius, depth = 1e3 * ball["radius"], 1e3 * depth
-    contact = np.sqrt(radius * depth)
-    cell = contact / cells
-    block = REACH * contact
-    bodies = [
-        mesh.plate(block, block, cell, 1.5 * contact, 1.3, block / 6),
-        mesh.ball(radius, cell),
-    ]
     model = ccx.Mesh(bodies, radius)
-    stiffness = penalty * plate["E"] / 1e6 / cell
+    stiffness = penalty * plate["E"] / 1e6 * cells / (block / REACH)
     lines = ccx.model(model, ["PLATE", "BALL"], {"PLATE": plate, "BALL": ball}, stiffness)
     z = model.nodes[:, 1]
     lines += ["*NSET, NSET=TOP", ccx.numbers(np.flatnonzero(z >= radius * (1 - 1e-9)) + 1)]
@@ -60,19 +63,39 @@ def push(plate, ball, depth, cells, steps, penalty):
     rows = ccx.printed(ccx.run(lines), "total force")
     time = rows[:, 0]
     down = depth * np.where(time <= 1, time, 2 - time)
-    # ccx turns an axisymmetric model into a wedge of two degrees
-    return 1e-3 * down, -180 * rows[:, 2], time <= 1
+    return 1e-3 * down, -ccx.WEDGES * rows[:, 2], time <= 1
 
 
-def indentation(case, cells=6, steps=24, penalty=30):
-    """Loading and unloading of a case: (alpha [m], F [N]) each."""
+def slow_push(explicit, plate, ball, depth, cells, penalty=4):
+    """The same by explicit.cc, so slowly that waves pass the block a hundred times."""
+    (block, body), size = block_and_ball(ball, depth, cells)
+    time = 200 * 1e-3 * size / np.sqrt(plate["E"] / plate["rho"])
+    stiffness = penalty * plate["E"] * cells / (1e-3 * size / REACH)
+    bed = np.flatnonzero(block.nodes[:, 1] <= size * (1e-9 - 1))
+    top = np.flatnonzero(body.nodes[:, 1] >= 1e3 * ball["radius"]) + len(block.nodes)
+    history, _ = impact.run(
+        explicit,
+        {"plate": plate, "impactor": ball},
+        (block, body),
+        (stiffness, 0, depth, time, time / 500),
+        bed=bed,
+        pushed=top,
+    )
+    down = depth * (1 - np.cos(2 * np.pi * history[:, 0] / time)) / 2
+    return down, history[:, 1], history[:, 0] <= time / 2
+
+
+def indentation(case, push_to):
+    """Loading and unloading of a case, (alpha [m], F [N]) each; push_to(plate, ball, depth) is
+    `push` or `slow_push`."""
     plate, ball = case["plate"], case["impactor"]
     depth = case["w"] * yield_indentation(plate, ball)
     elastic = {**plate, "yield_strength": None}
-    hertz = 4 / 3 * plane_modulus(plate, ball) * np.sqrt(ball["radius"])
-    down, force, _ = push(elastic, ball, depth, cells, 12, penalty)
+    hertz = 4 / 3 * impact.plane_modulus(plate, ball) * np.sqrt(ball["radius"])
+    down, force, first = push_to(elastic, ball, depth)
+    down, force = down[first & (force > 0)], force[first & (force > 0)]
     compliance = down / force - (force / hertz) ** (2 / 3) / force
-    down, plastic, loading = push(plate, ball, depth, cells, steps, penalty)
+    down, plastic, loading = push_to(plate, ball, depth)
     alpha = down - np.interp(plastic, force, compliance) * plastic
     return (alpha[loading], plastic[loading]), (alpha[~loading], plastic[~loading])
 
@@ -82,11 +105,12 @@ def main():
     arguments.add_argument("--cases", required=True)
     arguments.add_argument("--output")
     arguments.add_argument("--only", nargs="*")
+    arguments.add_argument("--explicit")
     arguments.add_argument("--cells", type=int, default=6)
     arguments.add_argument("--penalty", type=float, default=30)
     arguments.add_argument("--steps", type=int, default=24)
     asked = arguments.parse_args()
-    if ccx.MISSING:
+    if ccx.MISSING and not asked.explicit:
         print("ccx is not installed (Debian: calculix-ccx)")
         sys.exit(77)
     with open(asked.cases) as file:
@@ -94,7 +118,11 @@ def main():
     for case in cases:
         if asked.only and case["name"] not in asked.only:
             continue
-        load, unload = indentation(case, asked.cells, asked.steps, asked.penalty)
+        if asked.explicit:
+            push_to = lambda *of: slow_push(asked.explicit, *of, asked.cells)
+        else:
+            push_to = lambda *of: push(*of, asked.cells, asked.steps, asked.penalty)
+        load, unload = indentation(case, push_to)
         case["loading"] = [[*pair] for pair in zip(*load)]
         case["unloading"] = [[*pair] for pair in zip(*unload)]
         print(case["name"], load[1][-1], flush=True)

@@ -17,18 +17,19 @@ class Body:
     surface: np.ndarray  # nodes in the order of r
 
 
-def graded(length, cell, fine, growth, largest):
-    """Points from 0 to length: cells of one size up to `fine`, growing from there."""
+def graded(length, cell, fine, growth, largest, slope=0):
+    """Points from 0 to length: cells of one size up to `fine`, growing from there to `largest`, or
+    to `slope` times their distance."""
     sizes = [cell] * max(1, round(fine / cell))
     while sum(sizes) < length:
-        sizes.append(min(sizes[-1] * growth, largest))
+        sizes.append(min(sizes[-1] * growth, max(largest, slope * sum(sizes))))
     return np.concatenate([[0], np.cumsum(sizes)]) * (length / sum(sizes))
 
 
 def plate(thickness, radius, cell, fine, growth, largest):
     """A rectangle; cells of size `cell` in a square of side `fine` under the contact, not larger
-    than `largest` across the thickness and twice that along the radius."""
-    r = graded(radius, cell, fine, growth, 2 * largest)
+    than `largest` across the thickness and twice that, or a fortieth of the radius, along it."""
+    r = graded(radius, cell, fine, growth, 2 * largest, 1 / 40)
     z = -graded(thickness, cell, fine, growth, largest)[::-1]
     nodes = np.stack(np.meshgrid(r, z), axis=-1).reshape(-1, 2)
     number = np.arange(len(nodes)).reshape(len(z), len(r))
