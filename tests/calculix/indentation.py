@@ -1,22 +1,35 @@
 """Quasi-static indentation of an elastic-plastic half-space by an elastic ball, by CalculiX.
 
-  indentation.py [--cases FILE.json] [--output FILE.json] [--only NAME ...] [--cells N]
+  indentation.py CASES.json [--only NAME ...] [--cells N] [--steps N] [--penalty P]
+                 [--explicit PROGRAM] [--output FILE.json] [--within PART]
+
+--explicit has the program of explicit.cc do it. Prints a table, with the forces that the cases carry;
+--output writes the results in the format of the cases; --within fails where a force on the way is
+further off.
 
 The half-space is a block whose depth and radius are 20 contact radii, on a smooth bed; the ball
 is pushed by the nodes above its centre, down to the largest indentation and back. What block and
 ball lack of two half-spaces is a compliance C: the same mesh is pushed as an elastic body first, and
-C(F) is what its displacement has more than Hertz's indentation at the same force F. The
+C(F) is what its displacement has more than Hertz's indentation at the same force F, per force. The
 indentation of the elastic-plastic one is its displacement less C(F) F: far from the contact both
-are elastic. Loads are then compared with Hertz's force at the same indentation alpha, over
-w = alpha / alpha_y, alpha_y = R (pi C_y Y / (2 E*))^2 and C_y = 1.295 exp(0.736 nu) (Green 2005,
-doi:10.1016/j.ijengsci.2004.06.004).
+are elastic. Indentations alpha are given as w = alpha / alpha_y, alpha_y = R (pi C_y Y / (2 E*))^2
+and C_y = 1.295 exp(0.736 nu) (Green 2005, doi:10.1016/j.ijengsci.2004.06.004), forces over Hertz's at the
+same indentation.
+
+A case has plate {E, nu, rho, yield_strength}, impactor {radius, E, nu, rho} and the largest w. Kept
+are the largest force, loading (w, force over Hertz's), unloading (indentation and force over the largest),
+and of the power law F = F_m ((alpha - alpha_r) / (alpha_m - alpha_r))^n that fits it best the residual
+indentation alpha_r over the largest and the exponent n; recovered is the work of unloading over
+F_m alpha_m (Hertz: 2/5).
 """
 
 import argparse
 import json
+import pathlib
 import sys
 
 import numpy as np
+from scipy import optimize
 
 import ccx
 import impact
@@ -90,45 +103,92 @@ def indentation(case, push_to):
     `push` or `slow_push`."""
     plate, ball = case["plate"], case["impactor"]
     depth = case["w"] * yield_indentation(plate, ball)
-    elastic = {**plate, "yield_strength": None}
-    hertz = 4 / 3 * impact.plane_modulus(plate, ball) * np.sqrt(ball["radius"])
-    down, force, first = push_to(elastic, ball, depth)
-    down, force = down[first & (force > 0)], force[first & (force > 0)]
-    compliance = down / force - (force / hertz) ** (2 / 3) / force
-    down, plastic, loading = push_to(plate, ball, depth)
+    down, force, going_down = push_to({**plate, "yield_strength": None}, ball, depth)
+    use = going_down & (force > 0)
+    down, force = down[use], force[use]
+    compliance = (down - (force / hertz(plate, ball)) ** (2 / 3)) / force
+    down, plastic, going_down = push_to(plate, ball, depth)
     alpha = down - np.interp(plastic, force, compliance) * plastic
-    return (alpha[loading], plastic[loading]), (alpha[~loading], plastic[~loading])
+    return [np.stack([alpha[part], plastic[part]]) for part in (going_down, ~going_down)]
+
+
+def hertz(plate, ball):
+    """Hertz's force over the indentation to the power of 3/2 [N/m^1.5]."""
+    return 4 / 3 * impact.plane_modulus(plate, ball) * np.sqrt(ball["radius"])
+
+
+def results(case, loading, unloading):
+    plate, ball = case["plate"], case["impactor"]
+    last = np.argmax(loading[1])
+    largest, force = loading[:, last]
+    back = np.hstack([loading[:, [last]], unloading[:, unloading[1] > 1e-6 * force]])
+    back = back / [[largest], [force]]
+    fitted = back[:, back[1] > 0.02]
+
+    def miss(law):
+        residual, exponent = law
+        return np.maximum((fitted[0] - residual) / (1 - residual), 0) ** exponent - fitted[1]
+
+    residual, exponent = optimize.least_squares(miss, [0.2, 1.4]).x
+    w = loading[0] / yield_indentation(plate, ball)
+    ratio = loading[1] / hertz(plate, ball) / np.maximum(loading[0], 1e-12) ** 1.5
+    use = np.unique(np.searchsorted(w[: last + 1], np.linspace(0.15, 1, 12) * w[last]))
+    some = np.unique(np.linspace(0, back.shape[1] - 1, 12).astype(int))
+
+    def digits(values):
+        return [[float(f"{value:.4g}") for value in row] for row in values]
+
+    return {
+        "force": float(f"{force:.5g}"),
+        "loading": digits(np.stack([w, ratio])[:, np.minimum(use, last)].T),
+        "unloading": digits(back[:, some].T),
+        "residual": float(f"{residual:.3g}"),
+        "exponent": float(f"{exponent:.4g}"),
+        "recovered": float(f"{-np.trapz(back[1], back[0]):.4g}"),
+    }
 
 
 def main():
     arguments = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    arguments.add_argument("--cases", required=True)
-    arguments.add_argument("--output")
+    arguments.add_argument("cases")
     arguments.add_argument("--only", nargs="*")
     arguments.add_argument("--explicit")
     arguments.add_argument("--cells", type=int, default=6)
-    arguments.add_argument("--penalty", type=float, default=30)
     arguments.add_argument("--steps", type=int, default=24)
+    arguments.add_argument("--penalty", type=float, default=30)
+    arguments.add_argument("--output")
+    arguments.add_argument("--within", type=float)
     asked = arguments.parse_args()
     if ccx.MISSING and not asked.explicit:
         print("ccx is not installed (Debian: calculix-ccx)")
         sys.exit(77)
-    with open(asked.cases) as file:
-        cases = json.load(file)
+
+    def push_to(plate, ball, depth):
+        if asked.explicit:
+            return slow_push(asked.explicit, plate, ball, depth, asked.cells)
+        return push(plate, ball, depth, asked.cells, asked.steps, asked.penalty)
+
+    cases = json.loads(pathlib.Path(asked.cases).read_text())
+    print("| case | w | force [N] | over Hertz | largest difference | residual | exponent | recovered |")
+    print("| --- | --- | --- | --- | --- | --- | --- | --- |")
+    far = False
     for case in cases:
         if asked.only and case["name"] not in asked.only:
             continue
-        if asked.explicit:
-            push_to = lambda *of: slow_push(asked.explicit, *of, asked.cells)
-        else:
-            push_to = lambda *of: push(*of, asked.cells, asked.steps, asked.penalty)
-        load, unload = indentation(case, push_to)
-        case["loading"] = [[*pair] for pair in zip(*load)]
-        case["unloading"] = [[*pair] for pair in zip(*unload)]
-        print(case["name"], load[1][-1], flush=True)
+        kept = np.array(case.get("loading", np.empty((0, 2))))
+        case.update(results(case, *indentation(case, push_to)))
+        new = np.array(case["loading"])
+        off = np.interp(new[:, 0], *kept.T) / new[:, 1] - 1 if len(kept) else [0]
+        print(
+            f"| {case['name']} | {new[-1, 0]:.1f} | {case['force']} | {new[-1, 1]:.3f} |"
+            f" {100 * max(off, key=abs):.1f} % | {case['residual']} | {case['exponent']} |"
+            f" {case['recovered']} |",
+            flush=True,
+        )
+        far |= bool(asked.within and max(map(abs, off)) > asked.within)
         if asked.output:
-            with open(asked.output, "w") as file:
-                json.dump(cases, file, indent=1)
+            pathlib.Path(asked.output).write_text(json.dumps(cases, indent=1) + "\n")
+    sys.exit("forces are further from those that are kept than allowed" if far else 0)
 
 
 if __name__ == "__main__":
