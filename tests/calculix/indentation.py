@@ -26,6 +26,7 @@ F_m alpha_m (Hertz: 2/5).
 import argparse
 import json
 import pathlib
+import re
 import sys
 
 import numpy as np
@@ -148,6 +149,12 @@ def results(case, loading, unloading):
     }
 
 
+def text(cases):
+    """JSON with a pair of numbers a line."""
+    pair = r"\[\s+([^\s,\[\]]+),\s+([^\s,\[\]]+)\s+\]"
+    return re.sub(pair, r"[\1, \2]", json.dumps(cases, indent=1)) + "\n"
+
+
 def main():
     arguments = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     arguments.add_argument("cases")
@@ -187,7 +194,7 @@ def main():
         )
         far |= bool(asked.within and max(map(abs, off)) > asked.within)
         if asked.output:
-            pathlib.Path(asked.output).write_text(json.dumps(cases, indent=1) + "\n")
+            pathlib.Path(asked.output).write_text(text(cases))
     sys.exit("forces are further from those that are kept than allowed" if far else 0)
 
 
