@@ -30,7 +30,8 @@ class Mesh:
             middle = body.nodes[edges].mean(axis=1)
             place = np.full(len(body.nodes), -1)
             place[body.surface] = np.arange(len(body.surface))
-            outer = (place[edges] >= 0).all(axis=1) & (abs(np.diff(place[edges], axis=1)) == 1)[:, 0]
+            ends = place[edges]
+            outer = (ends >= 0).all(axis=1) & (abs(ends[:, 0] - ends[:, 1]) == 1)
             if body is bodies[-1]:
                 off = middle[outer] - [0, round_radius]
                 middle[outer] = [0, round_radius] + off * (

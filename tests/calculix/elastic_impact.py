@@ -2,10 +2,10 @@
 
   elastic_impact.py CASES.json [--only NAME ...] [--output FILE.json]
 
-A case has plate, impactor and velocity as in impact.py, and a list of runs: {cells, steps, penalty},
-cells in the contact radius of a first guess, steps in its contact time, stiffness of the contact in
-the plate's modulus per cell. Every run gets its peak force, the time of the peak, the contact's end and
-the velocity of the rebound. The plate is as large as in impact.py.
+A case has plate, impactor and velocity as in impact.py, and a list of runs: {cells, steps,
+penalty}, cells in the contact radius of a first guess, steps in its contact time, stiffness of
+the contact in the plate's modulus per cell. Every run gets its peak force, the time of the peak,
+the contact's end and the velocity of the rebound. The plate is as large as in impact.py.
 """
 
 import argparse

@@ -1,18 +1,19 @@
 """Impacts of a ball on a plate, both bodies elastic or elastic-plastic, by explicit.cc.
 
-  impact.py EXPLICIT CASES.json [--only NAME ...] [--cells N ...] [--output FILE.json] [--within PART]
+  impact.py EXPLICIT CASES.json [--only NAME ...] [--cells N ...] [--output FILE.json]
+            [--within PART]
 
 EXPLICIT is the compiled program (target `explicit_impact`). Every impact is computed on several
-meshes, of N cells in the contact radius that Hertz's law and Zener's equation give. Their mean is the
-result, half their range its uncertainty: the contact's edge jumps from node to node, and where it
-stands at the peak is chance. Prints a table, with the peaks that the cases carry; --output writes
-the results in the format of the cases; --within fails where a peak is further off. SI units throughout:
-m, s, kg, N, Pa.
+meshes, of N cells in the contact radius that Hertz's law and Zener's equation give. Their mean is
+the result, half their range its uncertainty: the contact's edge jumps from node to node, and
+where it stands at the peak is chance. Prints a table, with the peaks that the cases carry;
+--output writes the results in the format of the cases; --within fails where a peak is further
+off. SI units throughout: m, s, kg, N, Pa.
 
 A case has plate {thickness, E, nu, rho, yield_strength, hardening}, impactor {radius, ...},
-velocity and, if wanted, end_time. A yield strength of null is an elastic body; hardening is the slope of
-the strength over the plastic strain. The plate is so large that no wave is back at the axis before
-the contact ends, or the end time.
+velocity and, if wanted, end_time. A yield strength of null is an elastic body; hardening is the
+slope of the strength over the plastic strain. The plate is so large that no wave is back at the
+axis before the contact ends, or the end time.
 """
 
 import argparse
@@ -71,14 +72,16 @@ def write_model(name, case, bodies, parameters, bed=(), pushed=()):
     plate, ball = bodies
     first = len(plate.nodes)
     nodes = 1e-3 * np.vstack([plate.nodes, ball.nodes])
-    quads = np.vstack([np.c_[plate.quads, 0 * plate.quads[:, :1]], np.c_[ball.quads + first, 0 * ball.quads[:, :1] + 1]])
+    body_of = np.repeat([0, 1], [len(plate.quads), len(ball.quads)])
+    quads = np.c_[np.vstack([plate.quads, ball.quads + first]), body_of]
     with open(name, "w") as file:
         for table, form in ((nodes, "%.12g"), (quads, "%d")):
             file.write(f"{len(table)}\n")
             np.savetxt(file, table, fmt=form)
         file.write("2\n")
         # a ball of straight sides lacks up to 1 % of its mass: its density makes up for it
-        missing = 4 / 3 * np.pi * case["impactor"]["radius"] ** 3 / volume(nodes[ball.quads + first])
+        ideal = 4 / 3 * np.pi * case["impactor"]["radius"] ** 3
+        missing = ideal / volume(nodes[ball.quads + first])
         for body, scale in (case["plate"], 1), (case["impactor"], missing):
             values = body["E"], body["nu"], body["rho"] * scale, body.get("yield_strength") or 0
             file.write(" ".join(map(str, (*values, body.get("hardening", 0)))) + "\n")

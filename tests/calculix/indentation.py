@@ -3,24 +3,24 @@
   indentation.py CASES.json [--only NAME ...] [--cells N] [--steps N] [--penalty P]
                  [--explicit PROGRAM] [--output FILE.json] [--within PART]
 
---explicit has the program of explicit.cc do it. Prints a table, with the forces that the cases carry;
---output writes the results in the format of the cases; --within fails where a force on the way is
-further off.
+--explicit has the program of explicit.cc do it. Prints a table, with the largest difference from
+the forces that the cases carry; --output writes the results in the format of the cases; --within
+fails where a force on the way is further off.
 
 The half-space is a block whose depth and radius are 20 contact radii, on a smooth bed; the ball
 is pushed by the nodes above its centre, down to the largest indentation and back. What block and
-ball lack of two half-spaces is a compliance C: the same mesh is pushed as an elastic body first, and
-C(F) is what its displacement has more than Hertz's indentation at the same force F, per force. The
-indentation of the elastic-plastic one is its displacement less C(F) F: far from the contact both
-are elastic. Indentations alpha are given as w = alpha / alpha_y, alpha_y = R (pi C_y Y / (2 E*))^2
-and C_y = 1.295 exp(0.736 nu) (Green 2005, doi:10.1016/j.ijengsci.2004.06.004), forces over Hertz's at the
-same indentation.
+ball lack of two half-spaces is a compliance C: the same mesh is pushed as an elastic body first,
+and C(F) is what its displacement has more than Hertz's indentation at the same force F, per
+force. The indentation of the elastic-plastic one is its displacement less C(F) F: far from the
+contact both are elastic. Indentations alpha are given as w = alpha / alpha_y,
+alpha_y = R (pi C_y Y / (2 E*))^2 and C_y = 1.295 exp(0.736 nu) (Jackson & Green 2005,
+doi:10.1115/1.1866166), forces over Hertz's at the same indentation.
 
-A case has plate {E, nu, rho, yield_strength}, impactor {radius, E, nu, rho} and the largest w. Kept
-are the largest force, loading (w, force over Hertz's), unloading (indentation and force over the largest),
-and of the power law F = F_m ((alpha - alpha_r) / (alpha_m - alpha_r))^n that fits it best the residual
-indentation alpha_r over the largest and the exponent n; recovered is the work of unloading over
-F_m alpha_m (Hertz: 2/5).
+A case has plate {E, nu, rho, yield_strength}, impactor {radius, E, nu, rho} and the largest w.
+Kept are the largest force, loading (w, force over Hertz's), unloading (indentation and force over
+the largest), and of the power law F = F_m ((alpha - alpha_r) / (alpha_m - alpha_r))^n that fits
+it best the residual indentation alpha_r over the largest and the exponent n; recovered is the
+work of unloading over F_m alpha_m (Hertz: 2/5).
 """
 
 import argparse
@@ -176,8 +176,8 @@ def main():
         return push(plate, ball, depth, asked.cells, asked.steps, asked.penalty)
 
     cases = json.loads(pathlib.Path(asked.cases).read_text())
-    print("| case | w | force [N] | over Hertz | largest difference | residual | exponent | recovered |")
-    print("| --- | --- | --- | --- | --- | --- | --- | --- |")
+    columns = "case w force[N] over-Hertz difference residual exponent recovered".split()
+    print("|", " | ".join(columns), "|\n|" + " --- |" * len(columns))
     far = False
     for case in cases:
         if asked.only and case["name"] not in asked.only:
