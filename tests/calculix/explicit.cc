@@ -49,6 +49,8 @@ namespace
   read(const std::string &name)
   {
     std::ifstream in(name);
+    if (!in)
+      throw std::runtime_error("cannot read " + name);
     in.exceptions(std::ios::failbit | std::ios::badbit | std::ios::eofbit);
     Model       model;
     std::size_t n = 0;

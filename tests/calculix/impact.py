@@ -114,8 +114,9 @@ def impact(explicit, case, cells, penalty=PENALTY):
     )
     stiffness = penalty * case["plate"]["E"] * cells / (1e-3 * contact)
     parameters = stiffness, case["velocity"], 0, end, OUTPUT
-    history, face = run(explicit, case, bodies, parameters)
-    return results(history, face, 1e-3 * contact)
+    found = results(*run(explicit, case, bodies, parameters), 1e-3 * contact)
+    yields = case["plate"].get("yield_strength") or ball.get("yield_strength")
+    return found if yields else {**found, "dent": found["dent"] and 0.0}
 
 
 def results(history, face, contact):
@@ -144,7 +145,7 @@ def mean_and_range(runs):
         values = [run[name] for run in runs]
         known = None not in values
         kept[name] = float(f"{np.mean(values):.5g}") if known else None
-        if known and name in ("peak_force", "rebound_velocity", "dent"):
+        if known and any(values) and name in ("peak_force", "rebound_velocity", "dent"):
             kept[f"uncertainty_of_{name}"] = float(f"{np.ptp(values) / 2:.2g}")
     return kept
 
