@@ -1,7 +1,7 @@
 #include "plate_impact/analysis/warnings.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/contact/contact_area.h"
-#include "plate_impact/contact/zener.h"
+#include "plate_impact/contact/impact_estimate.h"
 #include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_section.h"
 

@@ -4,6 +4,7 @@
 #include "plate_impact/contact/ball_compliance.h"
 #include "plate_impact/contact/contact_area.h"
 #include "plate_impact/contact/hertz_law.h"
+#include "plate_impact/contact/impactor.h"
 #include "plate_impact/contact/line_law.h"
 #include "plate_impact/contact/yang_sun_unloading.h"
 #include "plate_impact/contact/yielding_law.h"
@@ -60,24 +61,38 @@ namespace PlateImpact
 
 
 
-    std::shared_ptr<const ContactLaw>
-    make_line_law(const Parameters &parameters, const double constant)
+    /// Of the ball that the scene takes for one, at the contact radius of the
+    /// expected peak: it depends on that by a logarithm. [m/N]
+    double
+    compliance_of_ball(const Parameters &parameters)
     {
       const ImpactorParameters &impactor = parameters.impactor;
-      return std::make_shared<LineLaw>(impactor.radius,
-                                       0.5 * impactor.length,
-                                       contact_modulus(parameters),
-                                       constant);
+      if (!parameters.contact.finite_ball)
+        return 0.;
+      const ExpectedPeak peak = zener_peak(make_half_space_contact(parameters),
+                                           make_impactor(impactor),
+                                           PlateSection(parameters.plate));
+      return ball_compliance(
+        impactor.radius,
+        0.5 * impactor.youngs_modulus / (1. + impactor.poissons_ratio),
+        impactor.poissons_ratio,
+        contact_radius(parameters, peak.force, peak.indentation));
     }
 
 
 
-    /// The contact of a sphere.
-    /// @param compliance  in series [m/N]
+    /// @param layer_constant  empty on a half-space
     Contact
-    make_sphere_contact(const Parameters &parameters, const double compliance)
+    make_sphere_contact(const Parameters            &parameters,
+                        const std::optional<double> &layer_constant)
     {
-      const double k = coefficient_of(parameters);
+      const PlateParameters &plate      = parameters.plate;
+      const double           k          = coefficient_of(parameters);
+      double                 compliance = 0.; // in series
+      if (layer_constant)
+        compliance = *layer_constant /
+            (PlateSection(plate).shear_modulus * plate.thickness) +
+          compliance_of_ball(parameters);
       if (parameters.contact.unloading == UnloadingLaw::Yang_Sun)
         return Contact(std::make_shared<HertzLaw>(k),
                        compliance,
@@ -98,31 +113,46 @@ namespace PlateImpact
 
 
 
-    /// Of the ball that the scene takes for one, at the contact radius of the
-    /// expected peak: it depends on that by a logarithm. [m/N]
-    double
-    compliance_of_ball(const Parameters &parameters)
+    Contact
+    make_line_contact(const Parameters            &parameters,
+                      const std::optional<double> &layer_constant)
     {
       const ImpactorParameters &impactor = parameters.impactor;
-      if (!parameters.contact.finite_ball)
-        return 0.;
-      const ExpectedPeak peak = zener_peak(parameters);
-      return ball_compliance(
+      return Contact(std::make_shared<LineLaw>(
         impactor.radius,
-        0.5 * impactor.youngs_modulus / (1. + impactor.poissons_ratio),
-        impactor.poissons_ratio,
-        contact_radius(parameters, peak.force, peak.indentation));
+        0.5 * impactor.length,
+        contact_modulus(parameters),
+        layer_constant ? line_constant_of_layer(parameters, *layer_constant) :
+                         LineLaw::constant_of_half_space));
     }
+
+
+
+    struct LawRow
+    {
+      ForceLaw    choice;
+      std::string word;
+      Contact (*make)(const Parameters            &parameters,
+                      const std::optional<double> &layer_constant);
+    };
+
+    const std::vector<LawRow> laws = {
+      {ForceLaw::Sun, "Sun", make_sphere_contact},
+      {ForceLaw::Hertz, "Hertz", make_sphere_contact},
+      {ForceLaw::line, "line", make_line_contact}};
   } // namespace
+
+
+
+  template <>
+  const std::vector<Word<ForceLaw>> Choices<ForceLaw>::words = words_of(laws);
 
 
 
   Contact
   make_half_space_contact(const Parameters &parameters)
   {
-    return parameters.contact.law == ForceLaw::line ?
-      Contact(make_line_law(parameters, LineLaw::constant_of_half_space)) :
-      make_sphere_contact(parameters, 0.);
+    return row_of(parameters.contact.law, laws).make(parameters, {});
   }
 
 
@@ -154,24 +184,9 @@ namespace PlateImpact
   {
     if (parameters.contact.local_response == LocalResponse::half_space)
       return make_half_space_contact(parameters);
-    if (parameters.contact.law == ForceLaw::line)
-      return Contact(
-        make_line_law(parameters,
-                      line_constant_of_layer(parameters, layer_constant)));
-    const double of_layer = layer_constant /
-      (PlateSection(parameters.plate).shear_modulus *
-       parameters.plate.thickness);
-    return make_sphere_contact(parameters,
-                               of_layer + compliance_of_ball(parameters));
+    return row_of(parameters.contact.law, laws)
+      .make(parameters, layer_constant);
   }
-
-
-
-  template <>
-  const std::vector<Word<ForceLaw>> Choices<ForceLaw>::words = {
-    {ForceLaw::Sun, "Sun"},
-    {ForceLaw::Hertz, "Hertz"},
-    {ForceLaw::line, "line"}};
 
 
 

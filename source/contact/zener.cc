@@ -3,7 +3,6 @@
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/parameters.h"
 #include "plate_impact/contact/contact_solver.h"
-#include "plate_impact/contact/make_contact.h"
 #include "plate_impact/plate/plate_section.h"
 
 #include <algorithm>
@@ -141,16 +140,6 @@ namespace PlateImpact
 
 
   ExpectedPeak
-  zener_peak(const Parameters &parameters)
-  {
-    return zener_peak(make_half_space_contact(parameters),
-                      make_impactor(parameters.impactor),
-                      PlateSection(parameters.plate));
-  }
-
-
-
-  ExpectedPeak
   rigid_plate_peak(const Contact      &contact,
                    const Impactor     &impactor,
                    const PlateSection &section)
@@ -247,21 +236,6 @@ namespace PlateImpact
       std::pow(section.mean_bending_stiffness() / section.mass_per_area, 0.25);
     return {2. * contact_time * speed, 2. * speed};
   }
-
-
-
-  ImpactEstimate::ImpactEstimate(const Parameters &scene)
-    : ImpactEstimate(scene, zener_peak(scene))
-  {}
-
-
-
-  ImpactEstimate::ImpactEstimate(const Parameters   &scene,
-                                 const ExpectedPeak &peak)
-    : peak(peak)
-    , contact_time(2. * peak.time)
-    , wave(contact_wave(PlateSection(scene.plate), contact_time))
-  {}
 
 
 

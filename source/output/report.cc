@@ -1,7 +1,7 @@
 #include "plate_impact/output/report.h"
 
 #include "plate_impact/base/text.h"
-#include "plate_impact/contact/zener.h"
+#include "plate_impact/contact/impact_estimate.h"
 #include "plate_impact/estimator/peak_force_error.h"
 #include "plate_impact/output/deflection_film.h"
 #include "plate_impact/output/run_in_words.h"

@@ -8,11 +8,16 @@ namespace PlateImpact
 
   namespace
   {
-    /// Lagrange polynomials of the points of a rule.
-    std::vector<Polynomials::Polynomial<double>>
-    lagrange_polynomials(const Quadrature<1> &rule)
+    /// Lagrange polynomial of the points of a rule that is 1 at point i.
+    double
+    lagrange(const Quadrature<1> &rule, const unsigned int i, const double x)
     {
-      return Polynomials::generate_complete_Lagrange_basis(rule.get_points());
+      double value = 1.;
+      for (unsigned int j = 0; j < rule.size(); ++j)
+        if (j != i)
+          value *=
+            (x - rule.point(j)[0]) / (rule.point(i)[0] - rule.point(j)[0]);
+      return value;
     }
 
 
@@ -38,7 +43,7 @@ namespace PlateImpact
 
   ShearAtGaussPoints::ShearAtGaussPoints(const unsigned int n)
     : AssumedShear(QGauss<2>(n))
-    , lagrange(lagrange_polynomials(QGauss<1>(n)))
+    , rule(n)
   {}
 
 
@@ -48,16 +53,15 @@ namespace PlateImpact
                                   const FEValues<2> &,
                                   const FEValues<2> &values) const
   {
-    const unsigned int n_points = values.n_quadrature_points,
-                       n        = lagrange.size();
-    CellOperator result         = CellOperator::Zero(2 * n_points, n_cell_dofs);
+    const unsigned int n_points = values.n_quadrature_points, n = rule.size();
+    CellOperator       result = CellOperator::Zero(2 * n_points, n_cell_dofs);
     for (unsigned int q = 0; q < n_points; ++q)
       {
         const Point<2> &p = values.get_quadrature().point(q);
         for (unsigned int j = 0; j < n; ++j)
           for (unsigned int i = 0; i < n; ++i)
-            result.middleRows<2>(2 * q) += lagrange[i].value(p[0]) *
-              lagrange[j].value(p[1]) * tied.middleRows<2>(2 * (n * j + i));
+            result.middleRows<2>(2 * q) += lagrange(rule, i, p[0]) *
+              lagrange(rule, j, p[1]) * tied.middleRows<2>(2 * (n * j + i));
       }
     return result;
   }
@@ -66,8 +70,8 @@ namespace PlateImpact
 
   MixedShear::MixedShear()
     : AssumedShear(points_of_mixed_shear())
-    , linear(lagrange_polynomials(QGauss<1>(2)))
-    , quadratic(lagrange_polynomials(QGaussLobatto<1>(3)))
+    , linear(2)
+    , quadratic(3)
   {}
 
 
@@ -95,10 +99,10 @@ namespace PlateImpact
         for (unsigned int j = 0; j < 3; ++j)
           for (unsigned int i = 0; i < 2; ++i)
             {
-              along[0] += linear[i].value(p[0]) * quadratic[j].value(p[1]) *
-                covariant(2 * j + i, 0);
-              along[1] += quadratic[j].value(p[0]) * linear[i].value(p[1]) *
-                covariant(6 + 3 * i + j, 1);
+              along[0] += lagrange(linear, i, p[0]) *
+                lagrange(quadratic, j, p[1]) * covariant(2 * j + i, 0);
+              along[1] += lagrange(quadratic, j, p[0]) *
+                lagrange(linear, i, p[1]) * covariant(6 + 3 * i + j, 1);
             }
         const auto &inverse = values.inverse_jacobian(q);
         for (unsigned int d = 0; d < 2; ++d)

@@ -227,9 +227,15 @@ namespace PlateImpact
 
 
   Eigen::VectorXd
-  PlateDiscretization::load(const std::vector<LoadPoint> &points,
-                            const double                  rotation_factor) const
+  PlateDiscretization::load(std::vector<LoadPoint> points,
+                            const double           rotation_factor) const
   {
+    // summed cell by cell, in each from left to right
+    std::sort(points.begin(),
+              points.end(),
+              [](const LoadPoint &p, const LoadPoint &q) {
+                return p.point[0] < q.point[0];
+              });
     std::vector<Triangulation<2>::active_cell_iterator> cells;
     std::vector<BoundingBox<2>>                         boxes;
     for (const auto &cell : mesh().active_cell_iterators())
@@ -241,8 +247,14 @@ namespace PlateImpact
           (&mapping_of(cell) == &curved_mapping() ? 0.25 : 1e-9) *
           std::max(boxes.back().side_length(0), boxes.back().side_length(1)));
       }
-    const auto      tree = pack_rtree_of_indices(boxes);
-    Eigen::VectorXd u    = Eigen::VectorXd::Zero(n_unknowns());
+    struct PointInCell
+    {
+      std::size_t cell;
+      Point<2>    unit;
+      double      weight;
+    };
+    std::vector<PointInCell> found;
+    const auto               tree = pack_rtree_of_indices(boxes);
     for (const auto &[point, weight] : points)
       {
         std::vector<std::size_t> near;
@@ -252,11 +264,19 @@ namespace PlateImpact
         std::optional<Point<2>> unit;
         for (std::size_t i = 0; i < near.size() && !unit; ++i)
           if ((unit = position_in(cells[near[i]], point)))
-            add_load(cells[near[i]], *unit, weight, rotation_factor, u);
+            found.push_back({near[i], *unit, weight});
         if (!unit)
           throw ComputationError(
             "the load distribution reaches beyond the mesh");
       }
+    std::stable_sort(found.begin(),
+                     found.end(),
+                     [](const PointInCell &p, const PointInCell &q) {
+                       return p.cell < q.cell;
+                     });
+    Eigen::VectorXd u = Eigen::VectorXd::Zero(n_unknowns());
+    for (const auto &[cell, unit, weight] : found)
+      add_load(cells[cell], unit, weight, rotation_factor, u);
     return u;
   }
 

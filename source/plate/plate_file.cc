@@ -339,7 +339,7 @@ namespace PlateImpact
     {
       std::vector<Point<2>> points;
       for (const auto &chord : plate.outline)
-        points.push_back(chord[0]);
+        points.insert(points.end(), chord.begin(), chord.end());
       const BoundingBox<2> box(points);
       plate.extent             = {{box.side_length(0), box.side_length(1)}};
       const Tensor<1, 2> shift = -0.5 *

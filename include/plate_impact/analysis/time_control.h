@@ -3,7 +3,7 @@
 
 #include "plate_impact/analysis/cycle_result.h"
 #include "plate_impact/base/parameters.h"
-#include "plate_impact/contact/zener.h"
+#include "plate_impact/contact/impact_estimate.h"
 #include "plate_impact/transient/struck_plate.h"
 
 #include <optional>

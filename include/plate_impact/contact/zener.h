@@ -7,7 +7,6 @@
 
 namespace PlateImpact
 {
-  struct Parameters;
   struct PlateSection;
   struct TimeParameters;
 
@@ -38,10 +37,6 @@ namespace PlateImpact
              const Impactor     &impactor,
              const PlateSection &section,
              double              time_step);
-
-  /// That of a scene's impactor, law without the layer, and plate.
-  ExpectedPeak
-  zener_peak(const Parameters &parameters);
 
   /// The same on a plate that does not move.
   ExpectedPeak
@@ -98,18 +93,6 @@ namespace PlateImpact
   /// group speed twice that (Graff, Wave Motion in Elastic Solids, sec. 4.2).
   BendingWave
   contact_wave(const PlateSection &section, double contact_time);
-
-  /// What theory expects of the impact of a scene, on an infinite thin plate.
-  struct ImpactEstimate
-  {
-    explicit ImpactEstimate(const Parameters &scene);
-    /// @param peak  as zener_peak(scene), where it is known
-    ImpactEstimate(const Parameters &scene, const ExpectedPeak &peak);
-
-    ExpectedPeak peak;
-    double       contact_time; ///< [s]
-    BendingWave  wave;         ///< of the contact
-  };
 } // namespace PlateImpact
 
 #endif

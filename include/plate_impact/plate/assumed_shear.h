@@ -1,13 +1,10 @@
 #ifndef plate_impact_plate_assumed_shear_h
 #define plate_impact_plate_assumed_shear_h
 
-#include <deal.II/base/polynomial.h>
-#include <deal.II/base/quadrature.h>
+#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 
 #include <Eigen/Core>
-
-#include <vector>
 
 namespace PlateImpact
 {
@@ -71,7 +68,7 @@ namespace PlateImpact
                 const dealii::FEValues<2> &values) const override;
 
   private:
-    const std::vector<dealii::Polynomials::Polynomial<double>> lagrange;
+    const dealii::QGauss<1> rule;
   };
 
 
@@ -97,8 +94,8 @@ namespace PlateImpact
                 const dealii::FEValues<2> &values) const override;
 
   private:
-    const std::vector<dealii::Polynomials::Polynomial<double>> linear,
-      quadratic;
+    const dealii::QGauss<1>        linear;
+    const dealii::QGaussLobatto<1> quadratic;
   };
 } // namespace PlateImpact
 

@@ -74,8 +74,7 @@ namespace PlateImpact
     /// @param rotation_factor  beta [m^2]
     /// @throws ComputationError when a point lies outside of the mesh
     Eigen::VectorXd
-    load(const std::vector<LoadPoint> &points,
-         double                        rotation_factor = 0.) const;
+    load(std::vector<LoadPoint> points, double rotation_factor = 0.) const;
 
     /// The unknowns of a given field of deflection and rotations.
     Eigen::VectorXd
