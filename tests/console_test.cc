@@ -157,9 +157,9 @@ namespace PlateImpact
       const std::string command =
         "script --quiet --return --command \"'$PROGRAM' sweep '$SCENE' --output "
         "results --set Adaptivity/Strategy=none --set 'Sweep/Entry "
-        "1=Impactor/Velocity' --set 'Sweep/Values 1=1:2:600'\" /dev/null";
+        "1=Impactor/Velocity' --set 'Sweep/Values 1=1:2:6000'\" /dev/null";
       ASSERT_EQ(shell("TERM=xterm " + command), 0) << out;
-      EXPECT_NE(out.find(" of 600, "), std::string::npos) << out;
+      EXPECT_NE(out.find(" of 6000, "), std::string::npos) << out;
       EXPECT_NE(out.find(" left"), std::string::npos) << out;
     }
 

@@ -46,7 +46,7 @@ namespace PlateImpact
     entry("Poisson's ratio", "0.3", number_between(-1, 0.5), poissons_ratio)
       .means("[-]");
     entry("Yield strength", "0", number_from(0), yield_strength)
-      .means("As Plate/Yield strength; 0: does not yield. [Pa]");
+      .means("As Plate/Yield strength. [Pa]");
     entry("Velocity", "1.0", positive, velocity)
       .means("Towards the plate. [m/s]");
   }

@@ -115,7 +115,7 @@ namespace PlateImpact
     entry("Yield strength", "0", number_from(0), yield_strength)
       .means("With one of plate or impactor above 0 the contact of a sphere "
              "yields where it is exceeded, the weaker body first, and leaves a "
-             "dent; 0: not given, the contact stays elastic. [Pa]");
+             "dent. 0 where it is not given. [Pa]");
     entry("Shear correction factor",
           "0.8333333333333333",
           positive,
