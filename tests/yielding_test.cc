@@ -87,6 +87,15 @@ namespace PlateImpact
 
 
 
+    TEST_F(Yielding, SteelThatYields)
+    {
+      ASSERT_EQ(run(SCENES "/steel-that-yields.prm"), 0) << err;
+      expect_near(last_cycle()["peak_force"], 1162.9, 0.045);
+      EXPECT_EQ(summary()["outcome"], "target reached");
+    }
+
+
+
     TEST_F(Yielding, BothIntegratorsAndBothIntegrationsAgree)
     {
       const std::string steel = " --set \"Plate/Yield strength=3.55e8\""
