@@ -318,7 +318,7 @@ namespace PlateImpact
           EXPECT_NEAR(contact.mean_force(0., 7e-5) * contact.approach(7e-5) /
                         sum,
                       1.,
-                      2e-6);
+                      1e-6);
         }
     }
 

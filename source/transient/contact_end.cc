@@ -1,7 +1,7 @@
 #include "plate_impact/transient/contact_end.h"
 
-#include "plate_impact/contact/make_contact.h"
 #include "plate_impact/contact/impact_estimate.h"
+#include "plate_impact/contact/make_contact.h"
 #include "plate_impact/plate/plate_section.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #include "plate_impact/transient/ritz_reduction.h"
 
 #include "plate_impact/base/exceptions.h"
-#include "plate_impact/contact/make_contact.h"
 #include "plate_impact/contact/impact_estimate.h"
+#include "plate_impact/contact/make_contact.h"
 #include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/transient/time_stepper.h"
 
