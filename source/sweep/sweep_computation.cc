@@ -60,17 +60,6 @@ namespace PlateImpact
 
 
 
-  SweepWork &
-  SweepWork::operator+=(const SweepWork &other)
-  {
-    meshes += other.meshes;
-    plates += other.plates;
-    loads += other.loads;
-    return *this;
-  }
-
-
-
   SweepComputation::SweepComputation(SweepScene        &scene,
                                      const SweepGroups &groups)
     : scene(scene)
@@ -79,13 +68,12 @@ namespace PlateImpact
 
 
 
-  std::pair<SweepRow, std::optional<ContactHistory>>
+  ComputedPoint
   SweepComputation::compute(const std::size_t group, const std::size_t point)
   {
-    SweepRow                      row;
-    std::optional<ContactHistory> history;
-    row.point   = point;
-    row.failure = failure_of([&] {
+    ComputedPoint result;
+    result.row.point   = point;
+    result.row.failure = failure_of([&] {
       const SweepPoint valid    = scene.point(point);
       Computed         computed = compute(group, valid);
       for (const auto &value : values_of_figures(computed.impact,
@@ -93,12 +81,12 @@ namespace PlateImpact
                                                  valid.expected,
                                                  computed.discretization_error,
                                                  computed.peak_force_bar))
-        row.figures.push_back(value.value_or(std::nan("")));
-      row.warnings = std::move(computed.warnings);
+        result.row.figures.push_back(value.value_or(std::nan("")));
+      result.row.warnings = std::move(computed.warnings);
       if (valid.parameters.sweep.write_histories)
-        history = std::move(computed.impact.history);
+        result.history = std::move(computed.impact.history);
     });
-    return {row, history};
+    return result;
   }
 
 
@@ -216,7 +204,7 @@ namespace PlateImpact
     const auto                severity = [](const SweepPoint &point) {
       return std::make_tuple(-point.expected.time, point.expected.force);
     };
-    for (const std::size_t index : groups.groups()[group])
+    for (const std::size_t index : groups.groups[group])
       try
         {
           const SweepPoint point = scene.point(index);

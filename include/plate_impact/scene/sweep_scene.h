@@ -26,6 +26,8 @@ namespace PlateImpact
   /// scene with its values in place, checked and completed as by read_scene().
   class SweepScene
   {
+    SceneReader reader; // before what is read by it
+
   public:
     /// @throws InputError with every mistake that is not one of single points
     SweepScene(const std::string                &path,
@@ -37,19 +39,7 @@ namespace PlateImpact
     may_adapt() const
     {
       return base.adaptivity.is_adaptive() ||
-        sweep_plan.sweeps("Adaptivity/Strategy");
-    }
-
-    std::string
-    name() const
-    {
-      return printable(reader.name);
-    }
-
-    const SweepPlan &
-    plan() const
-    {
-      return sweep_plan;
+        plan.sweeps("Adaptivity/Strategy");
     }
 
     /// The scene with the points' values left out.
@@ -71,11 +61,12 @@ namespace PlateImpact
     SweepPoint
     point(std::size_t index);
 
+    const std::string name; ///< of the file, printable
+    const SweepPlan   plan;
+
   private:
-    SceneReader     reader;
-    const SweepPlan sweep_plan;
-    std::string     base_text;
-    Parameters      base;
+    std::string base_text;
+    Parameters  base;
     /// of the points that were valid
     std::map<std::size_t, ExpectedPeak> expected_peaks;
   };
