@@ -12,7 +12,6 @@
 
 #include <fmt/format.h>
 #include <new>
-#include <stdexcept>
 #include <unistd.h>
 
 // Present when the BLAS is OpenBLAS and when CHOLMOD was built with OpenMP.
@@ -136,23 +135,19 @@ namespace PlateImpact
 
 
 
-    /// A direct solver of Trilinos' Amesos.
-    class AmesosSolver : public LinearSolver
+    /// KLU of Trilinos' Amesos.
+    class KluSolver : public LinearSolver
     {
     public:
-      explicit AmesosSolver(const std::string &name)
-        : name(name)
-      {}
-
       void
       factorize(Epetra_CrsMatrix &matrix) override
       {
         problem.SetOperator(&matrix);
-        solver.reset(Amesos().Create(name, problem));
+        solver.reset(Amesos().Create("Amesos_Klu", problem));
         if (solver == nullptr || solver->SymbolicFactorization() != 0 ||
             solver->NumericFactorization() != 0)
           throw ComputationError(
-            name + " cannot factorize the effective stiffness matrix of " +
+            "KLU cannot factorize the effective stiffness matrix of " +
             std::to_string(matrix.NumMyRows()) + " unknowns");
       }
 
@@ -168,34 +163,39 @@ namespace PlateImpact
         problem.SetRHS(&b);
         problem.SetLHS(&solution);
         if (solver->Solve() != 0)
-          throw ComputationError(name + " cannot solve");
+          throw ComputationError("KLU cannot solve");
       }
 
     private:
-      const std::string                  name;
       Epetra_LinearProblem               problem;
       std::unique_ptr<Amesos_BaseSolver> solver;
     };
+
+
+
+    struct SolverRow
+    {
+      SolverType  choice;
+      std::string word;
+      std::unique_ptr<LinearSolver> (*make)();
+    };
+
+    const std::vector<SolverRow> solvers = {
+      {SolverType::CHOLMOD, "CHOLMOD", make_as<LinearSolver, CholmodSolver>},
+      {SolverType::KLU, "KLU", make_as<LinearSolver, KluSolver>}};
   } // namespace
 
 
 
   template <>
-  const std::vector<Word<SolverType>> Choices<SolverType>::words =
-    {{SolverType::CHOLMOD, "CHOLMOD"}, {SolverType::KLU, "KLU"}};
+  const std::vector<Word<SolverType>>
+    Choices<SolverType>::words = words_of(solvers);
 
 
 
   std::unique_ptr<LinearSolver>
   make_linear_solver(const SolverType type)
   {
-    switch (type)
-      {
-        case SolverType::CHOLMOD:
-          return std::make_unique<CholmodSolver>();
-        case SolverType::KLU:
-          return std::make_unique<AmesosSolver>("Amesos_Klu");
-      }
-    throw std::logic_error("no such linear solver");
+    return row_of(type, solvers).make();
   }
 } // namespace PlateImpact

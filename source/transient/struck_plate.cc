@@ -43,36 +43,31 @@ namespace PlateImpact
   LoadedPlate
   StruckPlate::under(const Parameters &impact, const bool needs_states)
   {
-    const LoadKey key(impact, needs_states);
+    TimeParameters time = impact.time;
+    time.end_time       = std::max(time.end_time, time.end_of_vectors);
+    const LoadKey key(impact.contact.load_distribution,
+                      impact.contact.patch_radius,
+                      impact.contact.local_response,
+                      impact.contact.integration,
+                      impact.impactor.shape,
+                      impact.impactor.length,
+                      time,
+                      needs_states);
     auto          found = loads.find(key);
     if (found == loads.end())
       {
         forget_loads();
-        found = loads.emplace(key, make_load(impact, key)).first;
+        found = loads.emplace(key, make_load(impact, time, needs_states)).first;
       }
     return {impact, found->second};
   }
 
 
 
-  StruckPlate::LoadKey::LoadKey(const Parameters &impact,
-                                const bool        needs_states)
-    : shape(impact.contact.load_distribution)
-    , patch_radius(impact.contact.patch_radius)
-    , local_response(impact.contact.local_response)
-    , integration(impact.contact.integration)
-    , impactor(impact.impactor.shape)
-    , length(impact.impactor.length)
-    , time(impact.time)
-    , needs_states(needs_states)
-  {
-    time.end_time = std::max(time.end_time, time.end_of_vectors);
-  }
-
-
-
   std::shared_ptr<Load>
-  StruckPlate::make_load(const Parameters &impact, const LoadKey &key)
+  StruckPlate::make_load(const Parameters     &impact,
+                         const TimeParameters &time,
+                         const bool            needs_states)
   {
     assembled();
     StageClock               clock;
@@ -82,19 +77,17 @@ namespace PlateImpact
                            impact.impactor.contact_half_length(),
                            contact.has_patch() ? contact.patch_radius : 0.)
         .first;
-    const auto points =
-      on_meshed_part(make_load_distribution(contact, key.length, finest_cell),
-                     impact.plate);
+    const auto points = on_meshed_part(
+      make_load_distribution(contact, impact.impactor.length, finest_cell),
+      impact.plate);
     std::shared_ptr<Load> load(new Load{
       {matrices,
        plate.load(points, load_rotation_factor(impact.plate, contact))},
       layer_constant(impact.plate, contact),
-      make_contact_integration(key.integration),
+      make_contact_integration(contact.integration),
       nullptr});
-    load->integrator = make_integrator(key.time,
-                                       load->system,
-                                       *load->integration,
-                                       key.needs_states);
+    load->integrator =
+      make_integrator(load->system, time, *load->integration, needs_states);
     ++n_loads;
     clock.charge(assembly_seconds);
     return load;
