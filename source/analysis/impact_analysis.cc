@@ -268,7 +268,7 @@ namespace PlateImpact
       std::min(to_peak.time.end_time,
                scheme.dt *
                  std::ceil(1.1 * result.history->peak().time / scheme.dt));
-    StruckPlate plate(to_peak.plate, to_peak.discretization, std::move(halved));
+    PlateModel plate(to_peak.plate, to_peak.discretization, std::move(halved));
     const Impact impact = plate.under(to_peak, false).strike();
     result.verification =
       Verification{plate.discretization().mesh().n_active_cells(),

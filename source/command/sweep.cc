@@ -1,6 +1,6 @@
 #include <deal.II/base/utilities.h>
 
-#include "plate_impact/analysis/impact_figures.h"
+#include "plate_impact/analysis/impact_quantities.h"
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/interrupt.h"
 #include "plate_impact/base/text.h"
@@ -66,10 +66,11 @@ namespace PlateImpact
     /// Sweeps up to this size have a line for every point.
     constexpr std::size_t most_lines = 40;
 
-    /// A figure in a line: its name in impact_figures(), and how it is shown.
+    /// A quantity in a line: its name in impact_quantities(), and how it is
+    /// shown.
     struct Column
     {
-      const char *figure, *title, *format;
+      const char *quantity, *title, *format;
       double      factor;
     };
 
@@ -147,13 +148,14 @@ namespace PlateImpact
           text += "  " + row.failure;
         else
           for (const Column &shown : columns)
-            for (std::size_t i = 0; i < impact_figures().size(); ++i)
-              if (impact_figures()[i].name == shown.figure)
-                text += column(14,
-                               shown.format,
-                               std::isnan(row.figures[i]) ?
-                                 std::nullopt :
-                                 std::optional(shown.factor * row.figures[i]));
+            for (std::size_t i = 0; i < impact_quantities().size(); ++i)
+              if (impact_quantities()[i].name == shown.quantity)
+                text +=
+                  column(14,
+                         shown.format,
+                         std::isnan(row.quantities[i]) ?
+                           std::nullopt :
+                           std::optional(shown.factor * row.quantities[i]));
         console.print(text + '\n');
       }
 

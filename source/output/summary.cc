@@ -2,7 +2,7 @@
 
 #include <deal.II/base/utilities.h>
 
-#include "plate_impact/analysis/impact_figures.h"
+#include "plate_impact/analysis/impact_quantities.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/contact/contact_area.h"
 #include "plate_impact/contact/impactor.h"

@@ -66,7 +66,7 @@ namespace PlateImpact
       serialize(Archive &archive, const unsigned int)
       {
         archive &is_work &work.meshes &work.plates &work.loads &states;
-        archive &row.point &row.figures &row.failure &row.warnings;
+        archive &row.point &row.quantities &row.failure &row.warnings;
       }
 
       SweepRow                  row;

@@ -1,7 +1,7 @@
 #include "plate_impact/sweep/sweep_computation.h"
 
 #include "plate_impact/analysis/impact_analysis.h"
-#include "plate_impact/analysis/impact_figures.h"
+#include "plate_impact/analysis/impact_quantities.h"
 #include "plate_impact/analysis/warnings.h"
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/text.h"
@@ -76,12 +76,13 @@ namespace PlateImpact
     result.row.failure = failure_of([&] {
       const SweepPoint valid    = scene.point(point);
       Computed         computed = compute(group, valid);
-      for (const auto &value : values_of_figures(computed.impact,
-                                                 valid.parameters,
-                                                 valid.expected,
-                                                 computed.discretization_error,
-                                                 computed.peak_force_bar))
-        result.row.figures.push_back(value.value_or(std::nan("")));
+      for (const auto &value :
+           values_of_quantities(computed.impact,
+                                valid.parameters,
+                                valid.expected,
+                                computed.discretization_error,
+                                computed.peak_force_bar))
+        result.row.quantities.push_back(value.value_or(std::nan("")));
       result.row.warnings = std::move(computed.warnings);
       if (valid.parameters.sweep.write_histories)
         result.history = std::move(computed.impact.history);
@@ -101,20 +102,19 @@ namespace PlateImpact
 
     if (current_group != group)
       {
-        struck_plate.reset();
+        plate_model.reset();
         mesh_warnings.clear();
         current_group = group;
         failure       = failure_of([&] {
           auto mesh     = make_mesh(group, point);
           min_cell_size = smallest_cell_size(*mesh);
-          struck_plate =
-            std::make_unique<StruckPlate>(parameters.plate,
-                                          parameters.discretization,
-                                          std::move(mesh));
+          plate_model   = std::make_unique<PlateModel>(parameters.plate,
+                                                     parameters.discretization,
+                                                     std::move(mesh));
           ++done.plates;
         });
       }
-    if (struck_plate == nullptr)
+    if (plate_model == nullptr)
       throw ComputationError("the plate of this point: " + failure);
 
     if (parameters.sweep.estimate_error)
@@ -122,7 +122,7 @@ namespace PlateImpact
         Parameters on_mesh          = parameters;
         on_mesh.adaptivity.strategy = AdaptationStrategy::none;
         Computed computed =
-          analyse(on_mesh, copy_of(struck_plate->discretization().mesh()));
+          analyse(on_mesh, copy_of(plate_model->discretization().mesh()));
         computed.warnings.insert(computed.warnings.end(),
                                  mesh_warnings.begin(),
                                  mesh_warnings.end());
@@ -136,15 +136,15 @@ namespace PlateImpact
   SweepComputation::Computed
   SweepComputation::strike(const SweepPoint &point)
   {
-    const unsigned int loads_before = struck_plate->work().loads;
+    const unsigned int loads_before = plate_model->work().loads;
     const bool         needs_states = point.parameters.needs_estimator();
     const Parameters   parameters =
-      until_contact_ends(*struck_plate, point.parameters, needs_states);
-    const LoadedPlate plate = struck_plate->under(parameters, needs_states);
+      until_contact_ends(*plate_model, point.parameters, needs_states);
+    const LoadedPlate plate = plate_model->under(parameters, needs_states);
     Computed          computed{plate.strike(), {}, {}, {}};
-    done.loads += struck_plate->work().loads - loads_before;
+    done.loads += plate_model->work().loads - loads_before;
 
-    const Triangulation<2> &mesh = struck_plate->discretization().mesh();
+    const Triangulation<2> &mesh = plate_model->discretization().mesh();
     CycleResult             result;
     result.history       = computed.impact.history;
     result.sensitivity   = plate.sensitivity(*result.history);

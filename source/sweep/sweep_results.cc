@@ -2,7 +2,7 @@
 
 #include <deal.II/base/utilities.h>
 
-#include "plate_impact/analysis/impact_figures.h"
+#include "plate_impact/analysis/impact_quantities.h"
 #include "plate_impact/base/entries.h"
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/text.h"
@@ -97,8 +97,8 @@ namespace PlateImpact
 
 
 
-    /// Numbers of all figures together, so that a page stays below some
-    /// megabytes. Of very large sweeps it has the first figures only.
+    /// Numbers of all quantities together, so that a page stays below some
+    /// megabytes. Of very large sweeps it has the first quantities only.
     constexpr std::size_t most_numbers = 500000;
 
     /// States of a history; more do not show.
@@ -108,25 +108,25 @@ namespace PlateImpact
 
     /// Figures of the impacts as columns.
     Json
-    figures_on_page(const std::vector<std::optional<SweepRow>> &rows)
+    quantities_on_page(const std::vector<std::optional<SweepRow>> &rows)
     {
       const std::size_t n = std::clamp<std::size_t>(most_numbers / rows.size(),
                                                     1,
-                                                    impact_figures().size());
-      Json              figures = Json::array();
+                                                    impact_quantities().size());
+      Json              quantities = Json::array();
       for (std::size_t i = 0; i < n; ++i)
         {
-          const Figure       &figure = impact_figures()[i];
-          std::vector<double> values;
+          const ImpactQuantity &quantity = impact_quantities()[i];
+          std::vector<double>   values;
           for (const auto &row : rows)
-            values.push_back(row->failure.empty() ? row->figures[i] :
+            values.push_back(row->failure.empty() ? row->quantities[i] :
                                                     std::nan(""));
-          figures.push_back({{"name", figure.name},
-                             {"title", figure.title},
-                             {"unit", figure.unit},
-                             {"values", numbers_on_page(values)}});
+          quantities.push_back({{"name", quantity.name},
+                                {"title", quantity.title},
+                                {"unit", quantity.unit},
+                                {"values", numbers_on_page(values)}});
         }
-      return figures;
+      return quantities;
     }
   } // namespace
 
@@ -153,8 +153,8 @@ namespace PlateImpact
     std::vector<std::string> names;
     for (const SweptEntry &entry : plan.entries)
       names.push_back(entry.path);
-    for (const Figure &figure : impact_figures())
-      names.push_back(figure.name);
+    for (const ImpactQuantity &quantity : impact_quantities())
+      names.push_back(quantity.name);
     return joined(names) + "warnings,status";
   }
 
@@ -164,10 +164,10 @@ namespace PlateImpact
   SweepTable::line(const SweepRow &row) const
   {
     std::string text = joined(plan.values(row.point));
-    for (std::size_t i = 0; i < impact_figures().size(); ++i)
+    for (std::size_t i = 0; i < impact_quantities().size(); ++i)
       {
-        if (row.failure.empty() && !std::isnan(row.figures[i]))
-          text += shortest(row.figures[i]);
+        if (row.failure.empty() && !std::isnan(row.quantities[i]))
+          text += shortest(row.quantities[i]);
         text += ',';
       }
     return text +
@@ -186,25 +186,26 @@ namespace PlateImpact
 
     std::ifstream     in(directory / file_name);
     std::string       text;
-    const std::size_t n_values  = plan.entries.size(),
-                      n_figures = impact_figures().size();
+    const std::size_t n_values     = plan.entries.size(),
+                      n_quantities = impact_quantities().size();
     // a line without its end was being written when the sweep was interrupted
     if (!std::getline(in, text) || text != header())
       return;
     while (std::getline(in, text) && !in.eof())
       {
         const std::vector<std::string> fields = split(text);
-        if (fields.size() != n_values + n_figures + 2 || fields.back() != "ok")
+        if (fields.size() != n_values + n_quantities + 2 ||
+            fields.back() != "ok")
           continue;
         SweepRow row;
-        for (std::size_t i = 0; i < n_figures; ++i)
+        for (std::size_t i = 0; i < n_quantities; ++i)
           {
-            row.figures.push_back(std::nan(""));
+            row.quantities.push_back(std::nan(""));
             if (const std::string &field = fields[n_values + i]; !field.empty())
-              any_number().read(field, row.figures.back());
+              any_number().read(field, row.quantities.back());
           }
         row.warnings =
-          dealii::Utilities::split_string_list(fields[n_values + n_figures],
+          dealii::Utilities::split_string_list(fields[n_values + n_quantities],
                                                separator);
         const auto place =
           points.find(joined({fields.begin(), fields.begin() + n_values}));
@@ -306,7 +307,7 @@ namespace PlateImpact
                               {"warnings", sweep_warnings(rows)},
                               {"warned", Json::array()},
                               {"histories", Json::array()},
-                              {"figures", figures_on_page(rows)},
+                              {"quantities", quantities_on_page(rows)},
                               {"work",
                                {{"meshes", work.meshes},
                                 {"plates", work.plates},
@@ -339,7 +340,7 @@ namespace PlateImpact
       {scene.name,
        std::to_string(rows.size()) + " impacts: " + plan.names() +
          (plan.entries.size() > 1 && !plan.is_product ? ", paired up" : ""),
-       "sweep.csv has the peak force and other figures of all points."},
+       "sweep.csv has the peak force and other quantities of all points."},
       study);
   }
 } // namespace PlateImpact

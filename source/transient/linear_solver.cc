@@ -24,6 +24,22 @@ omp_set_max_active_levels(int) __attribute__((weak));
 
 namespace PlateImpact
 {
+  Eigen::Map<const Eigen::SparseMatrix<double, Eigen::RowMajor>>
+  as_eigen(const Epetra_CrsMatrix &matrix)
+  {
+    int    *rows, *columns;
+    double *values;
+    matrix.ExtractCrsDataPointers(rows, columns, values);
+    return {matrix.NumMyRows(),
+            matrix.NumMyCols(),
+            matrix.NumMyNonzeros(),
+            rows,
+            columns,
+            values};
+  }
+
+
+
   namespace
   {
     /// Threads, four in CHOLMOD whatever the machine has, cost more than they
@@ -82,16 +98,7 @@ namespace PlateImpact
       factorize(Epetra_CrsMatrix &matrix) override
       {
         // rows of a symmetric matrix are its columns
-        int    *rows, *columns;
-        double *values;
-        matrix.ExtractCrsDataPointers(rows, columns, values);
-        const Eigen::SparseMatrix<double> A =
-          Eigen::Map<const Eigen::SparseMatrix<double>>(matrix.NumMyRows(),
-                                                        matrix.NumMyRows(),
-                                                        matrix.NumMyNonzeros(),
-                                                        rows,
-                                                        columns,
-                                                        values);
+        const Eigen::SparseMatrix<double> A = as_eigen(matrix).transpose();
         if (!is_analyzed)
           {
             cholesky.analyzePattern(A);

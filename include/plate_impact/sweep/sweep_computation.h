@@ -4,7 +4,7 @@
 #include "plate_impact/scene/sweep_scene.h"
 #include "plate_impact/sweep/sweep_groups.h"
 #include "plate_impact/sweep/sweep_results.h"
-#include "plate_impact/transient/struck_plate.h"
+#include "plate_impact/transient/plate_model.h"
 
 #include <cstddef>
 #include <memory>
@@ -72,11 +72,11 @@ namespace PlateImpact
     const SweepGroups &groups;
     SweepWork          done;
 
-    std::optional<std::size_t>   current_group;
-    double                       min_cell_size = 0.; ///< of its mesh [m]
-    std::unique_ptr<StruckPlate> struck_plate;       ///< of the current group
-    std::string                  failure;            ///< why there is none
-    std::vector<std::string>     mesh_warnings;      ///< of its mesh
+    std::optional<std::size_t>  current_group;
+    double                      min_cell_size = 0.; ///< of its mesh [m]
+    std::unique_ptr<PlateModel> plate_model;        ///< of the current group
+    std::string                 failure;            ///< why there is none
+    std::vector<std::string>    mesh_warnings;      ///< of its mesh
   };
 } // namespace PlateImpact
 

@@ -26,14 +26,14 @@ namespace PlateImpact
   /// What became of a point.
   struct SweepRow
   {
-    std::size_t              point = 0;
-    std::vector<double>      figures;  ///< NaN: none; empty for a failed point
-    std::string              failure;  ///< the reason, in one line
+    std::size_t         point = 0;
+    std::vector<double> quantities;    ///< NaN: none; empty for a failed point
+    std::string         failure;       ///< the reason, in one line
     std::vector<std::string> warnings; ///< a sentence each, as of `run`
   };
 
 
-  /// sweep.csv: a row per point with the swept values, the figures of the
+  /// sweep.csv: a row per point with the swept values, the quantities of the
   /// impact, warnings, and `ok` or the reason of the failure. While the sweep
   /// lasts, rows are appended as they come, so that what is there is valid at
   /// any moment; finish() puts them in the order of the points.
@@ -84,7 +84,7 @@ namespace PlateImpact
   std::vector<std::string>
   sweep_warnings(const std::vector<std::optional<SweepRow>> &rows);
 
-  /// sweep.html: the range of the force, the figures of the points over the
+  /// sweep.html: the range of the force, the quantities of the points over the
   /// swept values, histories and the table.
   /// @param rows       of all points
   /// @param histories  of some points

@@ -1,5 +1,5 @@
-#ifndef plate_impact_transient_struck_plate_h
-#define plate_impact_transient_struck_plate_h
+#ifndef plate_impact_transient_plate_model_h
+#define plate_impact_transient_plate_model_h
 
 #include <deal.II/grid/tria.h>
 
@@ -20,14 +20,14 @@ namespace PlateImpact
   /// impactor does not change is made once, when it is first needed: matrices
   /// for the mesh, factorizations for the time step, reduced systems and
   /// discrete responses for the load.
-  class StruckPlate
+  class PlateModel
   {
   public:
     /// Numbers the unknowns.
     /// @param mesh  of the part of the plate that symmetry leaves
-    StruckPlate(const PlateParameters                    &plate,
-                const DiscretizationParameters           &discretization,
-                std::unique_ptr<dealii::Triangulation<2>> mesh);
+    PlateModel(const PlateParameters                    &plate,
+               const DiscretizationParameters           &discretization,
+               std::unique_ptr<dealii::Triangulation<2>> mesh);
 
     /// @param impact        with the plate and the discretization of this
     /// object

@@ -1,4 +1,4 @@
-#include "plate_impact/analysis/impact_figures.h"
+#include "plate_impact/analysis/impact_quantities.h"
 
 #include "plate_impact/contact/contact_area.h"
 #include "plate_impact/contact/impactor.h"
@@ -20,10 +20,10 @@ namespace PlateImpact
 
 
 
-  const std::vector<Figure> &
-  impact_figures()
+  const std::vector<ImpactQuantity> &
+  impact_quantities()
   {
-    static const std::vector<Figure> figures = {
+    static const std::vector<ImpactQuantity> quantities = {
       {"peak_force", "Peak force", "N"},
       {"time_of_peak_force", "Time of the peak force", "s"},
       {"first_contact_end", "End of the first contact", "s"},
@@ -44,17 +44,17 @@ namespace PlateImpact
        "Relative error in the energy norm eta, fraction",
        ""},
       {"peak_force_error_bar", "Error bar of the peak force, fraction", ""}};
-    return figures;
+    return quantities;
   }
 
 
 
   std::vector<std::optional<double>>
-  values_of_figures(const Impact                &impact,
-                    const Parameters            &parameters,
-                    const ExpectedPeak          &expected,
-                    const std::optional<double> &discretization_error,
-                    const std::optional<double> &peak_force_bar)
+  values_of_quantities(const Impact                &impact,
+                       const Parameters            &parameters,
+                       const ExpectedPeak          &expected,
+                       const std::optional<double> &discretization_error,
+                       const std::optional<double> &peak_force_bar)
   {
     const ContactHistory &history = impact.history;
     const ContactState &peak = history.peak(), &last = history.states().back();

@@ -1,5 +1,5 @@
-#ifndef plate_impact_analysis_impact_figures_h
-#define plate_impact_analysis_impact_figures_h
+#ifndef plate_impact_analysis_impact_quantities_h
+#define plate_impact_analysis_impact_quantities_h
 
 #include "plate_impact/base/parameters.h"
 #include "plate_impact/contact/zener.h"
@@ -12,7 +12,7 @@
 namespace PlateImpact
 {
   /// A quantity that an engineer reads from an impact.
-  struct Figure
+  struct ImpactQuantity
   {
     std::string name; ///< in sweep.csv
     std::string title;
@@ -26,10 +26,10 @@ namespace PlateImpact
   restitution(const ContactHistory &history);
 
 
-  /// The figures of an impact, in the order of the columns of sweep.csv. SI
+  /// The quantities of an impact, in the order of the columns of sweep.csv. SI
   /// units.
-  const std::vector<Figure> &
-  impact_figures();
+  const std::vector<ImpactQuantity> &
+  impact_quantities();
 
 
   /// Their values; empty where an impact has none: an end of the contact that
@@ -40,11 +40,11 @@ namespace PlateImpact
   /// @param discretization_error  eta, where it was estimated
   /// @param peak_force_bar        as PeakForceBar::total(), where there is one
   std::vector<std::optional<double>>
-  values_of_figures(const Impact                &impact,
-                    const Parameters            &parameters,
-                    const ExpectedPeak          &expected,
-                    const std::optional<double> &discretization_error,
-                    const std::optional<double> &peak_force_bar);
+  values_of_quantities(const Impact                &impact,
+                       const Parameters            &parameters,
+                       const ExpectedPeak          &expected,
+                       const std::optional<double> &discretization_error,
+                       const std::optional<double> &peak_force_bar);
 } // namespace PlateImpact
 
 #endif

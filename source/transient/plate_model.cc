@@ -1,4 +1,4 @@
-#include "plate_impact/transient/struck_plate.h"
+#include "plate_impact/transient/plate_model.h"
 
 #include "plate_impact/base/stage_clock.h"
 #include "plate_impact/contact/make_contact.h"
@@ -29,9 +29,9 @@ namespace PlateImpact
 
 
 
-  StruckPlate::StruckPlate(const PlateParameters          &plate,
-                           const DiscretizationParameters &discretization,
-                           std::unique_ptr<dealii::Triangulation<2>> part)
+  PlateModel::PlateModel(const PlateParameters          &plate,
+                         const DiscretizationParameters &discretization,
+                         std::unique_ptr<dealii::Triangulation<2>> part)
     : element(discretization.element)
     , mesh(std::move(part))
     , linear_solver(discretization.linear_solver)
@@ -41,7 +41,7 @@ namespace PlateImpact
 
 
   LoadedPlate
-  StruckPlate::under(const Parameters &impact, const bool needs_states)
+  PlateModel::under(const Parameters &impact, const bool needs_states)
   {
     TimeParameters time = impact.time;
     time.end_time       = std::max(time.end_time, time.end_of_vectors);
@@ -65,9 +65,9 @@ namespace PlateImpact
 
 
   std::shared_ptr<Load>
-  StruckPlate::make_load(const Parameters     &impact,
-                         const TimeParameters &time,
-                         const bool            needs_states)
+  PlateModel::make_load(const Parameters     &impact,
+                        const TimeParameters &time,
+                        const bool            needs_states)
   {
     assembled();
     StageClock               clock;
@@ -96,7 +96,7 @@ namespace PlateImpact
 
 
   std::vector<double>
-  StruckPlate::natural_frequencies(const unsigned int n)
+  PlateModel::natural_frequencies(const unsigned int n)
   {
     if (n == 0)
       return {};
@@ -106,7 +106,7 @@ namespace PlateImpact
 
 
   const std::shared_ptr<EffectiveStiffness> &
-  StruckPlate::assembled()
+  PlateModel::assembled()
   {
     if (matrices == nullptr)
       {
@@ -121,7 +121,7 @@ namespace PlateImpact
 
 
   void
-  StruckPlate::forget_loads()
+  PlateModel::forget_loads()
   {
     double numbers = 0.;
     for (const auto &[key, load] : loads)
@@ -136,8 +136,8 @@ namespace PlateImpact
 
 
 
-  StruckPlate::Work
-  StruckPlate::work() const
+  PlateModel::Work
+  PlateModel::work() const
   {
     Work work;
     work.loads            = n_loads;
