@@ -221,14 +221,6 @@ namespace PlateImpact
 
 
 
-  MeshAdaptation::MeshAdaptation(const AdaptivityParameters &adaptivity,
-                                 const double contact_half_length)
-    : adaptivity(adaptivity)
-    , contact_half_length(contact_half_length)
-  {}
-
-
-
   bool
   MeshAdaptation::adapt(Triangulation<2>         &mesh,
                         const ErrorRatios        &error,

@@ -130,14 +130,6 @@ namespace PlateImpact
 
 
 
-  StrategyComparison::StrategyComparison(const Scene    &scene,
-                                         const Progress &progress)
-    : scene(scene)
-    , progress(progress)
-  {}
-
-
-
   Parameters
   StrategyComparison::parameters_of(const ComparedStrategy &strategy,
                                     const ElementType       element) const
@@ -362,22 +354,19 @@ namespace PlateImpact
   StrategyComparison::thresholds() const
   {
     std::vector<ThresholdRow> rows;
+    const auto                add = [&](double ComparedMesh::*error,
+                         const double          threshold,
+                         const bool            is_comparable) {
+      rows.push_back({error, threshold, is_comparable, {}});
+      if (is_comparable)
+        rows.back().achievements = achievements(threshold, error);
+    };
     for (const double threshold : {0.05, 0.02, 0.01, 0.005, 0.003, 0.001})
-      {
-        ThresholdRow row = {&ComparedMesh::peak_force_error,
-                            threshold,
-                            threshold > the_reference.uncertainty,
-                            {}};
-        if (row.is_comparable)
-          row.achievements =
-            achievements(threshold, &ComparedMesh::peak_force_error);
-        rows.push_back(row);
-      }
+      add(&ComparedMesh::peak_force_error,
+          threshold,
+          threshold > the_reference.uncertainty);
     for (const double threshold : {0.1, 0.05, 0.02, 0.01})
-      rows.push_back({&ComparedMesh::eta,
-                      threshold,
-                      true,
-                      achievements(threshold, &ComparedMesh::eta)});
+      add(&ComparedMesh::eta, threshold, true);
     return rows;
   }
 

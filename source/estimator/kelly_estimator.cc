@@ -8,19 +8,10 @@
 #include "plate_impact/plate/plate_mesh.h"
 
 #include <cmath>
-#include <utility>
 
 namespace PlateImpact
 {
   using namespace dealii;
-
-  KellyEstimator::KellyEstimator(const PlateDiscretization      &discretization,
-                                 std::unique_ptr<ErrorEstimator> amount)
-    : discretization(discretization)
-    , amount(std::move(amount))
-    , shares(Eigen::VectorXd::Zero(discretization.mesh().n_active_cells()))
-  {}
-
 
 
   void

@@ -30,24 +30,28 @@ namespace PlateImpact
     unsigned int
     n_nodes_of(const int type)
     {
-      static const std::map<int, unsigned int> n_nodes = {{15, 1}, // point
-                                                          {line_type, 2},
-                                                          {quadrilateral_type,
-                                                           4}};
-      static const std::map<int, std::string>  names   = {
-           {2, "Triangle"},
-           {9, "Triangle of 6 nodes"},
-           {10, "Quadrilateral of 9 nodes"},
-           {16, "Quadrilateral of 8 nodes"}};
-      const auto found = n_nodes.find(type);
-      if (found != n_nodes.end())
-        return found->second;
-      const auto name = names.find(type);
-      refuse_file("holds elements of the type " + std::to_string(type) +
-                  (name != names.end() ? " (" + name->second + ")" : "") +
-                  "; expected quadrilaterals of four nodes alone (in Gmsh: "
-                  "Mesh.RecombineAll = 1, Mesh.SubdivisionAlgorithm = 1, "
-                  "Mesh.ElementOrder = 1)");
+      struct Type
+      {
+        std::string  name;
+        unsigned int n_nodes; ///< 0 of what is refused
+      };
+      static const std::map<int, Type> types = {
+        {15, {"Point", 1}},
+        {line_type, {"Line", 2}},
+        {quadrilateral_type, {"Quadrilateral", 4}},
+        {2, {"Triangle", 0}},
+        {9, {"Triangle of 6 nodes", 0}},
+        {10, {"Quadrilateral of 9 nodes", 0}},
+        {16, {"Quadrilateral of 8 nodes", 0}}};
+      const auto found = types.find(type);
+      if (found != types.end() && found->second.n_nodes > 0)
+        return found->second.n_nodes;
+      refuse_file(
+        "holds elements of the type " + std::to_string(type) +
+        (found != types.end() ? " (" + found->second.name + ")" : "") +
+        "; expected quadrilaterals of four nodes alone (in Gmsh: "
+        "Mesh.RecombineAll = 1, Mesh.SubdivisionAlgorithm = 1, "
+        "Mesh.ElementOrder = 1)");
     }
 
 

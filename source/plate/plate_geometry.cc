@@ -11,11 +11,6 @@ namespace PlateImpact
 {
   using namespace dealii;
 
-  PlateGeometry::PlateGeometry(const PlateParameters &plate)
-    : plate(plate)
-  {}
-
-
 
   bool
   PlateGeometry::is_symmetric(const unsigned int d) const

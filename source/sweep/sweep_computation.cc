@@ -7,7 +7,7 @@
 #include "plate_impact/base/text.h"
 #include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
-#include "plate_impact/transient/contact_end.h"
+#include "plate_impact/transient/plate_model.h"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -57,14 +57,6 @@ namespace PlateImpact
         }
     }
   } // namespace
-
-
-
-  SweepComputation::SweepComputation(SweepScene        &scene,
-                                     const SweepGroups &groups)
-    : scene(scene)
-    , groups(groups)
-  {}
 
 
 

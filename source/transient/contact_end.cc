@@ -1,8 +1,7 @@
-#include "plate_impact/transient/contact_end.h"
-
 #include "plate_impact/contact/impact_estimate.h"
 #include "plate_impact/contact/make_contact.h"
 #include "plate_impact/plate/plate_section.h"
+#include "plate_impact/transient/plate_model.h"
 
 #include <algorithm>
 #include <cmath>

@@ -27,15 +27,6 @@ namespace PlateImpact
 
 
 
-  EffectiveStiffness::EffectiveStiffness(
-    const PlateDiscretization &discretization,
-    const SolverType           solver)
-    : discretization(discretization)
-    , solver(make_linear_solver(solver))
-  {}
-
-
-
   void
   EffectiveStiffness::factorize(const double c)
   {

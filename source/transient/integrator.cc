@@ -4,13 +4,6 @@
 
 namespace PlateImpact
 {
-  Integrator::Integrator(const TimeParameters     &time,
-                         const ContactIntegration &integration)
-    : time(time)
-    , integration(integration)
-  {}
-
-
 
   Impact
   Integrator::impact(SemidiscreteSystem &system,

@@ -3,7 +3,7 @@
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/contact/make_contact.h"
-#include "plate_impact/transient/make_integrator.h"
+#include "plate_impact/transient/integrator.h"
 
 #include <algorithm>
 #include <cmath>

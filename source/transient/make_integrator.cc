@@ -1,6 +1,5 @@
-#include "plate_impact/transient/make_integrator.h"
-
 #include "plate_impact/base/entries.h"
+#include "plate_impact/transient/integrator.h"
 #include "plate_impact/transient/ritz_reduction.h"
 
 namespace PlateImpact

@@ -5,7 +5,7 @@
 #include "plate_impact/plate/layer_response.h"
 #include "plate_impact/plate/load_distribution.h"
 #include "plate_impact/plate/plate_mesh.h"
-#include "plate_impact/transient/make_integrator.h"
+#include "plate_impact/transient/integrator.h"
 #include "plate_impact/transient/natural_frequencies.h"
 
 #include <algorithm>

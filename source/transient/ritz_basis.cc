@@ -21,14 +21,6 @@ namespace PlateImpact
 
 
 
-  RitzBasis::RitzBasis(FullSystem &system, const double sigma)
-    : matrices(system.effective_stiffness())
-    , u(system.load())
-    , sigma(sigma)
-  {}
-
-
-
   void
   RitzBasis::grow(const unsigned int n_wanted)
   {

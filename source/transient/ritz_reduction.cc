@@ -213,17 +213,6 @@ namespace PlateImpact
 
 
 
-  RitzReduction::RitzReduction(FullSystem               &full,
-                               const TimeParameters     &time,
-                               const ContactIntegration &integration,
-                               const bool                needs_fields)
-    : Integrator(time, integration)
-    , full(full)
-    , needs_fields(needs_fields)
-  {}
-
-
-
   SemidiscreteSystem &
   RitzReduction::system_for(const Parameters &parameters)
   {

@@ -4,19 +4,6 @@
 
 namespace PlateImpact
 {
-  TimeStepper::TimeStepper(const NewmarkScheme      &scheme,
-                           SemidiscreteSystem       &plate,
-                           const Contact            &contact,
-                           const ContactIntegration &integration,
-                           const Impactor           &impactor)
-    : scheme(scheme)
-    , plate(plate)
-    , integration(integration)
-    , plate_stepper(scheme, plate)
-    , impactor_stepper(scheme, contact, integration, impactor)
-  {}
-
-
 
   void
   TimeStepper::advance(const unsigned int n_steps)

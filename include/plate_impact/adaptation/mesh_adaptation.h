@@ -51,7 +51,10 @@ namespace PlateImpact
     /// @param contact_half_length  l of a contact along 0 <= x <= l; 0 for a
     ///                             sphere [m]
     explicit MeshAdaptation(const AdaptivityParameters &adaptivity,
-                            double contact_half_length = 0.);
+                            double contact_half_length = 0.)
+      : adaptivity(adaptivity)
+      , contact_half_length(contact_half_length)
+    {}
 
     /// Changes the mesh.
     /// @param warnings  told what a user should know about the new mesh

@@ -5,7 +5,7 @@
 #include "plate_impact/contact/contact_history.h"
 #include "plate_impact/estimator/error_estimator.h"
 #include "plate_impact/estimator/peak_force_error.h"
-#include "plate_impact/plate/snapshot.h"
+#include "plate_impact/plate/plate_discretization.h"
 #include "plate_impact/transient/loaded_plate.h"
 
 #include <optional>

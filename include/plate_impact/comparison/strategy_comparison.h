@@ -134,7 +134,10 @@ namespace PlateImpact
 
     /// @param scene  must outlive the comparison
     explicit StrategyComparison(const Scene    &scene,
-                                const Progress &progress = {});
+                                const Progress &progress = {})
+      : scene(scene)
+      , progress(progress)
+    {}
 
     /// The given peak force, or that of a mesh far finer than any compared:
     /// MITC9 and hanging nodes down to a tenth of the target error, then every

@@ -29,7 +29,11 @@ namespace PlateImpact
     /// @param discretization  must outlive the estimator
     /// @param amount          says how large the error is
     KellyEstimator(const PlateDiscretization      &discretization,
-                   std::unique_ptr<ErrorEstimator> amount);
+                   std::unique_ptr<ErrorEstimator> amount)
+      : discretization(discretization)
+      , amount(std::move(amount))
+      , shares(Eigen::VectorXd::Zero(discretization.mesh().n_active_cells()))
+    {}
 
     void
     add_samples(const std::vector<double>               &times,

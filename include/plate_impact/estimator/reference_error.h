@@ -4,7 +4,6 @@
 #include <deal.II/base/point.h>
 
 #include "plate_impact/plate/plate_discretization.h"
-#include "plate_impact/plate/snapshot.h"
 
 #include <Eigen/Core>
 

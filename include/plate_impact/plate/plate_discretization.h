@@ -180,6 +180,14 @@ namespace PlateImpact
 
     std::unique_ptr<Epetra_CrsMatrix> K, M;
   };
+
+
+  /// State of the plate kept for output.
+  struct Snapshot
+  {
+    double          time; ///< [s]
+    Eigen::VectorXd unknowns;
+  };
 } // namespace PlateImpact
 
 #endif

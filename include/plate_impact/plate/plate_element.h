@@ -81,13 +81,6 @@ namespace PlateImpact
       return quadrature_points;
     }
 
-    /// The 2x2 superconvergent points, where stresses are sampled.
-    const dealii::Quadrature<2> &
-    sample_points() const
-    {
-      return samples;
-    }
-
     /// Adds the constraints that make this element of FE_Q(2).
     void
     add_internal_constraints(
@@ -114,7 +107,8 @@ namespace PlateImpact
     const AssumedShear             assumed_shear;
     const dealii::FE_Q<2>          scalar_element;
     const dealii::FESystem<2>      element;
-    const dealii::QGauss<2>        quadrature_points, samples;
+    const dealii::QGauss<2>        quadrature_points;
+    const dealii::QGauss<2>        samples; ///< 2x2, superconvergent
   };
 } // namespace PlateImpact
 

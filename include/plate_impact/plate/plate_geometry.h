@@ -32,7 +32,9 @@ namespace PlateImpact
     using CellNumbers = std::array<unsigned int, 2>; ///< along x and y
 
     /// @param plate  must outlive this object
-    explicit PlateGeometry(const PlateParameters &plate);
+    explicit PlateGeometry(const PlateParameters &plate)
+      : plate(plate)
+    {}
 
     virtual ~PlateGeometry() = default;
 

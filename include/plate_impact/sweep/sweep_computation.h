@@ -30,7 +30,10 @@ namespace PlateImpact
   {
   public:
     /// Both must outlive the computation.
-    SweepComputation(SweepScene &scene, const SweepGroups &groups);
+    SweepComputation(SweepScene &scene, const SweepGroups &groups)
+      : scene(scene)
+      , groups(groups)
+    {}
 
     /// Whatever goes wrong becomes the failure of the row.
     /// @param group  that the point belongs to

@@ -18,7 +18,10 @@ namespace PlateImpact
   public:
     /// @param discretization  assembled; must outlive this object
     EffectiveStiffness(const PlateDiscretization &discretization,
-                       SolverType                 solver);
+                       SolverType                 solver)
+      : discretization(discretization)
+      , solver(make_linear_solver(solver))
+    {}
 
     /// Does nothing when the last factorization was for the same c.
     void

@@ -8,6 +8,7 @@
 #include "plate_impact/transient/semidiscrete_system.h"
 
 #include <map>
+#include <memory>
 
 namespace PlateImpact
 {
@@ -20,7 +21,10 @@ namespace PlateImpact
   public:
     /// @param integration  must outlive the integrator
     Integrator(const TimeParameters     &time,
-               const ContactIntegration &integration);
+               const ContactIntegration &integration)
+      : time(time)
+      , integration(integration)
+    {}
 
     virtual ~Integrator() = default;
 
@@ -82,6 +86,16 @@ namespace PlateImpact
   private:
     FullSystem &full;
   };
+
+
+  /// The integrator that the scene names: `Newmark` or `Ritz vectors`. System
+  /// and integration must outlive it.
+  /// @param needs_fields  whether more than the force is to be right
+  std::unique_ptr<Integrator>
+  make_integrator(FullSystem               &full,
+                  const TimeParameters     &time,
+                  const ContactIntegration &integration,
+                  bool                      needs_fields);
 } // namespace PlateImpact
 
 #endif

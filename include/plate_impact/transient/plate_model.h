@@ -91,6 +91,18 @@ namespace PlateImpact
     unsigned int n_loads = 0, n_forgotten_vectors = 0;
     double       assembly_seconds = 0.;
   };
+
+
+  /// The scene with an end time: its own or, where that is 0, the end of the
+  /// first contact on this plate. It ends by the time that an impactor takes to
+  /// be thrown back by a massless plate and the contact, twice over; beyond it,
+  /// or 2^18 steps, nobody waits.
+  /// @param needs_states  as for under()
+  /// @throws ComputationError naming step and quantity
+  Parameters
+  until_contact_ends(PlateModel       &plate,
+                     const Parameters &impact,
+                     bool              needs_states);
 } // namespace PlateImpact
 
 #endif

@@ -26,7 +26,11 @@ namespace PlateImpact
     /// @param system  must outlive the basis
     /// @param sigma   1/s^2, above 0, so that plates that are free to move have
     ///               a basis too
-    RitzBasis(FullSystem &system, double sigma);
+    RitzBasis(FullSystem &system, double sigma)
+      : matrices(system.effective_stiffness())
+      , u(system.load())
+      , sigma(sigma)
+    {}
 
     /// Adds vectors, one solve each, until there are n or, when the space is
     /// exhausted, as many as there can be.

@@ -30,7 +30,11 @@ namespace PlateImpact
     RitzReduction(FullSystem               &full,
                   const TimeParameters     &time,
                   const ContactIntegration &integration,
-                  bool                      needs_fields);
+                  bool                      needs_fields)
+      : Integrator(time, integration)
+      , full(full)
+      , needs_fields(needs_fields)
+    {}
 
     /// The reduced system, or that of the mesh where it takes fewer solves.
     SemidiscreteSystem &

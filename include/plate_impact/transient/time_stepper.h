@@ -24,7 +24,13 @@ namespace PlateImpact
                 SemidiscreteSystem       &plate,
                 const Contact            &contact,
                 const ContactIntegration &integration,
-                const Impactor           &impactor);
+                const Impactor           &impactor)
+      : scheme(scheme)
+      , plate(plate)
+      , integration(integration)
+      , plate_stepper(scheme, plate)
+      , impactor_stepper(scheme, contact, integration, impactor)
+    {}
 
     /// Steps that it takes to the end time.
     unsigned int
