@@ -49,15 +49,15 @@ namespace PlateImpact
     void
     add_impact(ExpectationText   &text,
                const Parameters  &parameters,
-               const Expectation &known)
+               const Expectation &expected)
     {
-      const ContactState &peak = known.history.peak();
-      if (known.is_bound)
+      const ContactState &peak = expected.history.peak();
+      if (expected.is_bound)
         {
           text.line("peak force",
                     format("above {}, {}",
                            about(peak.force, "N"),
-                           known.source));
+                           expected.source));
           text.line("contact time", "cannot be said for this plate");
         }
       else
@@ -66,28 +66,29 @@ namespace PlateImpact
                     format("about {} at {}, {}",
                            about(peak.force, "N"),
                            about(peak.time, "s"),
-                           known.source));
+                           expected.source));
           text.line("contact time",
-                    (known.contact_end ? "about " : "more than ") +
-                      about(known.contact_end.value_or(known.until), "s"));
+                    (expected.contact_end ? "about " : "more than ") +
+                      about(expected.contact_end.value_or(expected.until),
+                            "s"));
           text.line(
             "indentation",
             format("about {}; deflection of the plate under the load {}",
                    about(peak.indentation, "m"),
-                   about(known.history.max_plate_displacement(), "m")));
+                   about(expected.history.max_plate_displacement(), "m")));
         }
       text.line("infinite plate",
                 format("{} at {}, by Zener's equation{}",
-                       about(known.zener.force, "N"),
-                       about(known.zener.time, "s"),
+                       about(expected.zener.force, "N"),
+                       about(expected.zener.time, "s"),
                        parameters.impactor.is_cylinder() ?
                          ", which strikes at a point" :
                          ""));
       text.line("half-space",
                 format("{} at {}, on a plate that does not move: the upper "
                        "bound of a single contact",
-                       about(known.rigid.force, "N"),
-                       about(known.rigid.time, "s")));
+                       about(expected.rigid.force, "N"),
+                       about(expected.rigid.time, "s")));
       if (parameters.contact.patch_radius > 0.)
         text.line("load",
                   word_for(parameters.contact.load_distribution) + " of " +
@@ -99,7 +100,7 @@ namespace PlateImpact
     void
     add_waves(ExpectationText   &text,
               const Parameters  &parameters,
-              const Expectation &known)
+              const Expectation &expected)
     {
       const PlateParameters &plate = parameters.plate;
       const double           speed = PlateSection(plate).fastest_wave();
@@ -108,12 +109,12 @@ namespace PlateImpact
                        about(2. * distance_to_edge(parameters) / speed, "s")));
 
       // the first are those that the warnings of a run speak of
-      const double      wavelength = known.wave.length;
+      const double      wavelength = expected.wave.length;
       const double      h          = initial_cell_size(parameters);
-      const std::string of_contact = known.contact_end ?
+      const std::string of_contact = expected.contact_end ?
         format(
           " and {} of the whole contact",
-          about(contact_wave(PlateSection(plate), *known.contact_end).length,
+          about(contact_wave(PlateSection(plate), *expected.contact_end).length,
                 "m")) :
         "";
       text.line("bending wavelength",
@@ -153,13 +154,13 @@ namespace PlateImpact
     void
     add_advice(ExpectationText   &text,
                const Parameters  &parameters,
-               const Expectation &known)
+               const Expectation &expected)
     {
-      if (known.is_bound)
+      if (expected.is_bound)
         return text.line("step, end time, cost",
                          "cannot be said for this plate");
       const TimeParameters &time = parameters.time;
-      const double          rise = known.history.peak().time;
+      const double          rise = expected.history.peak().time;
       text.line("Time/Time step",
                 format("at most {} s for 0.1 %, or 0; the scene's {} s is {} "
                        "steps to the peak",
@@ -168,21 +169,23 @@ namespace PlateImpact
                        about(rise / time.time_step)));
       text.line("Time/End time",
                 format("about {} s covers the {}; the scene's is {}",
-                       about(known.contact_end ? 1.1 * *known.contact_end :
-                                                 2. * rise),
-                       known.contact_end ? "first contact" : "peak",
+                       about(expected.contact_end ?
+                               1.1 * *expected.contact_end :
+                               2. * rise),
+                       expected.contact_end ? "first contact" : "peak",
                        time.end_time > 0. ? about(time.end_time) + " s" :
                                             "the end of the first contact"));
       if (parameters.contact.load_is_singular())
         text.line("Contact",
                   "under a point load the peak force has no limit under "
                   "refinement; choose Hertz disc");
-      const double cells = known.cells(parameters);
+      const double cells = expected.cells(parameters);
       text.line("cost",
                 format("of the order of {} cells, {} unknowns, {} steps a mesh",
                        roughly(cells),
                        roughly(12. * cells),
-                       roughly(known.end_time(parameters) / time.time_step)));
+                       roughly(expected.end_time(parameters) /
+                               time.time_step)));
     }
 
 
@@ -251,15 +254,15 @@ namespace PlateImpact
     ExpectationText   text{scene.name + " is a valid scene.\n"};
     if (parameters.has_impactor())
       {
-        const Expectation known(parameters);
+        const Expectation expected(parameters);
         text.text += "\nExpected\n";
-        add_impact(text, parameters, known);
-        add_waves(text, parameters, known);
+        add_impact(text, parameters, expected);
+        add_waves(text, parameters, expected);
         add_frequencies(text, parameters);
         text.text += "\nAdvice\n";
-        add_advice(text, parameters, known);
+        add_advice(text, parameters, expected);
         add_sweep(text, scene.given);
-        for (const std::string &warning : known.warnings)
+        for (const std::string &warning : expected.warnings)
           text.text += "  warning: " + in_ascii(warning) + '\n';
       }
     else

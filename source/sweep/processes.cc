@@ -10,6 +10,7 @@
 #include <boost/serialization/vector.hpp>
 
 #include <cstdlib>
+#include <optional>
 
 // sent as its numbers, in one piece
 BOOST_IS_BITWISE_SERIALIZABLE(PlateImpact::ContactState)
@@ -74,6 +75,34 @@ namespace PlateImpact
       bool                      is_work = false;
       SweepWork                 work;
     };
+
+
+
+    /// What another process has sent.
+    /// @param wait  for something
+    std::optional<Message>
+    received(const bool wait)
+    {
+      int        has_come = 1;
+      MPI_Status status;
+      if (wait)
+        MPI_Probe(MPI_ANY_SOURCE, 0, MPI_COMM_WORLD, &status);
+      else
+        MPI_Iprobe(MPI_ANY_SOURCE, 0, MPI_COMM_WORLD, &has_come, &status);
+      if (!has_come)
+        return {};
+      int n_bytes;
+      MPI_Get_count(&status, MPI_CHAR, &n_bytes);
+      std::vector<char> bytes(n_bytes);
+      MPI_Recv(bytes.data(),
+               n_bytes,
+               MPI_CHAR,
+               status.MPI_SOURCE,
+               0,
+               MPI_COMM_WORLD,
+               MPI_STATUS_IGNORE);
+      return Utilities::unpack<Message>(bytes, false);
+    }
   } // namespace
 
 
@@ -175,49 +204,6 @@ namespace PlateImpact
 
 
 
-  std::vector<std::vector<char>>
-  Processes::receive(bool wait)
-  {
-    std::vector<std::vector<char>> messages;
-    while (connection && n_ended + 1 < size())
-      {
-        int        has_come = 1;
-        MPI_Status status;
-        if (wait)
-          MPI_Probe(MPI_ANY_SOURCE, 0, MPI_COMM_WORLD, &status);
-        else
-          MPI_Iprobe(MPI_ANY_SOURCE, 0, MPI_COMM_WORLD, &has_come, &status);
-        if (!has_come)
-          break;
-        wait = false;
-        int n_bytes;
-        MPI_Get_count(&status, MPI_CHAR, &n_bytes);
-        std::vector<char> bytes(n_bytes);
-        MPI_Recv(bytes.data(),
-                 n_bytes,
-                 MPI_CHAR,
-                 status.MPI_SOURCE,
-                 0,
-                 MPI_COMM_WORLD,
-                 MPI_STATUS_IGNORE);
-        if (bytes.empty())
-          ++n_ended;
-        else
-          messages.push_back(std::move(bytes));
-      }
-    return messages;
-  }
-
-
-
-  bool
-  Processes::all_ended() const
-  {
-    return n_ended + 1 >= size();
-  }
-
-
-
   SweepWork
   Processes::compute(const std::vector<SweepGroups::Task> &tasks,
                      SweepComputation                     &computation,
@@ -233,13 +219,23 @@ namespace PlateImpact
       all.plates += work.plates;
       all.loads += work.loads;
     };
-    const auto take_others = [&](const bool wait) {
-      for (const std::vector<char> &bytes : receive(wait))
-        if (const auto message = Utilities::unpack<Message>(bytes, false);
-            message.is_work)
-          add_work(message.work);
-        else
-          take(message.computed());
+    unsigned int n_others =
+      is_first() ? size() - 1 : 0; // that have not sent their work
+    const auto take_others = [&](bool wait, const auto &take) {
+      while (n_others > 0)
+        {
+          const std::optional<Message> message = received(wait);
+          if (!message)
+            return;
+          wait = false;
+          if (!message->is_work)
+            {
+              take(message->computed());
+              continue;
+            }
+          --n_others;
+          add_work(message->work);
+        }
     };
     try
       {
@@ -252,26 +248,23 @@ namespace PlateImpact
                 {
                   take(point);
                   throw_if_interrupted();
-                  take_others(/*wait=*/false);
+                  take_others(/*wait=*/false, take);
                 }
               else
                 send(Utilities::pack(Message(point), false));
             }
         if (!is_first())
-          {
-            send(Utilities::pack(Message(computation.work()), false));
-            send({});
-          }
-        while (is_first() && !all_ended())
-          take_others(/*wait=*/true);
+          send(Utilities::pack(Message(computation.work()), false));
+        while (n_others > 0)
+          take_others(/*wait=*/true, take);
       }
     catch (const ComputationError &)
       {
         // nothing can be written: nothing more is computed
         while (next_task() < tasks.size())
           ;
-        while (!all_ended())
-          receive(/*wait=*/true);
+        while (n_others > 0)
+          take_others(/*wait=*/true, [](const ComputedPoint &) {});
         throw;
       }
     add_work(computation.work());

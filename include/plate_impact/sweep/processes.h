@@ -53,17 +53,9 @@ namespace PlateImpact
     /// The next number of 0, 1, 2, ... that no process has been given.
     std::size_t
     next_task();
-    /// What has come from the others since the last call; on the first process.
-    /// @param wait  for something, as long as some have not sent their end
-    std::vector<std::vector<char>>
-    receive(bool wait);
-    /// Whether all others have sent their end.
-    bool
-    all_ended() const;
 
     std::unique_ptr<Connection> connection;  ///< null: this process is alone
     std::size_t                 counter = 0; ///< of a process that is alone
-    unsigned int                n_ended = 0;
   };
 } // namespace PlateImpact
 
