@@ -4,7 +4,6 @@
 #include "plate_impact/base/text.h"
 #include "plate_impact/command/expectation.h"
 #include "plate_impact/plate/plate_geometry.h"
-#include "plate_impact/plate/plate_section.h"
 #include "plate_impact/scene/scene_reader.h"
 #include "plate_impact/scene/sweep_plan.h"
 #include "plate_impact/sweep/sweep_groups.h"
@@ -79,16 +78,19 @@ namespace PlateImpact
         }
       text.line("infinite plate",
                 format("{} at {}, by Zener's equation{}",
-                       about(known.zener.force, "N"),
-                       about(known.zener.time, "s"),
+                       about(known.zener.peak.force, "N"),
+                       about(known.zener.peak.time, "s"),
                        parameters.impactor.is_cylinder() ?
                          ", which strikes at a point" :
                          ""));
+      const ExpectedPeak rigid = known.zener.peak_on_rigid_plate();
       text.line("half-space",
                 format("{} at {}, on a plate that does not move: the upper "
                        "bound of a single contact",
-                       about(known.rigid.force, "N"),
-                       about(known.rigid.time, "s")));
+                       about(rigid.force, "N"),
+                       about(rigid.time, "s")));
+      if (!known.contact.empty())
+        text.line("contact", known.contact);
       if (parameters.contact.patch_radius > 0.)
         text.line("load",
                   word_for(parameters.contact.load_distribution) + " of " +
@@ -102,20 +104,17 @@ namespace PlateImpact
               const Parameters  &parameters,
               const Expectation &known)
     {
-      const PlateParameters &plate = parameters.plate;
-      const double           speed = PlateSection(plate).fastest_wave();
+      const double speed = known.zener.section.fastest_wave();
       text.line("first reflection",
                 format("back at {}; before, the supports do not matter",
                        about(2. * distance_to_edge(parameters) / speed, "s")));
 
       // the first are those that the warnings of a run speak of
-      const double      wavelength = known.wave.length;
+      const double      wavelength = known.zener.wave().length;
       const double      h          = initial_cell_size(parameters);
       const std::string of_contact = known.contact_end ?
-        format(
-          " and {} of the whole contact",
-          about(contact_wave(PlateSection(plate), *known.contact_end).length,
-                "m")) :
+        format(" and {} of the whole contact",
+               about(known.zener.wave_of(*known.contact_end).length, "m")) :
         "";
       text.line("bending wavelength",
                 format("{} as the force rises{}; initial cells of {}{}",

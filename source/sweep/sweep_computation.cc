@@ -1,7 +1,7 @@
 #include "plate_impact/sweep/sweep_computation.h"
 
 #include "plate_impact/analysis/impact_analysis.h"
-#include "plate_impact/analysis/impact_figures.h"
+#include "plate_impact/analysis/impact_quantities.h"
 #include "plate_impact/analysis/warnings.h"
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/text.h"
@@ -86,14 +86,16 @@ namespace PlateImpact
     std::optional<ContactHistory> history;
     row.point   = point;
     row.failure = failure_of([&] {
-      const SweepPoint valid    = scene.point(point);
-      Computed         computed = compute(group, valid);
-      for (const auto &value : values_of_figures(computed.impact,
-                                                 valid.parameters,
-                                                 valid.expected,
-                                                 computed.discretization_error,
-                                                 computed.peak_force_bar))
-        row.figures.push_back(value.value_or(std::nan("")));
+      const SweepPoint     valid    = scene.point(point);
+      Computed             computed = compute(group, valid);
+      const ComputedImpact impact{valid.parameters,
+                                  valid.expected,
+                                  computed.impact.history,
+                                  computed.impact.impulse,
+                                  computed.discretization_error,
+                                  computed.peak_force_bar};
+      for (const ImpactQuantity &quantity : impact_quantities())
+        row.figures.push_back(quantity.value(impact).value_or(std::nan("")));
       row.warnings = std::move(computed.warnings);
       if (valid.parameters.sweep.write_histories)
         history = std::move(computed.impact.history);
@@ -161,12 +163,11 @@ namespace PlateImpact
     result.history       = computed.impact.history;
     result.sensitivity   = plate.sensitivity(*result.history);
     result.min_cell_size = min_cell_size;
-    const ImpactEstimate expected(parameters, point.expected);
     // an adapted mesh was judged with the worst point
     computed.warnings =
       (parameters.adaptivity.is_adaptive() ?
-         impact_warnings(parameters, result, expected) :
-         reliability_warnings(parameters, mesh, result, expected))
+         impact_warnings(parameters, result, point.expected) :
+         reliability_warnings(parameters, mesh, result, point.expected))
         .all();
     computed.warnings.insert(computed.warnings.end(),
                              mesh_warnings.begin(),
@@ -214,7 +215,8 @@ namespace PlateImpact
   {
     std::optional<SweepPoint> worst;
     const auto                severity = [](const SweepPoint &point) {
-      return std::make_tuple(-point.expected.time, point.expected.force);
+      return std::make_tuple(-point.expected.peak.time,
+                             point.expected.peak.force);
     };
     for (const std::size_t index : groups.groups()[group])
       try

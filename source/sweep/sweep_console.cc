@@ -1,6 +1,6 @@
 #include "plate_impact/sweep/sweep_console.h"
 
-#include "plate_impact/analysis/impact_figures.h"
+#include "plate_impact/analysis/impact_quantities.h"
 #include "plate_impact/base/text.h"
 
 #include <algorithm>
@@ -15,7 +15,8 @@ namespace PlateImpact
     /// Sweeps up to this size have a line for every point.
     constexpr std::size_t most_lines = 40;
 
-    /// A figure in a line: its name in impact_figures(), and how it is shown.
+    /// A figure in a line: its name in impact_quantities(), and how it is
+    /// shown.
     struct Column
     {
       const char *figure, *title, *format;
@@ -96,8 +97,8 @@ namespace PlateImpact
       text += "  " + row.failure;
     else
       for (const Column &shown : columns)
-        for (std::size_t i = 0; i < impact_figures().size(); ++i)
-          if (impact_figures()[i].name == shown.figure)
+        for (std::size_t i = 0; i < impact_quantities().size(); ++i)
+          if (impact_quantities()[i].name == shown.figure)
             text += column(14,
                            shown.format,
                            std::isnan(row.figures[i]) ?

@@ -1,6 +1,6 @@
 #include "plate_impact/sweep/sweep_page.h"
 
-#include "plate_impact/analysis/impact_figures.h"
+#include "plate_impact/analysis/impact_quantities.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/base/version.h"
 #include "plate_impact/output/report.h"
@@ -31,12 +31,12 @@ namespace PlateImpact
     {
       const std::size_t n = std::clamp<std::size_t>(most_numbers / rows.size(),
                                                     1,
-                                                    impact_figures().size());
+                                                    impact_quantities().size());
       Json              figures = Json::array();
       for (std::size_t i = 0; i < n; ++i)
         {
-          const Figure       &figure = impact_figures()[i];
-          std::vector<double> values;
+          const ImpactQuantity &figure = impact_quantities()[i];
+          std::vector<double>   values;
           for (const auto &row : rows)
             values.push_back(row->failure.empty() ? row->figures[i] :
                                                     std::nan(""));

@@ -2,7 +2,7 @@
 
 #include <deal.II/base/utilities.h>
 
-#include "plate_impact/analysis/impact_figures.h"
+#include "plate_impact/analysis/impact_quantities.h"
 #include "plate_impact/base/entries.h"
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/text.h"
@@ -115,8 +115,8 @@ namespace PlateImpact
     std::vector<std::string> names;
     for (const SweptEntry &entry : plan.entries())
       names.push_back(entry.path);
-    for (const Figure &figure : impact_figures())
-      names.push_back(figure.name);
+    for (const ImpactQuantity &quantity : impact_quantities())
+      names.push_back(quantity.name);
     return joined(names) + "warnings,status";
   }
 
@@ -126,7 +126,7 @@ namespace PlateImpact
   SweepTable::line(const SweepRow &row) const
   {
     std::string text = joined(plan.values(row.point));
-    for (std::size_t i = 0; i < impact_figures().size(); ++i)
+    for (std::size_t i = 0; i < impact_quantities().size(); ++i)
       {
         if (row.failure.empty() && !std::isnan(row.figures[i]))
           text += shortest(row.figures[i]);
@@ -151,7 +151,7 @@ namespace PlateImpact
     std::ifstream     in(directory / file_name);
     std::string       text;
     const std::size_t n_values  = plan.entries().size(),
-                      n_figures = impact_figures().size();
+                      n_figures = impact_quantities().size();
     // a line without its end was being written when the sweep was interrupted
     if (!std::getline(in, text) || text != header())
       return;

@@ -94,7 +94,7 @@ namespace PlateImpact
     const Parameters                            parameters;
     const Wanted                                wanted;
     const std::unique_ptr<const MeshAdaptation> adaptation;
-    const std::optional<ImpactEstimate>         expected; ///< of an impactor
+    const std::optional<ZenerImpact>            expected; ///< of an impactor
     const std::optional<TimeControl>            time_control;
 
     std::unique_ptr<dealii::Triangulation<2>> mesh; ///< the next one

@@ -80,6 +80,10 @@ namespace PlateImpact
   std::string
   with_error(double value, double error, const std::string &unit);
 
+  /// The same of the error alone, which is above 0: "5 N".
+  std::string
+  error_in_words(double error, const std::string &unit);
+
   /// A title of an axis or a column, with the unit where there is one: "Peak
   /// force [N]".
   inline std::string
