@@ -5,10 +5,7 @@
 #include "plate_impact/base/interrupt.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/base/version.h"
-#include "plate_impact/command/check.h"
-#include "plate_impact/command/compare.h"
-#include "plate_impact/command/run.h"
-#include "plate_impact/command/sweep.h"
+#include "plate_impact/command/commands.h"
 #include "plate_impact/output/console.h"
 #include "plate_impact/scene/scene.h"
 

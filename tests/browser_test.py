@@ -176,9 +176,9 @@ for (const map of maps) {
 }
 
 for (const grid of new Set(maps.map((map) => map.closest('.grid')))) {
-  const figure = data.figures.find(({ title }) => title === grid.previousSibling.textContent);
-  expect(grid.querySelectorAll('rect').length === figure.values.filter((value) => value !== null).length,
-    figure.title + ': cells missing');
+  const quantity = data.quantities.find(({ title }) => title === grid.previousSibling.textContent);
+  expect(grid.querySelectorAll('rect').length === quantity.values.filter((value) => value !== null).length,
+    quantity.title + ': cells missing');
 }
 
 const words = document.getElementById('content').textContent.replace(/\s+/g, ' ');

@@ -1,7 +1,7 @@
 // Plates struck off their centre: what symmetry leaves is meshed.
 #include "plate_impact/plate/load_distribution.h"
 #include "plate_impact/plate/plate_geometry.h"
-#include "plate_impact/transient/struck_plate.h"
+#include "plate_impact/transient/plate_model.h"
 #include "program_fixture.h"
 #include "test_plate.h"
 
@@ -271,11 +271,9 @@ namespace PlateImpact
           plate.outline.shape   = PlateOutline::circle;
           plate.side_lengths    = {{2., 2.}};
           plate.poissons_ratio  = 0.3;
-          StruckPlate         struck(plate,
-                             {ElementType::MITC9,
-                                      {{8, 8}},
-                                      SolverType::CHOLMOD},
-                             make_plate_mesh(plate, {{8, 8}}));
+          PlateModel          struck(plate,
+                            {ElementType::MITC9, {{8, 8}}, SolverType::CHOLMOD},
+                            make_plate_mesh(plate, {{8, 8}}));
           const PlateSection &section = struck.discretization().section();
           const double        unit =
             std::sqrt(section.bending_stiffness(0, 0) / section.mass_per_area) /

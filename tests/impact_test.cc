@@ -6,7 +6,7 @@
 #include "plate_impact/analysis/impact_analysis.h"
 #include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/scene/scene.h"
-#include "plate_impact/transient/struck_plate.h"
+#include "plate_impact/transient/plate_model.h"
 #include "test_plate.h"
 
 #include <gtest/gtest.h>
@@ -212,7 +212,7 @@ namespace PlateImpact
     TEST(Impact, LoadsOfAPlateNeedNoOrder)
     {
       const auto plate_for = [](const Parameters &parameters) {
-        return StruckPlate(
+        return PlateModel(
           parameters.plate,
           parameters.discretization,
           make_plate_mesh(parameters.plate,
@@ -228,13 +228,13 @@ namespace PlateImpact
           overrides.push_back(different);
           impacts.push_back(parameters_with(overrides));
         }
-      StruckPlate shared = plate_for(impacts[0]);
+      PlateModel shared = plate_for(impacts[0]);
       std::vector<std::unique_ptr<const LoadedPlate>> loaded;
       for (const Parameters &impact : impacts)
         loaded.emplace_back(new LoadedPlate(shared.under(impact, true)));
       for (std::size_t i = impacts.size(); i-- > 0;)
         {
-          StruckPlate own = plate_for(impacts[i]);
+          PlateModel own = plate_for(impacts[i]);
           EXPECT_EQ(loaded[i]->strike().history.peak().force,
                     own.under(impacts[i], true).strike().history.peak().force);
         }
@@ -247,7 +247,7 @@ namespace PlateImpact
       std::vector<std::string> overrides = coarse_steps;
       overrides.push_back("Time/Integrator=Newmark");
       const Parameters parameters = parameters_with(overrides);
-      StruckPlate      plate(
+      PlateModel       plate(
         parameters.plate,
         parameters.discretization,
         make_plate_mesh(parameters.plate,

@@ -52,9 +52,8 @@ namespace PlateImpact
           const double                contact_half_length = 0.)
     {
       std::vector<std::string> warnings;
-      const bool               is_changed =
-        make_mesh_adaptation(parameters, contact_half_length)
-          ->adapt(mesh, error, warnings);
+      const bool is_changed = MeshAdaptation(parameters, contact_half_length)
+                                .adapt(mesh, error, warnings);
       EXPECT_TRUE(warnings.empty()) << warnings.front();
       return is_changed;
     }
@@ -329,9 +328,9 @@ namespace PlateImpact
            {AdaptationStrategy::uniform,
             AdaptationStrategy::none,
             AdaptationStrategy::fixed_number})
-        EXPECT_EQ(make_mesh_adaptation(adaptivity(strategy), 0.)
-                    ->n_wanted_cells(*mesh, {}),
-                  9.);
+        EXPECT_EQ(
+          MeshAdaptation(adaptivity(strategy)).n_wanted_cells(*mesh, {}),
+          9.);
     }
   } // namespace
 } // namespace PlateImpact

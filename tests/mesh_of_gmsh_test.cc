@@ -1,6 +1,6 @@
 // Files of Gmsh in several versions of the format, damaged, and what lies
 // beside them.
-#include "plate_impact/adaptation/gmsh_session.h"
+#include "plate_impact/adaptation/quad_mesher.h"
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/plate/plate_file.h"
 #include "plate_impact/plate/plate_geometry.h"

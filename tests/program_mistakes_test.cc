@@ -198,5 +198,18 @@ namespace PlateImpact
       EXPECT_EQ(summary()["outcome"].get<std::string>().substr(0, 6), "failed");
       EXPECT_TRUE(fs::exists(results() / "scene.prm"));
     }
+
+
+
+    TEST_F(Program, ManyAndLongMistakesFitOnAScreen)
+    {
+      std::ofstream scene(directory / "bad.prm");
+      for (unsigned int n = 0; n < 1000; ++n)
+        scene << "junk " << std::string(5000, 'x') << '\n';
+      scene.close();
+      EXPECT_EQ(execute("check '" + (directory / "bad.prm").string() + "'"), 1);
+      EXPECT_NE(err.find("and 980 more mistakes"), std::string::npos);
+      EXPECT_LT(err.size(), 20000u);
+    }
   } // namespace
 } // namespace PlateImpact

@@ -2,7 +2,7 @@
 // order (tests/reference).
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/transient/natural_frequencies.h"
-#include "plate_impact/transient/struck_plate.h"
+#include "plate_impact/transient/plate_model.h"
 #include "test_plate.h"
 
 #include <Eigen/Eigenvalues>
@@ -113,9 +113,9 @@ namespace PlateImpact
                        const unsigned int     n_cells,
                        const unsigned int     n)
     {
-      StruckPlate  struck(plate,
-                         {element, {{n_cells, n_cells}}, SolverType::CHOLMOD},
-                         make_plate_mesh(plate, {{n_cells, n_cells}}));
+      PlateModel   struck(plate,
+                        {element, {{n_cells, n_cells}}, SolverType::CHOLMOD},
+                        make_plate_mesh(plate, {{n_cells, n_cells}}));
       const double D =
         struck.discretization().section().bending_stiffness(0, 0);
       std::vector<double> result;
@@ -229,11 +229,9 @@ namespace PlateImpact
         {
           PlateParameters plate = unit_plate(EdgeSupport::free, 0.05);
           plate.side_lengths    = {{0.2, length}};
-          StruckPlate  struck(plate,
-                             {ElementType::MITC9,
-                               {{8, 8}},
-                               SolverType::CHOLMOD},
-                             make_plate_mesh(plate, {{8, 8}}));
+          PlateModel   struck(plate,
+                            {ElementType::MITC9, {{8, 8}}, SolverType::CHOLMOD},
+                            make_plate_mesh(plate, {{8, 8}}));
           const double beam = std::pow(4.730 / length, 2) *
             std::sqrt(plate.youngs_modulus / plate.density / 12.) *
             plate.thickness / (2. * numbers::PI);

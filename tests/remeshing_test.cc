@@ -1,7 +1,7 @@
 #include <deal.II/grid/grid_tools.h>
 
+#include "plate_impact/adaptation/mesh_adaptation.h"
 #include "plate_impact/adaptation/quad_mesher.h"
-#include "plate_impact/adaptation/remeshing.h"
 #include "plate_impact/base/exceptions.h"
 #include "test_plate.h"
 
@@ -212,9 +212,9 @@ namespace PlateImpact
 
 
     bool
-    remesh_with(const Remeshing  &remeshing,
-                Triangulation<2> &mesh,
-                const double      fine)
+    remesh_with(const MeshAdaptation &remeshing,
+                Triangulation<2>     &mesh,
+                const double          fine)
     {
       std::vector<std::string> warnings;
       const bool               is_changed =
@@ -237,8 +237,8 @@ namespace PlateImpact
 
     TEST(Remeshing, KeepsTheDomainItsSidesAndTheEndsOfTheContact)
     {
-      const auto      mesh = quadrant();
-      const Remeshing remeshing(adaptivity(), half_length);
+      const auto           mesh = quadrant();
+      const MeshAdaptation remeshing(adaptivity(), half_length);
       for (const double fine : {0.002, 0.004, 0.01, 0.002})
         {
           ASSERT_TRUE(remesh_with(remeshing, *mesh, fine));
@@ -278,8 +278,8 @@ namespace PlateImpact
 
     TEST(Remeshing, FollowsTheTargetSizesWithinTheirLimits)
     {
-      const auto      mesh = quadrant();
-      const Remeshing remeshing(adaptivity(), 0.);
+      const auto           mesh = quadrant();
+      const MeshAdaptation remeshing(adaptivity());
       for (unsigned int cycle = 0; cycle < 3; ++cycle)
         remesh_with(remeshing, *mesh, 1e-4); // below the minimum
       double smallest = 1., largest = 0.;
@@ -302,9 +302,9 @@ namespace PlateImpact
     TEST(Remeshing, KnowsHowManyCellsItWillMake)
     {
       // every cell to be half as long, as its error has it
-      const auto      mesh = quadrant();
-      const Remeshing remeshing(adaptivity(), 0.);
-      ErrorRatios     error;
+      const auto           mesh = quadrant();
+      const MeshAdaptation remeshing(adaptivity());
+      ErrorRatios          error;
       error.overall = 4.;
       error.elements.assign(mesh->n_active_cells(), 4.);
       const double expected = remeshing.n_wanted_cells(*mesh, error);
@@ -334,9 +334,9 @@ namespace PlateImpact
 
     TEST(Remeshing, KeepsAMeshThatMeetsItsTarget)
     {
-      const auto      mesh = quadrant();
-      const Remeshing remeshing(adaptivity(), 0.);
-      unsigned int    n_meshes = 0;
+      const auto           mesh = quadrant();
+      const MeshAdaptation remeshing(adaptivity());
+      unsigned int         n_meshes = 0;
       for (bool is_changed = true; is_changed && n_meshes < 10; ++n_meshes)
         {
           ErrorRatios error = errors(*mesh, 0.004);
@@ -351,8 +351,8 @@ namespace PlateImpact
 
     TEST(Remeshing, CellsGrowToTheLargestSizeWhereThereIsNoError)
     {
-      const auto      mesh = quadrant();
-      const Remeshing remeshing(adaptivity(), 0.);
+      const auto           mesh = quadrant();
+      const MeshAdaptation remeshing(adaptivity());
       remesh_with(remeshing, *mesh, 0.01);
       ErrorRatios error;
       error.elements.assign(mesh->n_active_cells(), 1e-4);

@@ -28,17 +28,17 @@ namespace PlateImpact
                              "set Values 2 = 0.1:0.5:5, 7\nend\n";
       SweepScene scene(path.string(), {}, {});
       fs::remove(path);
-      ASSERT_EQ(scene.plan().n_points(), 12u);
+      ASSERT_EQ(scene.plan.n_points, 12u);
       using Values = std::vector<std::string>;
-      EXPECT_EQ(scene.plan().values(0), (Values{"0.2, 0.2", "0.1"}));
-      EXPECT_EQ(scene.plan().values(2), (Values{"0.2, 0.2", "0.3"}));
-      EXPECT_EQ(scene.plan().values(11), (Values{"0.3, 0.2", "7"}));
+      EXPECT_EQ(scene.plan.values(0), (Values{"0.2, 0.2", "0.1"}));
+      EXPECT_EQ(scene.plan.values(2), (Values{"0.2, 0.2", "0.3"}));
+      EXPECT_EQ(scene.plan.values(11), (Values{"0.3, 0.2", "7"}));
       EXPECT_EQ(scene.point(11).parameters.impactor.velocity, 7.);
       EXPECT_EQ(scene.point(11).parameters.plate.side_lengths[0], 0.3);
 
-      const SweepGroups groups(scene.plan(), /*is_adaptive=*/false);
-      ASSERT_EQ(groups.groups().size(), 2u);
-      EXPECT_EQ(groups.groups()[1],
+      const SweepGroups groups(scene.plan, /*is_adaptive=*/false);
+      ASSERT_EQ(groups.groups.size(), 2u);
+      EXPECT_EQ(groups.groups[1],
                 (std::vector<std::size_t>{6, 7, 8, 9, 10, 11}));
     }
 
@@ -53,7 +53,7 @@ namespace PlateImpact
       SweepScene scene(path.string(), {}, {});
       for (const unsigned int point : {0, 2, 3})
         {
-          const std::string radius = scene.plan().values(point).front();
+          const std::string radius = scene.plan.values(point).front();
           const Scene       expected =
             read_scene(path.string(), {"Impactor/Radius=" + radius});
           const Parameters p = scene.point(point).parameters,

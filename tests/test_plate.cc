@@ -96,7 +96,7 @@ namespace PlateImpact
       error.elements.push_back(cell_size(cell) /
                                (fine + growth * cell->center().norm()));
     std::vector<std::string> warnings;
-    make_mesh_adaptation(adaptivity)->adapt(mesh, error, warnings);
+    MeshAdaptation(adaptivity).adapt(mesh, error, warnings);
     EXPECT_TRUE(warnings.empty()) << warnings.front();
   }
 

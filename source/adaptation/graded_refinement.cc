@@ -1,5 +1,4 @@
-#include "plate_impact/adaptation/graded_refinement.h"
-
+#include "plate_impact/adaptation/mesh_adaptation.h"
 #include "plate_impact/plate/plate_mesh.h"
 
 #include <algorithm>
@@ -63,9 +62,11 @@ namespace PlateImpact
 
 
   bool
-  GradedRefinement::adapt(Triangulation<2> &mesh,
-                          const ErrorRatios &,
-                          std::vector<std::string> &) const
+  refine_graded(Triangulation<2> &mesh,
+                const ErrorRatios &,
+                const AdaptivityParameters &adaptivity,
+                const double                contact_half_length,
+                std::vector<std::string> &)
   {
     // below that, cells far from the contact are at the minimum size as well
     const double smallest_theta = adaptivity.minimum_cell_size /

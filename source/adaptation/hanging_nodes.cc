@@ -1,5 +1,4 @@
-#include "plate_impact/adaptation/hanging_nodes.h"
-
+#include "plate_impact/adaptation/mesh_adaptation.h"
 #include "plate_impact/plate/plate_mesh.h"
 
 #include <algorithm>
@@ -111,12 +110,14 @@ namespace PlateImpact
 
 
   bool
-  HangingNodeAdaptation::adapt(Triangulation<2>  &mesh,
-                               const ErrorRatios &error,
-                               std::vector<std::string> &) const
+  adapt_by_hanging_nodes(Triangulation<2>           &mesh,
+                         const ErrorRatios          &error,
+                         const AdaptivityParameters &adaptivity,
+                         const double,
+                         std::vector<std::string> &)
   {
     const std::vector<CellId> before = sorted_cells(mesh);
-    const std::vector<double> sizes  = wanted_sizes(mesh, error);
+    const std::vector<double> sizes  = target_sizes(mesh, error, adaptivity);
     mesh.clear_user_data();
     for (const auto &cell : mesh.active_cell_iterators())
       set_level(cell,
@@ -131,14 +132,5 @@ namespace PlateImpact
     for (unsigned int pass = 0; pass < 64 && flag(mesh); ++pass)
       mesh.execute_coarsening_and_refinement();
     return sorted_cells(mesh) != before;
-  }
-
-
-
-  std::vector<double>
-  HangingNodeAdaptation::wanted_sizes(const Triangulation<2> &mesh,
-                                      const ErrorRatios      &error) const
-  {
-    return target_sizes(mesh, error, adaptivity);
   }
 } // namespace PlateImpact

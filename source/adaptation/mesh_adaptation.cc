@@ -1,9 +1,14 @@
 #include "plate_impact/adaptation/mesh_adaptation.h"
 
+#include <deal.II/grid/grid_refinement.h>
+#include <deal.II/lac/vector.h>
+
+#include "plate_impact/base/entries.h"
 #include "plate_impact/plate/plate_mesh.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace PlateImpact
 {
@@ -75,6 +80,147 @@ namespace PlateImpact
 
 
 
+  namespace
+  {
+    bool
+    keep_mesh(Triangulation<2> &,
+              const ErrorRatios &,
+              const AdaptivityParameters &,
+              const double,
+              std::vector<std::string> &)
+    {
+      return false;
+    }
+
+
+
+    /// Refines every cell, whatever its error, unless one is at the minimum
+    /// size.
+    bool
+    refine_uniformly(Triangulation<2> &mesh,
+                     const ErrorRatios &,
+                     const AdaptivityParameters &adaptivity,
+                     const double,
+                     std::vector<std::string> &)
+    {
+      for (const auto &cell : mesh.active_cell_iterators())
+        if (is_smallest(cell, adaptivity))
+          return false;
+      mesh.refine_global();
+      return true;
+    }
+
+
+
+    /// Refines the cells with the largest errors and coarsens those with the
+    /// smallest, one level a cycle: those that together hold a share of the
+    /// squared error (Doerfler 1996, doi:10.1137/0733054), or a share of the
+    /// cells.
+    bool
+    refine_ranked(Triangulation<2>           &mesh,
+                  const ErrorRatios          &error,
+                  const AdaptivityParameters &adaptivity,
+                  const double,
+                  std::vector<std::string> &)
+    {
+      // Cells that may not be refined, and ought not to be coarsened, stay as
+      // they are. Under a point load they would have all of the share.
+      const auto is_settled = [&](const auto &cell) {
+        return error.elements[cell->active_cell_index()] >= 1. &&
+          is_smallest(cell, adaptivity);
+      };
+      const std::vector<CellId> before = sorted_cells(mesh);
+      Vector<double> criteria(error.elements.begin(), error.elements.end());
+      for (const auto &cell : mesh.active_cell_iterators())
+        if (is_settled(cell))
+          criteria[cell->active_cell_index()] = 0.;
+      if (adaptivity.strategy == AdaptationStrategy::fixed_fraction)
+        GridRefinement::refine_and_coarsen_fixed_fraction(
+          mesh,
+          criteria,
+          adaptivity.refined_share_of_error,
+          adaptivity.coarsened_share_of_error,
+          std::numeric_limits<unsigned int>::max(),
+          VectorTools::L2_norm);
+      else
+        GridRefinement::refine_and_coarsen_fixed_number(
+          mesh,
+          criteria,
+          adaptivity.refined_share_of_cells,
+          adaptivity.coarsened_share_of_cells);
+      for (const auto &cell : mesh.active_cell_iterators())
+        {
+          if (is_smallest(cell, adaptivity))
+            cell->clear_refine_flag();
+          if (is_settled(cell))
+            cell->clear_coarsen_flag();
+        }
+      mesh.execute_coarsening_and_refinement();
+      return sorted_cells(mesh) != before;
+    }
+
+
+
+    struct StrategyRow
+    {
+      AdaptationStrategy   choice;
+      std::string          word;
+      decltype(&keep_mesh) adapt;
+      /// Sizes of cells that take the place of the present ones, by active
+      /// index; null of strategies that refine cells once. [m]
+      decltype(&target_sizes) wanted_sizes;
+    };
+
+    const std::vector<StrategyRow> strategies = {
+      {AdaptationStrategy::none, "none", keep_mesh, nullptr},
+      {AdaptationStrategy::hanging_nodes,
+       "hanging nodes",
+       adapt_by_hanging_nodes,
+       target_sizes},
+      {AdaptationStrategy::remeshing, "remeshing", remesh, sizes_for_remeshing},
+      {AdaptationStrategy::fixed_fraction,
+       "fixed fraction",
+       refine_ranked,
+       nullptr},
+      {AdaptationStrategy::fixed_number,
+       "fixed number",
+       refine_ranked,
+       nullptr},
+      {AdaptationStrategy::uniform, "uniform", refine_uniformly, nullptr},
+      {AdaptationStrategy::graded, "graded", refine_graded, nullptr}};
+
+    const std::vector<Word<AdaptationGoal>> goals = {
+      {AdaptationGoal::energy_norm, "energy norm"},
+      {AdaptationGoal::peak_force, "peak force"}};
+
+
+
+    /// All but none; those that follow the error of the peak force as well.
+    std::vector<Word<ComparedStrategy>>
+    compared_strategies()
+    {
+      std::vector<Word<ComparedStrategy>> all;
+      for (const StrategyRow &row : strategies)
+        if (row.choice != AdaptationStrategy::none)
+          all.push_back({{row.choice, AdaptationGoal::energy_norm}, row.word});
+      for (const AdaptationStrategy strategy :
+           {AdaptationStrategy::hanging_nodes,
+            AdaptationStrategy::remeshing,
+            AdaptationStrategy::fixed_fraction})
+        all.push_back({{strategy, AdaptationGoal::peak_force},
+                       row_of(strategy, strategies).word + " by force"});
+      return all;
+    }
+  } // namespace
+
+
+
+  template <>
+  const std::vector<Word<ComparedStrategy>>
+    Choices<ComparedStrategy>::words = compared_strategies();
+
+
+
   MeshAdaptation::MeshAdaptation(const AdaptivityParameters &adaptivity,
                                  const double contact_half_length)
     : adaptivity(adaptivity)
@@ -83,21 +229,99 @@ namespace PlateImpact
 
 
 
-  double
-  MeshAdaptation::n_wanted_cells(const Triangulation<2> &mesh,
-                                 const ErrorRatios      &error) const
+  bool
+  MeshAdaptation::adapt(Triangulation<2>         &mesh,
+                        const ErrorRatios        &error,
+                        std::vector<std::string> &warnings) const
   {
-    const std::vector<double> sizes = wanted_sizes(mesh, error);
-    return sizes.empty() ? mesh.n_active_cells() :
-                           n_cells_of_sizes(mesh, sizes, adaptivity);
+    return row_of(adaptivity.strategy, strategies)
+      .adapt(mesh, error, adaptivity, contact_half_length, warnings);
   }
 
 
 
-  std::vector<double>
-  MeshAdaptation::wanted_sizes(const Triangulation<2> &,
-                               const ErrorRatios &) const
+  double
+  MeshAdaptation::n_wanted_cells(const Triangulation<2> &mesh,
+                                 const ErrorRatios      &error) const
   {
-    return {};
+    const auto sizes = row_of(adaptivity.strategy, strategies).wanted_sizes;
+    return sizes == nullptr ?
+      mesh.n_active_cells() :
+      n_cells_of_sizes(mesh, sizes(mesh, error, adaptivity), adaptivity);
+  }
+
+
+
+  void
+  AdaptivityParameters::declare_entries(Entries &entries)
+  {
+    const auto share = number_between(0, 1);
+    const auto entry = entries.section("Adaptivity");
+    entry("Strategy", "hanging nodes", one_of(strategies), strategy)
+      .means("How the mesh follows the error. hanging nodes, remeshing: cells "
+             "of the target sizes, by refinement and coarsening or by a new "
+             "mesh of quadrilaterals. fixed fraction, fixed number: the cells "
+             "with the largest errors are halved, until they hold a share of "
+             "the error or of the cells. uniform: all cells are. graded: sizes "
+             "proportional to the distance from the contact, whatever the "
+             "error.");
+    entry("Goal", "energy norm", one_of(goals), goal)
+      .means("What the mesh is made for: the error in the energy norm eta, the "
+             "paper's, up to Target error, or that of the peak force, up to "
+             "Target peak force error. The first mesh is then fine at the "
+             "load.");
+    entry("Indicator", "SPR", one_of<ErrorIndicator>(), indicator)
+      .means("Where the error is: by the recovered field (SPR) or by the jumps "
+             "of slopes and curvatures across the sides of cells (Kelly), "
+             "which only rank cells; eta is that of the recovered field in any "
+             "case.");
+    entry("Recovery patches",
+          "mirrored",
+          one_of<RecoveryPatches>(),
+          recovery_patches)
+      .means("Where the patches of the recovery lie: around every vertex, "
+             "continued across planes of symmetry by mirror images (mirrored), "
+             "or around vertices inside the mesh only (interior), whose "
+             "patches those on its edges use.");
+    entry("Target error", "0.05", share, target_error)
+      .means("Relative error in the energy norm eta, a fraction. [-]");
+    entry("Target peak force error",
+          "1e-3",
+          number_between(0, 1),
+          target_peak_force_error)
+      .means("Of the error bar of the peak force, relative to it, for the goal "
+             "peak force. [-]");
+    entry("Verify", "false", truth(), verify)
+      .means("Compute the peak force again on the last mesh with every cell "
+             "halved, and say how far it is.");
+    entry("Maximum cycles", "6", whole_number(1, 1000), maximum_cycles)
+      .means("Meshes computed on, the initial one included.");
+    entry("Maximum cells", "250000", whole_number(1, 100000000), maximum_cells)
+      .means("No mesh with more is made; the run ends before it.");
+    entry("Size exponent", "0.5", number_up_to(0, 4), size_exponent)
+      .means("phi in h_new = h_old / xi'^phi: 1/p, or 1/lambda near a "
+             "singularity of strength lambda. [-]");
+    entry("Minimum cell size", "0", number_from(0), minimum_cell_size)
+      .means("Of a cell's longer side; 0: a quarter of the patch radius, or of "
+             "the thickness under a point or line load. [m]");
+    entry("Maximum cell size", "0", number_from(0), maximum_cell_size)
+      .means("Of a cell's longer side, in meshes that follow the error; 0: "
+             "that of the initial cells. [m]");
+    entry("Refined share of error", "0.7", share, refined_share_of_error)
+      .means("fixed fraction: the cells with the largest errors that together "
+             "hold at most this share of the squared error are halved "
+             "(Doerfler's marking). [-]");
+    entry("Coarsened share of error", "0.01", share, coarsened_share_of_error)
+      .means("fixed fraction: the cells with the smallest errors that together "
+             "hold at most this share are doubled. [-]");
+    entry("Refined share of cells", "0.3", share, refined_share_of_cells)
+      .means("fixed number: this share of the cells, those with the largest "
+             "errors, is halved. [-]");
+    entry("Coarsened share of cells", "0.03", share, coarsened_share_of_cells)
+      .means("fixed number: this share of the cells, those with the smallest "
+             "errors, is doubled. [-]");
+    entry("Sampling interval", "5", whole_number(1, 1000000), sampling_interval)
+      .means("Time steps between samples of the error estimator; fewer where "
+             "the transient would have less than 20 samples.");
   }
 } // namespace PlateImpact

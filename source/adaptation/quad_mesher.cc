@@ -3,10 +3,7 @@
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/tensor.h>
 
-#include "plate_impact/adaptation/gmsh_session.h"
 #include "plate_impact/base/exceptions.h"
-
-#include <gmsh.h>
 
 #include <algorithm>
 #include <cmath>

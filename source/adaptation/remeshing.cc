@@ -1,7 +1,6 @@
-#include "plate_impact/adaptation/remeshing.h"
-
 #include <deal.II/grid/grid_tools.h>
 
+#include "plate_impact/adaptation/mesh_adaptation.h"
 #include "plate_impact/adaptation/quad_mesher.h"
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/plate/plate_geometry.h"
@@ -179,13 +178,33 @@ namespace PlateImpact
           }
       return {corners, inside};
     }
+
+
+
+    /// Whether cells are off their sizes by more than the scatter.
+    bool
+    is_worth_it(const Triangulation<2>     &mesh,
+                const ErrorRatios          &error,
+                const std::vector<double>  &sizes,
+                const AdaptivityParameters &adaptivity)
+    {
+      const double limit = error.overall > 1. ? 1. : scatter;
+      for (const auto &cell : mesh.active_cell_iterators())
+        if (cell_size(cell) / sizes[cell->active_cell_index()] *
+              refinement_margin >
+            limit)
+          return true;
+      return n_cells_of_sizes(mesh, sizes, adaptivity) <
+        mesh.n_active_cells() / (scatter * scatter);
+    }
   } // namespace
 
 
 
   std::vector<double>
-  Remeshing::wanted_sizes(const Triangulation<2> &mesh,
-                          const ErrorRatios      &error) const
+  sizes_for_remeshing(const Triangulation<2>     &mesh,
+                      const ErrorRatios          &error,
+                      const AdaptivityParameters &adaptivity)
   {
     std::vector<double> sizes = target_sizes(mesh, error, adaptivity);
     for (const auto &cell : mesh.active_cell_iterators())
@@ -204,32 +223,18 @@ namespace PlateImpact
 
 
   bool
-  Remeshing::is_worth_it(const Triangulation<2>    &mesh,
-                         const ErrorRatios         &error,
-                         const std::vector<double> &sizes) const
-  {
-    const double limit = error.overall > 1. ? 1. : scatter;
-    for (const auto &cell : mesh.active_cell_iterators())
-      if (cell_size(cell) / sizes[cell->active_cell_index()] *
-            refinement_margin >
-          limit)
-        return true;
-    return n_cells_of_sizes(mesh, sizes, adaptivity) <
-      mesh.n_active_cells() / (scatter * scatter);
-  }
-
-
-
-  bool
-  Remeshing::adapt(Triangulation<2>         &mesh,
-                   const ErrorRatios        &error,
-                   std::vector<std::string> &warnings) const
+  remesh(Triangulation<2>           &mesh,
+         const ErrorRatios          &error,
+         const AdaptivityParameters &adaptivity,
+         const double                contact_half_length,
+         std::vector<std::string>   &warnings)
   {
     for (const types::boundary_id id : mesh.get_boundary_ids())
       if (id >= edge_round)
         throw ComputationError("remeshing makes meshes of rectangles only");
-    const std::vector<double> sizes = wanted_sizes(mesh, error);
-    if (!is_worth_it(mesh, error, sizes))
+    const std::vector<double> sizes =
+      sizes_for_remeshing(mesh, error, adaptivity);
+    if (!is_worth_it(mesh, error, sizes, adaptivity))
       return false;
     const Corners sides = corners_of(mesh);
     const auto [corners, inside] =

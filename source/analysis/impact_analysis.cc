@@ -1,6 +1,5 @@
 #include "plate_impact/analysis/impact_analysis.h"
 
-#include "plate_impact/adaptation/graded_refinement.h"
 #include "plate_impact/analysis/observe.h"
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/contact/make_contact.h"
@@ -22,9 +21,8 @@ namespace PlateImpact
                                  const std::optional<Wanted>      &wanted)
     : parameters(parameters)
     , wanted(wanted.value_or(wanted_by(parameters)))
-    , adaptation(
-        make_mesh_adaptation(parameters.adaptivity,
-                             parameters.impactor.contact_half_length()))
+    , adaptation(parameters.adaptivity,
+                 parameters.impactor.contact_half_length())
     , expected(parameters.has_impactor() ?
                  std::make_optional(make_zener_impact(parameters)) :
                  std::nullopt)
@@ -221,9 +219,9 @@ namespace PlateImpact
         auto adapted = copy_of(current->mesh());
         error        = control.error_ratios(*current);
         // before there is a mesh that does not fit into the memory
-        if (adaptation->n_wanted_cells(*adapted, error) > most_cells)
+        if (adaptation.n_wanted_cells(*adapted, error) > most_cells)
           return Outcome::maximum_cells;
-        if (adaptation->adapt(*adapted, error, adaptation_warnings))
+        if (adaptation.adapt(*adapted, error, adaptation_warnings))
           {
             if (adapted->n_active_cells() > most_cells)
               return Outcome::maximum_cells;
@@ -271,7 +269,7 @@ namespace PlateImpact
       std::min(to_peak.time.end_time,
                scheme.dt *
                  std::ceil(1.1 * result.history->peak().time / scheme.dt));
-    StruckPlate plate(to_peak.plate, to_peak.discretization, std::move(halved));
+    PlateModel plate(to_peak.plate, to_peak.discretization, std::move(halved));
     const Impact impact = plate.under(to_peak, false).strike();
     result.verification =
       Verification{plate.discretization().mesh().n_active_cells(),

@@ -211,7 +211,7 @@ namespace PlateImpact
     const auto   stage = [&](const std::string &what) {
       listener.stage(cycle.result.cycle, what);
     };
-    const StruckPlate::Work before = cycle.plate.work();
+    const PlateModel::Work before = cycle.plate.work();
     stage("factors and vectors");
     TransientRecord   record(impact, cycle, wanted, charges, listener);
     const LoadedPlate plate =
@@ -219,12 +219,12 @@ namespace PlateImpact
     Impact struck = plate.strike(record);
     record.finish(seen);
 
-    StruckPlate::Work work = cycle.plate.work();
-    seen.new_vectors       = work.ritz_vectors - before.ritz_vectors;
-    seen.new_solves        = work.linear_solves - before.linear_solves;
-    seen.time              = impact.time;
-    seen.impulse           = struck.impulse;
-    seen.separation_time   = struck.separation_time;
+    PlateModel::Work work = cycle.plate.work();
+    seen.new_vectors      = work.ritz_vectors - before.ritz_vectors;
+    seen.new_solves       = work.linear_solves - before.linear_solves;
+    seen.time             = impact.time;
+    seen.impulse          = struck.impulse;
+    seen.separation_time  = struck.separation_time;
     seen.vector_error =
       plate.is_stepped_on_the_mesh() ? 0. : impact.time.ritz_tolerance;
     if (wanted.errors)

@@ -147,7 +147,7 @@ namespace PlateImpact
 
   Parameters
   TimeControl::impact(const Window &window,
-                      StruckPlate  &plate,
+                      PlateModel   &plate,
                       const bool    needs_states) const
   {
     Parameters result     = scene;

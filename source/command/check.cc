@@ -1,7 +1,6 @@
-#include "plate_impact/command/check.h"
-
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/text.h"
+#include "plate_impact/command/commands.h"
 #include "plate_impact/command/expectation.h"
 #include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/scene/scene_reader.h"
@@ -134,13 +133,14 @@ namespace PlateImpact
       {
         const std::vector<double> frequencies =
           expected_frequencies(parameters);
-        const PrefixedUnit unit("Hz", frequencies);
-        std::string        values;
+        const PrefixedUnit       unit("Hz", frequencies);
+        std::vector<std::string> values;
         for (const double frequency : frequencies)
-          values += (values.empty() ? "" : ", ") + about(unit(frequency));
+          values.push_back(about(unit(frequency)));
         text.line("natural frequencies",
-                  values + ' ' + unit.name() +
-                    ", the lowest of those that an impact excites");
+                  format("{} {}, the lowest of those that an impact excites",
+                         fmt::join(values, ", "),
+                         unit.name()));
       }
     catch (const ComputationError &)
       {
@@ -209,7 +209,7 @@ namespace PlateImpact
     add_sweep(ExpectationText &text, const Parameters &given)
     {
       const SweepPlan   plan(SceneReader().entries, given.sweep);
-      const std::size_t n_points = plan.n_points();
+      const std::size_t n_points = plan.n_points;
       if (n_points == 0)
         return;
       const bool is_adaptive =
@@ -219,27 +219,24 @@ namespace PlateImpact
       const SweepGroups groups(plan, is_adaptive);
       const std::string reason = what_keeps_loads_apart(given, plan);
       const std::size_t n_plates =
-        has_own_meshes ? n_points : groups.groups().size();
+        has_own_meshes ? n_points : groups.groups.size();
       // what impactors choose is rounded, so that they differ in some hundred
       // ways
       const bool has_own_loads  = has_own_meshes || given.sweep.estimate_error;
       const std::size_t n_loads = has_own_loads ? n_points :
-        reason.empty()                          ? groups.n_loads() :
-                         std::min(n_points, 200 * groups.n_loads());
+        reason.empty()                          ? groups.n_loads :
+                         std::min(n_points, 200 * groups.n_loads);
 
-      std::string names;
-      for (const SweptEntry &entry : plan.entries())
-        names += (names.empty() ? "" : ", ") + entry.path;
       text.text += "\nSweep\n";
-      text.line("points", counted(n_points, "impact") + " of " + names);
+      text.line("points", counted(n_points, "impact") + " of " + plan.names());
       text.line("models",
                 format("{}{}{}{} to a load{}",
                        counted(n_plates, "plate"),
                        is_adaptive ? " on adapted meshes, " : ", ",
                        has_own_loads || reason.empty() ? "" : "up to ",
                        counted(n_loads, "response"),
-                       !has_own_meshes && n_loads > groups.n_loads() ?
-                         format(": {}; {} would do", reason, groups.n_loads()) :
+                       !has_own_meshes && n_loads > groups.n_loads ?
+                         format(": {}; {} would do", reason, groups.n_loads) :
                          ""));
     }
   } // namespace

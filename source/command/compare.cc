@@ -1,8 +1,7 @@
-#include "plate_impact/command/compare.h"
-
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/interrupt.h"
 #include "plate_impact/base/text.h"
+#include "plate_impact/command/commands.h"
 #include "plate_impact/comparison/comparison_results.h"
 #include "plate_impact/comparison/strategy_comparison.h"
 #include "plate_impact/output/console.h"

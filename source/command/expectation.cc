@@ -6,7 +6,7 @@
 #include "plate_impact/contact/make_contact.h"
 #include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
-#include "plate_impact/transient/struck_plate.h"
+#include "plate_impact/transient/plate_model.h"
 
 #include <algorithm>
 #include <array>
@@ -17,7 +17,7 @@ namespace PlateImpact
   namespace
   {
     /// On a uniform mesh of the best element.
-    StruckPlate
+    PlateModel
     coarse_plate(const Parameters                  &parameters,
                  const std::array<unsigned int, 2> &n_cells)
     {
@@ -50,7 +50,7 @@ namespace PlateImpact
       Parameters parameters      = scene;
       parameters.time.integrator = IntegratorType::Ritz_vectors;
       parameters.time.end_time   = 1.5 * expected_contact_time;
-      StruckPlate plate          = coarse_plate(parameters, n_cells);
+      PlateModel  plate          = coarse_plate(parameters, n_cells);
       CycleResult result;
       result.cells         = plate.discretization().mesh().n_active_cells();
       result.min_cell_size = smallest_cell_size(plate.discretization().mesh());

@@ -1,10 +1,9 @@
-#include "plate_impact/command/run.h"
-
 #include "plate_impact/analysis/impact_analysis.h"
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/interrupt.h"
 #include "plate_impact/base/stage_clock.h"
 #include "plate_impact/base/text.h"
+#include "plate_impact/command/commands.h"
 #include "plate_impact/output/console.h"
 #include "plate_impact/output/output.h"
 #include "plate_impact/output/run_in_words.h"
@@ -44,149 +43,122 @@ namespace PlateImpact
     {
     public:
       /// @param scene  must outlive the text
-      explicit RunText(const Scene &scene);
+      explicit RunText(const Scene &scene)
+        : scene(scene)
+        , time_unit("s",
+                    std::max(scene.parameters.time.end_time,
+                             100. * scene.parameters.time.time_step))
+      {}
 
       /// The name of the scene and the head of the table of cycles.
       std::string
-      begin() const;
+      begin() const
+      {
+        std::string text;
+#ifdef DEBUG
+        text = "DEBUG build, many times slower; configure with "
+               "CMAKE_BUILD_TYPE=Release for results\n";
+#endif
+        return text + emphasized(scene.name, Emphasis::bold) +
+          "\ncycle  cells unknowns  eta % max xi' peak force N  +- %" +
+          right(8, "at " + in_ascii(time_unit.name())) +
+          right(9, "end " + in_ascii(time_unit.name())) + " seconds\n";
+      }
 
       /// One line per mesh.
       std::string
-      cycle(const CycleResult &result) const;
+      cycle(const CycleResult &result) const
+      {
+        std::optional<double> eta, xi, peak, bar, peak_time, contact_end;
+        if (result.error)
+          {
+            eta = 100. * result.error->eta;
+            xi  = result.error_ratios->max_element();
+          }
+        if (result.history)
+          {
+            peak = result.history->peak().force;
+            if (result.peak_force_bar)
+              bar = 100. * result.peak_force_bar->total();
+            peak_time = time_unit(result.history->peak().time);
+            if (const auto end = result.history->first_contact_end())
+              contact_end = time_unit(*end);
+          }
+        return column(5, "{:.0f}", result.cycle) +
+          column(7, "{:.0f}", result.cells) +
+          column(9, "{:.0f}", result.degrees_of_freedom) +
+          column(7, "{:.2f}", eta) + column(8, "{:.2f}", xi) +
+          column(13, "{:.6g}", peak) + column(6, "{:.2g}", bar) +
+          column(8, "{:.4g}", peak_time) + column(9, "{:.5g}", contact_end) +
+          column(8, "{:.2f}", result.cumulative_seconds()) + '\n';
+      }
 
       /// @param results  the files to look at first
       std::string
-      end(Outcome            outcome,
+      end(const Outcome      outcome,
           const CycleResult &last,
           const Verdict     &verdict,
-          const std::string &results) const;
+          const std::string &results) const
+      {
+        std::string text = '\n' +
+          line("Outcome",
+               emphasized(word_for(outcome), emphasis_of(verdict.convergence)) +
+                 outcome_of(outcome, last));
+        if (last.history)
+          {
+            text += line("Peak force",
+                         emphasized(in_ascii(verdict.force), Emphasis::bold));
+            if (last.verification)
+              text += line("Verified",
+                           number(last.verification->peak_force) + " N on " +
+                             counted(last.verification->cells, "cell") + ", " +
+                             deviation(last.verification->peak_force,
+                                       last.history->peak().force) +
+                             " away");
+          }
+        if (!last.history)
+          return text + line("Results", results);
+        text += line("Model",
+                     emphasized(in_ascii(model_in_words(verdict)),
+                                emphasis_of(verdict.model)));
+        if (!verdict.contact.empty())
+          text += line("Contact", in_ascii(verdict.contact));
+        text += line("Response",
+                     "local, of a " +
+                       in_ascii(local_response_in_words(scene.parameters)));
+        return text + line("Results", results);
+      }
 
     private:
       std::string
-      outcome_of(Outcome outcome, const CycleResult &last) const;
+      outcome_of(const Outcome outcome, const CycleResult &last) const
+      {
+        const AdaptivityParameters &adaptivity = scene.parameters.adaptivity;
+        const bool  for_peak = adaptivity.goal == AdaptationGoal::peak_force;
+        std::string text;
+        if (for_peak && last.peak_force_bar)
+          text = ", peak force to " +
+            about_percentage(last.peak_force_bar->total()) + " (target " +
+            percentage(adaptivity.target()) + ')';
+        else if (last.error)
+          text = ", eta " + percentage(last.error->eta) + " (target " +
+            percentage(adaptivity.target_error) + ')';
+        if (for_peak)
+          return text;
+        if (last.error && last.error->eta <= adaptivity.target_error &&
+            outcome != Outcome::target_reached &&
+            last.error_ratios->max_element() >= 1.)
+          text += ", largest xi' " + about(last.error_ratios->max_element()) +
+            " (limit 1)";
+        if (last.cells_at_minimum_size > 0)
+          text += " (cells at the minimum size that keep xi' >= 1: " +
+            std::to_string(last.cells_at_minimum_size) + ')';
+        return text;
+      }
 
       const Scene       &scene;
       const PrefixedUnit time_unit; ///< for the end time
     };
-
-
-
-    RunText::RunText(const Scene &scene)
-      : scene(scene)
-      , time_unit("s",
-                  std::max(scene.parameters.time.end_time,
-                           100. * scene.parameters.time.time_step))
-    {}
-
-
-
-    std::string
-    RunText::begin() const
-    {
-      std::string text;
-#ifdef DEBUG
-      text = "DEBUG build, many times slower; configure with "
-             "CMAKE_BUILD_TYPE=Release for results\n";
-#endif
-      return text + emphasized(scene.name, Emphasis::bold) +
-        "\ncycle  cells unknowns  eta % max xi' peak force N  +- %" +
-        right(8, "at " + in_ascii(time_unit.name())) +
-        right(9, "end " + in_ascii(time_unit.name())) + " seconds\n";
-    }
-
-
-
-    std::string
-    RunText::cycle(const CycleResult &result) const
-    {
-      std::optional<double> eta, xi, peak, bar, peak_time, contact_end;
-      if (result.error)
-        {
-          eta = 100. * result.error->eta;
-          xi  = result.error_ratios->max_element();
-        }
-      if (result.history)
-        {
-          peak = result.history->peak().force;
-          if (result.peak_force_bar)
-            bar = 100. * result.peak_force_bar->total();
-          peak_time = time_unit(result.history->peak().time);
-          if (const auto end = result.history->first_contact_end())
-            contact_end = time_unit(*end);
-        }
-      return column(5, "{:.0f}", result.cycle) +
-        column(7, "{:.0f}", result.cells) +
-        column(9, "{:.0f}", result.degrees_of_freedom) +
-        column(7, "{:.2f}", eta) + column(8, "{:.2f}", xi) +
-        column(13, "{:.6g}", peak) + column(6, "{:.2g}", bar) +
-        column(8, "{:.4g}", peak_time) + column(9, "{:.5g}", contact_end) +
-        column(8, "{:.2f}", result.cumulative_seconds()) + '\n';
-    }
-
-
-
-    std::string
-    RunText::outcome_of(const Outcome outcome, const CycleResult &last) const
-    {
-      const AdaptivityParameters &adaptivity = scene.parameters.adaptivity;
-      const bool  for_peak = adaptivity.goal == AdaptationGoal::peak_force;
-      std::string text;
-      if (for_peak && last.peak_force_bar)
-        text = ", peak force to " +
-          about_percentage(last.peak_force_bar->total()) + " (target " +
-          percentage(adaptivity.target()) + ')';
-      else if (last.error)
-        text = ", eta " + percentage(last.error->eta) + " (target " +
-          percentage(adaptivity.target_error) + ')';
-      if (for_peak)
-        return text;
-      if (last.error && last.error->eta <= adaptivity.target_error &&
-          outcome != Outcome::target_reached &&
-          last.error_ratios->max_element() >= 1.)
-        text += ", largest xi' " + about(last.error_ratios->max_element()) +
-          " (limit 1)";
-      if (last.cells_at_minimum_size > 0)
-        text += " (cells at the minimum size that keep xi' >= 1: " +
-          std::to_string(last.cells_at_minimum_size) + ')';
-      return text;
-    }
-
-
-
-    std::string
-    RunText::end(const Outcome      outcome,
-                 const CycleResult &last,
-                 const Verdict     &verdict,
-                 const std::string &results) const
-    {
-      std::string text = '\n' +
-        line("Outcome",
-             emphasized(word_for(outcome), emphasis_of(verdict.convergence)) +
-               outcome_of(outcome, last));
-      if (last.history)
-        {
-          text += line("Peak force",
-                       emphasized(in_ascii(verdict.force), Emphasis::bold));
-          if (last.verification)
-            text += line("Verified",
-                         number(last.verification->peak_force) + " N on " +
-                           counted(last.verification->cells, "cell") + ", " +
-                           deviation(last.verification->peak_force,
-                                     last.history->peak().force) +
-                           " away");
-        }
-      if (!last.history)
-        return text + line("Results", results);
-      text += line("Model",
-                   emphasized(in_ascii(model_in_words(verdict)),
-                              emphasis_of(verdict.model)));
-      if (!verdict.contact.empty())
-        text += line("Contact", in_ascii(verdict.contact));
-      text += line("Response",
-                   "local, of a " +
-                     in_ascii(local_response_in_words(scene.parameters)));
-      return text + line("Results", results);
-    }
 
 
 

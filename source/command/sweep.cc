@@ -1,46 +1,30 @@
-#include "plate_impact/command/sweep.h"
-
 #include <deal.II/base/utilities.h>
 
+#include "plate_impact/analysis/impact_quantities.h"
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/interrupt.h"
 #include "plate_impact/base/text.h"
+#include "plate_impact/command/commands.h"
+#include "plate_impact/output/console.h"
 #include "plate_impact/output/result_directory.h"
 #include "plate_impact/sweep/sweep_computation.h"
-#include "plate_impact/sweep/sweep_console.h"
 #include "plate_impact/sweep/sweep_groups.h"
-#include "plate_impact/sweep/sweep_page.h"
-#include "plate_impact/sweep/sweep_table.h"
+#include "plate_impact/sweep/sweep_results.h"
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <exception>
 #include <fstream>
-#include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <sstream>
+#include <string>
 #include <vector>
 
 namespace PlateImpact
 {
-  using dealii::Utilities::pack;
-  using dealii::Utilities::unpack;
-
-  /// A state as its numbers, where Boost finds it.
-  template <typename Archive>
-  void
-  serialize(Archive &archive, ContactState &state, const unsigned int)
-  {
-    static_assert(sizeof(ContactState) == 11 * sizeof(double));
-    archive &state.time &state.force &state.indentation;
-    archive &state.plate_displacement &state.impactor_displacement;
-    archive                           &state.impactor_velocity;
-    archive &state.plate_energy &state.contact_energy &state.impactor_energy;
-    archive &state.dissipated_energy &state.permanent_indentation;
-  }
-
-
-
   namespace
   {
     /// A scene without what may differ between a sweep and its continuation:
@@ -73,9 +57,130 @@ namespace PlateImpact
           throw InputError({"--resume: " + (directory / "scene.prm").string() +
                             " belongs to another sweep: it has '" +
                             dealii::Utilities::trim(line_before) + "' where " +
-                            scene.name() + " has '" +
+                            scene.name + " has '" +
                             dealii::Utilities::trim(line) + "'"});
     }
+
+
+
+    /// Sweeps up to this size have a line for every point.
+    constexpr std::size_t most_lines = 40;
+
+    /// A quantity in a line: its name in impact_quantities(), and how it is
+    /// shown.
+    struct Column
+    {
+      const char *quantity, *title, *format;
+      double      factor;
+    };
+
+    const Column columns[] = {
+      {"peak_force", "peak force N", "{:.6g}", 1.},
+      {"time_of_peak_force", "at us", "{:.4g}", 1e6},
+      {"first_contact_end", "contact end", "{:.5g}", 1e6},
+      {"number_of_contacts", "contacts", "{:.0f}", 1.},
+      {"coefficient_of_restitution", "restitution", "{:.4f}", 1.}};
+
+
+
+    std::size_t
+    width_of(const SweptEntry &entry)
+    {
+      std::size_t width = entry.path.size();
+      for (const std::string &value : entry.values)
+        width = std::max(width, value.size());
+      return width + 2;
+    }
+
+
+
+    /// What a user sees while a sweep runs.
+    class SweepConsole
+    {
+    public:
+      SweepConsole(const SweepScene &scene, const bool quiet)
+        : scene(scene)
+        , console(quiet)
+      {}
+
+      /// @param n_groups  plates that the points share
+      /// @param n_done    points taken over from an interrupted sweep
+      void
+      begin(const std::size_t n_groups, const std::size_t n_done)
+      {
+        const SweepPlan &plan = scene.plan;
+        n_points              = plan.n_points - n_done;
+        std::string text      = emphasized(scene.name, Emphasis::bold) + ": " +
+          counted(plan.n_points, "point") + " of " + plan.names() + " on " +
+          counted(n_groups, "plate");
+        if (scene.may_adapt())
+          text +=
+            scene.parameters().sweep.adapt == SweepAdaptation::each_point ?
+            ", a mesh for each point" :
+            ", each mesh adapted for its shortest contact";
+        if (n_done > 0)
+          text += ", " + std::to_string(n_done) + " of them done before";
+        text += '\n';
+        if (n_points <= most_lines && n_points > 0)
+          {
+            for (const SweptEntry &entry : plan.entries)
+              text += right(width_of(entry), entry.path);
+            for (const Column &column : columns)
+              text += right(14, column.title);
+            text += '\n';
+          }
+        console.print(text);
+      }
+
+      /// A line per point of a small sweep; of a large one, on a terminal, the
+      /// number of points done so far and the time that the others take.
+      void
+      row(const SweepRow &row)
+      {
+        ++n_computed;
+        if (n_points > most_lines)
+          return console.show(" ", n_computed, n_points);
+        const std::vector<std::string> values = scene.plan.values(row.point);
+        std::string                    text;
+        for (std::size_t i = 0; i < values.size(); ++i)
+          text += right(width_of(scene.plan.entries[i]), values[i]);
+        if (!row.failure.empty())
+          text += "  " + row.failure;
+        else
+          for (const Column &shown : columns)
+            for (std::size_t i = 0; i < impact_quantities().size(); ++i)
+              if (impact_quantities()[i].name == shown.quantity)
+                text +=
+                  column(14,
+                         shown.format,
+                         std::isnan(row.quantities[i]) ?
+                           std::nullopt :
+                           std::optional(shown.factor * row.quantities[i]));
+        console.print(text + '\n');
+      }
+
+      void
+      end(const SweepWork &work, const std::string &results)
+      {
+        const std::chrono::duration<double> elapsed =
+          std::chrono::steady_clock::now() - start;
+        console.print("\nComputed    " + counted(n_computed, "point") + " in " +
+                      about(elapsed.count()) + " s, " +
+                      about(n_computed / elapsed.count()) +
+                      " points/s\nMade        " + counted(work.meshes, "mesh") +
+                      ", " + counted(work.plates, "plate model") + ", " +
+                      counted(work.loads, "response") +
+                      " to a load\nResults     " + results + '\n');
+      }
+
+    private:
+      const SweepScene &scene;
+      Console           console;
+      std::size_t       n_points = 0, n_computed = 0;
+
+      const std::chrono::steady_clock::time_point start =
+        std::chrono::steady_clock::now();
+    };
 
 
 
@@ -92,9 +197,7 @@ namespace PlateImpact
         : scene(scene)
         , console(scene, options.quiet)
         , directory(scene.parameters().output.directory)
-        , table(prepared(directory, scene, options),
-                scene.plan(),
-                options.resume)
+        , table(prepared(directory, scene, options), scene.plan, options.resume)
       {}
 
       std::vector<std::size_t>
@@ -110,13 +213,13 @@ namespace PlateImpact
       void
       begin(const std::size_t n_groups)
       {
-        console.begin(n_groups,
-                      scene.plan().n_points() - points_to_do().size());
+        console.begin(n_groups, scene.plan.n_points - points_to_do().size());
       }
 
       void
-      add(const SweepRow &row, const std::optional<ContactHistory> &history)
+      add(const ComputedPoint &point)
       {
+        const auto &[row, history] = point;
         if (history && histories.size() < most_plotted_histories)
           histories[row.point] = *history;
         if (history)
@@ -131,8 +234,8 @@ namespace PlateImpact
       std::string
       kept() const
       {
-        return std::to_string(scene.plan().n_points() - points_to_do().size()) +
-          " of " + counted(scene.plan().n_points(), "point") + " are in " +
+        return std::to_string(scene.plan.n_points - points_to_do().size()) +
+          " of " + counted(scene.plan.n_points, "point") + " are in " +
           (directory / "sweep.csv").string() + "; --resume goes on from there";
       }
 
@@ -140,7 +243,7 @@ namespace PlateImpact
       finish(const SweepWork &work)
       {
         for (const std::size_t point : points_to_do())
-          add({point, {}, "not computed: its process ended early", {}}, {});
+          add({{point, {}, "not computed: its process ended early", {}}, {}});
         table.finish();
         if (scene.parameters().output.write_report)
           directory.write_file("sweep.html", [&](std::ostream &out) {
@@ -166,7 +269,7 @@ namespace PlateImpact
           check_scene_to_resume(directory, scene);
         else
           directory.clear();
-        directory.write_scene(scene.name(), scene.text());
+        directory.write_scene(scene.name, scene.text());
         return directory;
       }
 
@@ -177,127 +280,6 @@ namespace PlateImpact
 
       std::map<std::size_t, ContactHistory> histories; ///< for the page
     };
-
-
-
-    /// What a process sends: a row and its history, or at last its work.
-    struct Message
-    {
-      std::optional<ContactHistory>
-      history() const
-      {
-        if (states.empty())
-          return {};
-        ContactHistory history;
-        for (const ContactState &state : states)
-          history.add(state);
-        return history;
-      }
-
-      template <typename Archive>
-      void
-      serialize(Archive &archive, const unsigned int)
-      {
-        archive &is_work &work.meshes &work.plates &work.loads &states;
-        archive &row.point &row.figures &row.failure &row.warnings;
-      }
-
-      SweepRow                  row;
-      std::vector<ContactState> states;
-      bool                      is_work = false;
-      SweepWork                 work    = {};
-    };
-
-
-
-    /// The tasks that this process is given, one after another.
-    /// @param done  called with every point's row and history
-    void
-    compute_tasks(
-      const std::vector<SweepGroups::Task> &tasks,
-      SweepComputation                     &computation,
-      Processes                            &processes,
-      const std::function<void(const SweepRow &,
-                               const std::optional<ContactHistory> &)> &done)
-    {
-      for (std::size_t task; (task = processes.next_task()) < tasks.size();)
-        for (const std::size_t point : tasks[task].points)
-          {
-            const auto [row, history] =
-              computation.compute(tasks[task].group, point);
-            done(row, history);
-          }
-    }
-
-
-
-    /// The share of another process than the first.
-    void
-    compute_for_first(const std::vector<SweepGroups::Task> &tasks,
-                      SweepComputation                     &computation,
-                      Processes                            &processes)
-    {
-      compute_tasks(
-        tasks,
-        computation,
-        processes,
-        [&](const SweepRow &row, const std::optional<ContactHistory> &history) {
-          processes.send(pack(Message{row,
-                                      history ? history->states() :
-                                                std::vector<ContactState>()},
-                              false));
-        });
-      processes.send(pack(Message{{}, {}, true, computation.work()}, false));
-      processes.send({});
-    }
-
-
-
-    /// The share of the first process, and what the others send.
-    SweepWork
-    compute_and_receive(const std::vector<SweepGroups::Task> &tasks,
-                        SweepComputation                     &computation,
-                        Processes                            &processes,
-                        SweepRecord                          &record)
-    {
-      SweepWork  of_others;
-      const auto receive = [&](const bool wait) {
-        for (const std::vector<char> &bytes : processes.receive(wait))
-          {
-            const auto message = unpack<Message>(bytes, false);
-            if (message.is_work)
-              of_others += message.work;
-            else
-              record.add(message.row, message.history());
-          }
-      };
-      try
-        {
-          compute_tasks(tasks,
-                        computation,
-                        processes,
-                        [&](const SweepRow                      &row,
-                            const std::optional<ContactHistory> &history) {
-                          record.add(row, history);
-                          throw_if_interrupted();
-                          receive(/*wait=*/false);
-                        });
-          while (!processes.all_ended())
-            receive(/*wait=*/true);
-        }
-      catch (const ComputationError &)
-        {
-          // nothing can be written: nothing more is computed
-          while (processes.next_task() < tasks.size())
-            ;
-          while (!processes.all_ended())
-            processes.receive(/*wait=*/true);
-          throw;
-        }
-      SweepWork all = computation.work();
-      all += of_others;
-      return all;
-    }
   } // namespace
 
 
@@ -329,8 +311,8 @@ namespace PlateImpact
     if (failure)
       std::rethrow_exception(failure);
 
-    const SweepGroups groups(scene.plan(), scene.may_adapt());
-    std::vector<bool> is_to_do(scene.plan().n_points(), false);
+    const SweepGroups groups(scene.plan, scene.may_adapt());
+    std::vector<bool> is_to_do(scene.plan.n_points, false);
     for (const std::size_t point : to_do)
       is_to_do[point] = true;
     // a few tasks for each process, so that all end at about the same time
@@ -340,13 +322,16 @@ namespace PlateImpact
       groups.tasks(is_to_do, std::max<std::size_t>(1, to_do.size() / n_parts));
 
     SweepComputation computation(scene, groups);
-    if (!record)
-      return compute_for_first(tasks, computation, processes);
-    record->begin(groups.groups().size());
+    const auto       take = [&record](const ComputedPoint &point) {
+      record->add(point);
+    };
+    if (record)
+      record->begin(groups.groups.size());
     try
       {
-        record->finish(
-          compute_and_receive(tasks, computation, processes, *record));
+        const SweepWork work = processes.compute(tasks, computation, take);
+        if (record)
+          record->finish(work);
       }
     catch (const Interruption &interruption)
       {

@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 namespace PlateImpact
@@ -26,6 +25,28 @@ namespace PlateImpact
             cells.push_back(cell->active_cell_index());
       return cells;
     }
+
+
+
+    using Estimator = std::unique_ptr<ErrorEstimator>;
+
+    struct IndicatorRow
+    {
+      ErrorIndicator choice;
+      std::string    word;
+      /// @param by_recovery  says how large the error is
+      Estimator (*make)(const PlateDiscretization &, Estimator by_recovery);
+    };
+
+    const std::vector<IndicatorRow> indicators = {
+      {ErrorIndicator::SPR,
+       "SPR",
+       [](const PlateDiscretization &, Estimator by_recovery) {
+         return by_recovery;
+       }},
+      {ErrorIndicator::Kelly,
+       "Kelly",
+       make_as<ErrorEstimator, KellyEstimator>}};
   } // namespace
 
 
@@ -63,22 +84,15 @@ namespace PlateImpact
       recovery,
       singular_cells(parameters, discretization.mesh()),
       kept_interval);
-    switch (parameters.adaptivity.indicator)
-      {
-        case ErrorIndicator::SPR:
-          return by_recovery;
-        case ErrorIndicator::Kelly:
-          return std::make_unique<KellyEstimator>(discretization,
-                                                  std::move(by_recovery));
-      }
-    throw std::logic_error("no such error estimator");
+    return row_of(parameters.adaptivity.indicator, indicators)
+      .make(discretization, std::move(by_recovery));
   }
 
 
 
   template <>
-  const std::vector<Word<ErrorIndicator>> Choices<ErrorIndicator>::words =
-    {{ErrorIndicator::SPR, "SPR"}, {ErrorIndicator::Kelly, "Kelly"}};
+  const std::vector<Word<ErrorIndicator>>
+    Choices<ErrorIndicator>::words = words_of(indicators);
 
 
 

@@ -4,7 +4,8 @@
 
 #include "page/page_assets.h"
 
-#include <cmath>
+#include <cstdlib>
+#include <fmt/format.h>
 #include <map>
 #include <ostream>
 #include <string_view>
@@ -63,16 +64,8 @@ namespace PlateImpact
   {
     Json numbers = Json::array();
     for (const double value : values)
-      if (value == 0. || !std::isfinite(value))
-        numbers.push_back(value);
-      else
-        {
-          // of two exact numbers, so that the text has six digits as well
-          const double exponent = 5. - std::floor(std::log10(std::abs(value)));
-          const double power    = std::pow(10., std::abs(exponent));
-          numbers.push_back(exponent < 0. ? std::round(value / power) * power :
-                                            std::round(value * power) / power);
-        }
+      numbers.push_back(
+        std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr));
     return numbers;
   }
 } // namespace PlateImpact

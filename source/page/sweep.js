@@ -1,16 +1,16 @@
 // ---------------------------------------------------------------- sweep.html
 
-/** What is shown in plots: figures where points have them, and limits of what a browser draws without delay. */
-const plottedFigures = ['peak_force', 'first_contact_end', 'coefficient_of_restitution', 'max_plate_displacement',
+/** What is shown in plots: quantities where points have them, and limits of what a browser draws without delay. */
+const plottedQuantities = ['peak_force', 'first_contact_end', 'coefficient_of_restitution', 'max_plate_displacement',
   'number_of_contacts', 'peak_force_over_zener', 'discretization_error'];
 const mostCurves = 8, mostPanels = 8, mostMapPoints = 40000, mostRows = 200;
 
 /** The swept entries, what the points have become, and how both are numbered. */
 class SweepResults {
-  constructor({ entries, isProduct, figures, statuses, warned }) {
-    Object.assign(this, { entries, isProduct, figures, statuses, warned: new Set(warned) });
-    this.shown = plottedFigures.map((name) => figures.find((figure) => figure.name === name))
-      .filter((figure) => figure?.values.some((value) => value !== null))
+  constructor({ entries, isProduct, quantities, statuses, warned }) {
+    Object.assign(this, { entries, isProduct, quantities, statuses, warned: new Set(warned) });
+    this.shown = plottedQuantities.map((name) => quantities.find((quantity) => quantity.name === name))
+      .filter((quantity) => quantity?.values.some((value) => value !== null))
       .filter(({ name, values }) => name !== 'number_of_contacts' || values.some((value) => value > 1))
       .map(({ title, unit, values }) => {
         const scale = prefixed(unit, values);
@@ -47,9 +47,9 @@ function rangeOf({ values }) {
   return [known.reduce((a, b) => Math.min(a, b)), known.reduce((a, b) => Math.max(a, b))];
 }
 
-/** A figure over an entry, a curve for each name; points with warnings are dots of their own. */
-function curvesOf(results, figure, x, names, points) {
-  const numbered = (curve) => curve.map((point, i) => ({ point, x: x.values[i], y: figure.values[point] }));
+/** A quantity over an entry, a curve for each name; points with warnings are dots of their own. */
+function curvesOf(results, quantity, x, names, points) {
+  const numbered = (curve) => curve.map((point, i) => ({ point, x: x.values[i], y: quantity.values[point] }));
   const series = points.map((curve, s) => {
     const sorted = numbered(curve);
     if (x.isNumeric) sorted.sort((a, b) => a.x - b.x);
@@ -60,11 +60,11 @@ function curvesOf(results, figure, x, names, points) {
   const marked = points.flatMap(numbered).filter(({ point }) => results.warned.has(point));
   if (marked.length > 0)
     series.push({ name: 'with warnings', x: marked.map((one) => one.x), y: marked.map((one) => one.y), colour: 7, style: 'points' });
-  return { title: figure.name, caption: x.caption, x: { title: x.title }, y: { title: figure.title }, series };
+  return { title: quantity.name, caption: x.caption, x: { title: x.title }, y: { title: quantity.title }, series };
 }
 
 /** Figures over the first two entries, as maps, or as curves where one of both has words or few values.
-    @param panels  figure, title that tells it from others of the figure, first point, stride of the second entry */
+    @param panels  quantity, title that tells it from others of the quantity, first point, stride of the second entry */
 function panelsOf(results, panels, size) {
   const [a, b] = results.entries.map(scaleOf), nA = a.values.length, nB = b.values.length;
   const point = ({ first, stride }, i, j) => first + (i * nB + j) * stride;
@@ -72,38 +72,38 @@ function panelsOf(results, panels, size) {
   if (a.isNumeric && b.isNumeric && Math.min(nA, nB) > 3)
     return element('div', { className: `grid ${size}` }, panels.map((panel) => {
       const points = indices(nB).flatMap((j) => indices(nA).map((i) => point(panel, i, j)));
-      return makeMap({ title: panel.title || panel.figure.name, valueTitle: panel.figure.title, x: a, y: b, range: rangeOf(panel.figure),
-        values: points.map((p) => panel.figure.values[p]), marked: indices(points.length).filter((k) => results.warned.has(points[k])) });
+      return makeMap({ title: panel.title || panel.quantity.name, valueTitle: panel.quantity.title, x: a, y: b, range: rangeOf(panel.quantity),
+        values: points.map((p) => panel.quantity.values[p]), marked: indices(points.length).filter((k) => results.warned.has(points[k])) });
     }));
   const aIsFamily = b.isNumeric && (!a.isNumeric || (nA < nB && nA <= mostCurves));
   const family = results.entries[aIsFamily ? 0 : 1], x = aIsFamily ? b : a;
   const names = family.values.map((value) => assignment(family, value, ' '));
   return plotGrid(panels.map((panel) => {
-    const plot = curvesOf(results, panel.figure, x, names, names.map((_, s) =>
+    const plot = curvesOf(results, panel.quantity, x, names, names.map((_, s) =>
       x.values.map((_, i) => aIsFamily ? point(panel, s, i) : point(panel, i, s))));
-    return panel.title ? { ...plot, title: panel.title, y: { title: panel.figure.unit, range: rangeOf(panel.figure) } } : plot;
+    return panel.title ? { ...plot, title: panel.title, y: { title: panel.quantity.unit, range: rangeOf(panel.quantity) } } : plot;
   }), size);
 }
 
-/** The figures of the points over the swept values: curves over one entry, or over the first where lists are
+/** The quantities of the points over the swept values: curves over one entry, or over the first where lists are
     paired up; maps or families of curves over two; over three such a panel for each value of the third, on one
     scale. */
-function showFigures(results) {
+function showQuantities(results) {
   const { entries, shown, statuses } = results, [first, , third] = entries;
   const all = statuses.map((_, point) => point);
   if (entries.length === 1 || !results.isProduct)
-    return section('Figures', plotGrid(shown.map((figure) => curvesOf(results, figure, scaleOf(first), [''], [all]))));
+    return section('Figures', plotGrid(shown.map((quantity) => curvesOf(results, quantity, scaleOf(first), [''], [all]))));
   const nThird = third?.values.length ?? 1, nShown = Math.min(nThird, mostPanels);
   const drawn = shown.slice(0, Math.max(1, Math.floor(mostMapPoints * nThird / (statuses.length * nShown))));
   if (!third)
-    return section('Figures', panelsOf(results, drawn.map((figure) => ({ figure, title: '', first: 0, stride: 1 })), ''));
-  return section('Figures', drawn.flatMap((figure) => [heading(figure.name), panelsOf(results,
-    third.values.slice(0, nShown).map((value, k) => ({ figure, title: assignment(third, value, ' = '), first: k, stride: nThird })), 'small')].flat()),
+    return section('Figures', panelsOf(results, drawn.map((quantity) => ({ quantity, title: '', first: 0, stride: 1 })), ''));
+  return section('Figures', drawn.flatMap((quantity) => [heading(quantity.name), panelsOf(results,
+    third.values.slice(0, nShown).map((value, k) => ({ quantity, title: assignment(third, value, ' = '), first: k, stride: nThird })), 'small')].flat()),
   nShown < nThird && paragraph(`The other ${nThird - nShown} values of ${third.path} are in sweep.csv.`));
 }
 
 function extremesOf(results) {
-  const { unit, values } = results.figures[0];
+  const { unit, values } = results.quantities[0];
   const known = values.map((value, point) => ({ value, point })).filter(({ value }) => value !== null).sort((a, b) => a.value - b.value);
   if (known.length === 0) return [];
   return [['Smallest peak force', known[0]], ['Largest peak force', known.at(-1)]].map(([name, { value, point }]) =>
@@ -118,10 +118,10 @@ function showForcesOfPoints(results, histories) {
       ({ name: results.valuesAt(point).join(', '), colour, style: 'line', x: second.of(time), y: newton.of(force) })) }]));
 }
 
-function showTable({ entries, figures, statuses, warned }, results) {
+function showTable({ entries, quantities, statuses, warned }, results) {
   const rows = statuses.slice(0, mostRows).map((status, point) => [...results.valuesAt(point),
-    ...figures.map((figure) => formatted(figure.values[point], 6)), status === 'ok' && results.warned.has(point) ? 'ok, with warnings' : status]);
-  section('Table', table([...entries, ...figures].map(({ path, title, unit }) => titled(path ?? title, unit)).concat('Status'), rows, 'words'),
+    ...quantities.map((quantity) => formatted(quantity.values[point], 6)), status === 'ok' && results.warned.has(point) ? 'ok, with warnings' : status]);
+  section('Table', table([...entries, ...quantities].map(({ path, title, unit }) => titled(path ?? title, unit)).concat('Status'), rows, 'words'),
     statuses.length > mostRows && paragraph(`The first ${mostRows} of ${statuses.length} points; all of them are in sweep.csv.`));
 }
 
@@ -132,7 +132,7 @@ function showSweep(study) {
     ['Meshes', String(work.meshes), `plate models: ${work.plates}, responses to a load: ${work.loads}`]]),
   study.warnings.map((warning) => notice(`Warning: ${warning}`)), study.words.map(paragraph),
   paragraph('Models and responses are those of the computation that ended this sweep; points that share plate, mesh and load share them.'));
-  showFigures(results);
+  showQuantities(results);
   showForcesOfPoints(results, study.histories);
   showTable(study, results);
   section('Scene', preformatted(study.text), paragraph(`plate-impact ${study.version}`));

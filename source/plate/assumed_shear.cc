@@ -19,96 +19,80 @@ namespace PlateImpact
             (x - rule.point(j)[0]) / (rule.point(i)[0] - rule.point(j)[0]);
       return value;
     }
-
-
-
-    /// First those of the strain along xi, then of that along eta; xi running
-    /// fastest in both.
-    Quadrature<2>
-    points_of_mixed_shear()
-    {
-      const QGauss<1>        linear(2);
-      const QGaussLobatto<1> quadratic(3);
-      std::vector<Point<2>>  points;
-      for (const auto &part : {QAnisotropic<2>(linear, quadratic),
-                               QAnisotropic<2>(quadratic, linear)})
-        points.insert(points.end(),
-                      part.get_points().begin(),
-                      part.get_points().end());
-      return points;
-    }
   } // namespace
 
 
 
-  ShearAtGaussPoints::ShearAtGaussPoints(const unsigned int n)
-    : AssumedShear(QGauss<2>(n))
-    , rule(n)
-  {}
-
-
-
-  CellOperator
-  ShearAtGaussPoints::interpolate(const CellOperator &tied,
-                                  const FEValues<2> &,
-                                  const FEValues<2> &values) const
+  AssumedShear
+  shear_at_gauss_points(const unsigned int n)
   {
-    const unsigned int n_points = values.n_quadrature_points, n = rule.size();
-    CellOperator       result = CellOperator::Zero(2 * n_points, n_cell_dofs);
-    for (unsigned int q = 0; q < n_points; ++q)
-      {
-        const Point<2> &p = values.get_quadrature().point(q);
-        for (unsigned int j = 0; j < n; ++j)
-          for (unsigned int i = 0; i < n; ++i)
-            result.middleRows<2>(2 * q) += lagrange(rule, i, p[0]) *
-              lagrange(rule, j, p[1]) * tied.middleRows<2>(2 * (n * j + i));
-      }
-    return result;
+    const auto interpolate = [n,
+                              rule = QGauss<1>(n)](const CellOperator &tied,
+                                                   const FEValues<2> &,
+                                                   const FEValues<2> &values) {
+      const unsigned int n_points = values.n_quadrature_points;
+      CellOperator       result = CellOperator::Zero(2 * n_points, n_cell_dofs);
+      for (unsigned int q = 0; q < n_points; ++q)
+        {
+          const Point<2> &p = values.get_quadrature().point(q);
+          for (unsigned int j = 0; j < n; ++j)
+            for (unsigned int i = 0; i < n; ++i)
+              result.middleRows<2>(2 * q) += lagrange(rule, i, p[0]) *
+                lagrange(rule, j, p[1]) * tied.middleRows<2>(2 * (n * j + i));
+        }
+      return result;
+    };
+    return {QGauss<2>(n), interpolate};
   }
 
 
 
-  MixedShear::MixedShear()
-    : AssumedShear(points_of_mixed_shear())
-    , linear(2)
-    , quadratic(3)
-  {}
-
-
-
-  CellOperator
-  MixedShear::interpolate(const CellOperator &tied,
-                          const FEValues<2>  &tying,
-                          const FEValues<2>  &values) const
+  AssumedShear
+  mixed_shear()
   {
     using Row = Eigen::Matrix<double, 1, n_cell_dofs>;
+    const QGauss<1>        linear(2);
+    const QGaussLobatto<1> quadratic(3);
 
-    // covariant component d x/d xi_a . gamma of a tying point
-    const auto covariant = [&](const unsigned int t,
-                               const unsigned int a) -> Row {
-      const auto &J = tying.jacobian(t);
-      return J[0][a] * tied.row(2 * t) + J[1][a] * tied.row(2 * t + 1);
+    // first those of the strain along xi, then of that along eta; xi running
+    // fastest in both
+    std::vector<Point<2>> points;
+    for (const auto &part : {QAnisotropic<2>(linear, quadratic),
+                             QAnisotropic<2>(quadratic, linear)})
+      points.insert(points.end(),
+                    part.get_points().begin(),
+                    part.get_points().end());
+
+    const auto interpolate = [linear, quadratic](const CellOperator &tied,
+                                                 const FEValues<2>  &tying,
+                                                 const FEValues<2>  &values) {
+      // covariant component d x/d xi_a . gamma of a tying point
+      const auto covariant = [&](const unsigned int t,
+                                 const unsigned int a) -> Row {
+        const auto &J = tying.jacobian(t);
+        return J[0][a] * tied.row(2 * t) + J[1][a] * tied.row(2 * t + 1);
+      };
+      const unsigned int n      = values.n_quadrature_points;
+      CellOperator       result = CellOperator::Zero(2 * n, n_cell_dofs);
+      for (unsigned int q = 0; q < n; ++q)
+        {
+          const Point<2> &p        = values.get_quadrature().point(q);
+          Row             along[2] = {Row::Zero(), Row::Zero()};
+          for (unsigned int j = 0; j < 3; ++j)
+            for (unsigned int i = 0; i < 2; ++i)
+              {
+                along[0] += lagrange(linear, i, p[0]) *
+                  lagrange(quadratic, j, p[1]) * covariant(2 * j + i, 0);
+                along[1] += lagrange(quadratic, j, p[0]) *
+                  lagrange(linear, i, p[1]) * covariant(6 + 3 * i + j, 1);
+              }
+          const auto &inverse = values.inverse_jacobian(q);
+          for (unsigned int d = 0; d < 2; ++d)
+            result.row(2 * q + d) =
+              inverse[0][d] * along[0] + inverse[1][d] * along[1];
+        }
+      return result;
     };
-
-    const unsigned int n      = values.n_quadrature_points;
-    CellOperator       result = CellOperator::Zero(2 * n, n_cell_dofs);
-    for (unsigned int q = 0; q < n; ++q)
-      {
-        const Point<2> &p        = values.get_quadrature().point(q);
-        Row             along[2] = {Row::Zero(), Row::Zero()};
-        for (unsigned int j = 0; j < 3; ++j)
-          for (unsigned int i = 0; i < 2; ++i)
-            {
-              along[0] += lagrange(linear, i, p[0]) *
-                lagrange(quadratic, j, p[1]) * covariant(2 * j + i, 0);
-              along[1] += lagrange(quadratic, j, p[0]) *
-                lagrange(linear, i, p[1]) * covariant(6 + 3 * i + j, 1);
-            }
-        const auto &inverse = values.inverse_jacobian(q);
-        for (unsigned int d = 0; d < 2; ++d)
-          result.row(2 * q + d) =
-            inverse[0][d] * along[0] + inverse[1][d] * along[1];
-      }
-    return result;
+    return {Quadrature<2>(points), interpolate};
   }
 } // namespace PlateImpact

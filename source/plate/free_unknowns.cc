@@ -6,6 +6,11 @@ namespace PlateImpact
 {
   using namespace dealii;
 
+  namespace
+  {
+    using Row = Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator;
+  }
+
   void
   FreeUnknowns::reinit(const DoFHandler<2>             &dof_handler,
                        const AffineConstraints<double> &homogeneous_constraints)
@@ -19,27 +24,25 @@ namespace PlateImpact
     components.resize(n_free);
 
     std::vector<types::global_dof_index> dofs(n_cell_dofs);
-    first_contribution = {0};
-    contributions.clear();
+    std::vector<Eigen::Triplet<double>>  weights;
+    int                                  row = 0;
     for (const auto &cell : dof_handler.active_cell_iterators())
       {
         cell->get_dof_indices(dofs);
-        for (unsigned int i = 0; i < dofs.size(); ++i)
-          {
-            const types::global_dof_index dof = dofs[i];
-            if (!constraints->is_constrained(dof))
-              {
-                contributions.push_back({unknown_of_dof[dof], 1.});
-                components[unknown_of_dof[dof]] =
-                  cell->get_fe().system_to_component_index(i).first;
-              }
-            else
-              for (const auto &[master, weight] :
-                   *constraints->get_constraint_entries(dof))
-                contributions.push_back({unknown_of_dof[master], weight});
-            first_contribution.push_back(contributions.size());
-          }
+        for (unsigned int i = 0; i < dofs.size(); ++i, ++row)
+          if (const int unknown = unknown_of_dof[dofs[i]]; unknown >= 0)
+            {
+              weights.emplace_back(row, unknown, 1.);
+              components[unknown] =
+                cell->get_fe().system_to_component_index(i).first;
+            }
+          else
+            for (const auto &[master, weight] :
+                 *constraints->get_constraint_entries(dofs[i]))
+              weights.emplace_back(row, unknown_of_dof[master], weight);
       }
+    nodal_values_of_cells.resize(row, n_free);
+    nodal_values_of_cells.setFromTriplets(weights.begin(), weights.end());
   }
 
 
@@ -47,10 +50,11 @@ namespace PlateImpact
   std::vector<types::global_dof_index>
   FreeUnknowns::of_cell(const unsigned int cell) const
   {
-    const auto first = first_contribution.begin() + n_cell_dofs * cell;
-    std::vector<types::global_dof_index> unknowns;
-    for (std::size_t k = first[0]; k < first[n_cell_dofs]; ++k)
-      unknowns.push_back(contributions[k].unknown);
+    const int *const columns = nodal_values_of_cells.innerIndexPtr(),
+                     *first  = nodal_values_of_cells.outerIndexPtr() +
+      n_cell_dofs * cell;
+    std::vector<types::global_dof_index> unknowns(columns + first[0],
+                                                  columns + first[n_cell_dofs]);
     std::sort(unknowns.begin(), unknowns.end());
     unknowns.erase(std::unique(unknowns.begin(), unknowns.end()),
                    unknowns.end());
@@ -66,23 +70,26 @@ namespace PlateImpact
     const CellMatrix                           &matrix,
     Eigen::MatrixXd                            &result) const
   {
-    const auto        first = first_contribution.begin() + n_cell_dofs * cell;
-    const std::size_t begin = first[0];
-    std::vector<int>  position, dof; // of contributions
+    struct Weight
+    {
+      int    row, position; ///< of a nodal value, of an unknown
+      double value;
+    };
+    std::vector<Weight> weights;
     for (int i = 0; i < n_cell_dofs; ++i)
-      for (std::size_t k = first[i]; k < first[i + 1]; ++k)
-        {
-          dof.push_back(i);
-          position.push_back(std::lower_bound(unknowns.begin(),
-                                              unknowns.end(),
-                                              contributions[k].unknown) -
-                             unknowns.begin());
-        }
+      for (Row entry(nodal_values_of_cells, n_cell_dofs * cell + i); entry;
+           ++entry)
+        weights.push_back(
+          {i,
+           static_cast<int>(
+             std::lower_bound(unknowns.begin(), unknowns.end(), entry.col()) -
+             unknowns.begin()),
+           entry.value()});
     result.setZero(unknowns.size(), unknowns.size());
-    for (std::size_t l = 0; l < dof.size(); ++l)
-      for (std::size_t k = 0; k < dof.size(); ++k)
-        result(position[k], position[l]) += contributions[begin + k].weight *
-          contributions[begin + l].weight * matrix(dof[k], dof[l]);
+    for (const Weight &l : weights)
+      for (const Weight &k : weights)
+        result(k.position, l.position) +=
+          k.value * l.value * matrix(k.row, l.row);
   }
 
 
@@ -93,11 +100,10 @@ namespace PlateImpact
                             Eigen::MatrixXd &values) const
   {
     values.setZero(n_cell_dofs, unknowns.cols());
-    const auto first = first_contribution.begin() + n_cell_dofs * cell;
     for (int i = 0; i < n_cell_dofs; ++i)
-      for (std::size_t k = first[i]; k < first[i + 1]; ++k)
-        values.row(i) +=
-          contributions[k].weight * unknowns.row(contributions[k].unknown);
+      for (Row entry(nodal_values_of_cells, n_cell_dofs * cell + i); entry;
+           ++entry)
+        values.row(i) += entry.value() * unknowns.row(entry.col());
   }
 
 
@@ -108,9 +114,9 @@ namespace PlateImpact
                           const double       force,
                           Eigen::VectorXd   &forces) const
   {
-    const auto first = first_contribution.begin() + n_cell_dofs * cell;
-    for (std::size_t k = first[i]; k < first[i + 1]; ++k)
-      forces[contributions[k].unknown] += force * contributions[k].weight;
+    for (Row entry(nodal_values_of_cells, n_cell_dofs * cell + i); entry;
+         ++entry)
+      forces[entry.col()] += force * entry.value();
   }
 
 

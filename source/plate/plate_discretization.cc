@@ -286,45 +286,32 @@ namespace PlateImpact
   PlateDiscretization::add_load(
     const Triangulation<2>::active_cell_iterator &cell,
     const Point<2>                               &unit,
-    const double                                  weight,
-    const double                                  rotation_factor,
+    const double                                  force,
+    const double                                  beta,
     Eigen::VectorXd                              &u) const
   {
     const FESystem<2> &fe = plate_element.finite_element();
+    const unsigned int c  = cell->active_cell_index();
     for (int node = 0; node < n_cell_dofs / int(n_components); ++node)
-      unknowns.add_force(cell->active_cell_index(),
+      unknowns.add_force(c,
                          fe.component_to_system_index(deflection, node),
-                         weight * fe.base_element(0).shape_value(node, unit),
+                         force * fe.base_element(0).shape_value(node, unit),
                          u);
-    if (rotation_factor != 0.)
-      add_divergence(cell, unit, weight * rotation_factor, u);
-  }
-
-
-
-  void
-  PlateDiscretization::add_divergence(
-    const Triangulation<2>::active_cell_iterator &cell,
-    const Point<2>                               &unit,
-    const double                                  factor,
-    Eigen::VectorXd                              &u) const
-  {
-    const FESystem<2> &fe = plate_element.finite_element();
-    FEValues<2>        values(mapping_of(cell),
+    if (beta == 0.)
+      return;
+    FEValues<2> values(mapping_of(cell),
                        fe,
                        Quadrature<2>(unit),
                        update_gradients);
     values.reinit(cell);
     for (int i = 0; i < n_cell_dofs; ++i)
-      {
-        const unsigned int component = fe.system_to_component_index(i).first;
-        if (component != deflection)
-          unknowns.add_force(cell->active_cell_index(),
-                             i,
-                             factor *
-                               values.shape_grad(i, 0)[component - rotation_x],
-                             u);
-      }
+      if (const unsigned int component = fe.system_to_component_index(i).first;
+          component != deflection)
+        unknowns.add_force(c,
+                           i,
+                           force * beta *
+                             values.shape_grad(i, 0)[component - rotation_x],
+                           u);
   }
 
 

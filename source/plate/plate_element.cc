@@ -11,56 +11,39 @@ namespace PlateImpact
 
   namespace
   {
-    template <unsigned int n>
-    std::unique_ptr<const AssumedShear>
-    at_gauss_points()
-    {
-      return std::make_unique<ShearAtGaussPoints>(n);
-    }
-
-
-
-    std::unique_ptr<const AssumedShear>
-    mixed()
-    {
-      return std::make_unique<MixedShear>();
-    }
-
-
-
     struct ElementRow
     {
       ElementType                    choice;
       std::string                    word;
       std::array<bool, n_components> centre_is_constrained;
-      std::unique_ptr<const AssumedShear> (*make_assumed_shear)();
+      AssumedShear                   assumed_shear;
     };
 
     const std::vector<ElementRow> elements = {
       {ElementType::serendipity,
        "serendipity",
        {{true, true, true}},
-       at_gauss_points<2>},
+       shear_at_gauss_points(2)},
       {ElementType::serendipity_full,
        "serendipity full",
        {{true, true, true}},
-       at_gauss_points<3>},
+       shear_at_gauss_points(3)},
       {ElementType::heterosis,
        "heterosis",
        {{true, false, false}},
-       at_gauss_points<2>},
+       shear_at_gauss_points(2)},
       {ElementType::Lagrange,
        "Lagrange",
        {{false, false, false}},
-       at_gauss_points<2>},
-      {ElementType::MITC9, "MITC9", {{false, false, false}}, mixed}};
+       shear_at_gauss_points(2)},
+      {ElementType::MITC9, "MITC9", {{false, false, false}}, mixed_shear()}};
   } // namespace
 
 
 
   PlateElement::PlateElement(const ElementType type)
     : centre_is_constrained(row_of(type, elements).centre_is_constrained)
-    , assumed_shear(row_of(type, elements).make_assumed_shear())
+    , assumed_shear(row_of(type, elements).assumed_shear)
     , scalar_element(2)
     , element(scalar_element, n_components)
     , quadrature_points(3)
@@ -104,7 +87,7 @@ namespace PlateImpact
   {
     FEValues<2> tying(mapping_of(cell),
                       scalar_element,
-                      assumed_shear->tying_points(),
+                      assumed_shear.tying_points,
                       update_values | update_gradients | update_jacobians);
     tying.reinit(cell);
     const unsigned int n_tying = tying.n_quadrature_points,
@@ -136,7 +119,7 @@ namespace PlateImpact
           }
       }
 
-    const CellOperator shear = assumed_shear->interpolate(tied, tying, values);
+    const CellOperator shear = assumed_shear.interpolate(tied, tying, values);
     for (unsigned int q = 0; q < n; ++q)
       result.middleRows<2>(5 * q + 3) = shear.middleRows<2>(2 * q);
     return result;

@@ -307,9 +307,11 @@ namespace PlateImpact
 
 
 
+    /// With what follows from it.
     void
     draw_outline(PlateFile &plate)
     {
+      std::vector<Point<2>> ends;
       for (const auto &face : plate.mesh.active_face_iterators())
         if (face->at_boundary())
           {
@@ -325,36 +327,14 @@ namespace PlateImpact
                     face->vertex(1),
                     double(i) / n);
                 plate.outline.push_back({{last, next}});
+                ends.push_back(next);
                 last = next;
               }
           }
-    }
-
-
-
-    /// The middle of the rectangle around the plate, arcs included, becomes the
-    /// origin.
-    void
-    centre(PlateFile &plate)
-    {
-      std::vector<Point<2>> points;
-      for (const auto &chord : plate.outline)
-        points.insert(points.end(), chord.begin(), chord.end());
-      const BoundingBox<2> box(points);
-      plate.extent             = {{box.side_length(0), box.side_length(1)}};
-      const Tensor<1, 2> shift = -0.5 *
-        Tensor<1, 2>(box.get_boundary_points().first +
-                     box.get_boundary_points().second);
-      GridTools::shift(shift, plate.mesh);
-      for (std::size_t arc = 0; arc < plate.arcs.size(); ++arc)
-        {
-          plate.arcs[arc].centre += shift;
-          plate.mesh.set_manifold(arc,
-                                  SphericalManifold<2>(plate.arcs[arc].centre));
-        }
-      for (auto &chord : plate.outline)
-        for (Point<2> &end : chord)
-          end += shift;
+      // arcs included
+      const BoundingBox<2> box(ends);
+      plate.extent = {{box.side_length(0), box.side_length(1)}};
+      plate.centre = box.center();
     }
 
 
@@ -435,7 +415,6 @@ namespace PlateImpact
     refuse_flat_corners(plate->mesh);
     plate->area = GridTools::volume(plate->mesh, curved_mapping());
     draw_outline(*plate);
-    centre(*plate);
     return plate;
   }
 } // namespace PlateImpact

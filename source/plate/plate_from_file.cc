@@ -17,7 +17,8 @@ namespace PlateImpact
       explicit PlateFromFile(const PlateParameters &plate)
         : PlateGeometry(plate)
         , file(*plate.file)
-        , impact({plate.impact_point[0], plate.impact_point[1]})
+        , impact(file.centre +
+                 Point<2>(plate.impact_point[0], plate.impact_point[1]))
       {}
 
       double
@@ -35,13 +36,13 @@ namespace PlateImpact
       double
       distance_to_edge() const override
       {
-        return file.distance_to_edge(Point<2>(impact));
+        return file.distance_to_edge(impact);
       }
 
       double
       distance_to_edge(const unsigned int axis) const override
       {
-        return file.distance_to_edge(Point<2>(impact), axis);
+        return file.distance_to_edge(impact, axis);
       }
 
       bool
@@ -65,11 +66,11 @@ namespace PlateImpact
       make_mesh(Triangulation<2> &mesh, const CellNumbers &) const override
       {
         mesh.copy_triangulation(file.mesh);
-        GridTools::shift(-impact, mesh);
+        GridTools::shift(Point<2>() - impact, mesh);
         for (unsigned int arc = 0; arc < file.arcs.size(); ++arc)
           mesh.set_manifold(arc,
-                            SphericalManifold<2>(file.arcs[arc].centre -
-                                                 impact));
+                            SphericalManifold<2>(
+                              Point<2>(file.arcs[arc].centre - impact)));
       }
 
       double
@@ -79,8 +80,8 @@ namespace PlateImpact
       }
 
     private:
-      const PlateFile   &file;
-      const Tensor<1, 2> impact;
+      const PlateFile &file;
+      const Point<2>   impact; ///< in coordinates of the file
     };
   } // namespace
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace PlateImpact
 {
@@ -92,11 +93,14 @@ namespace PlateImpact
                  "word");
         return;
       }
-    const auto &edges = plate.file->edges;
-    std::string names;
+    const auto              &edges = plate.file->edges;
+    std::vector<std::string> named, quoted;
+    for (const EdgeSupports &support : supports)
+      named.push_back(support.edge);
     for (const std::string &edge : edges)
-      names += (names.empty() ? "" : ", ") +
-        (edge.empty() ? "sides in no physical group" : "'" + edge + "'");
+      quoted.push_back(edge.empty() ? "sides in no physical group" :
+                                      "'" + edge + "'");
+    const std::string names = fmt::format("{}", fmt::join(quoted, ", "));
     if (!is_named && supports.size() > 1)
       return refuse({"Plate/Support", "Plate/Outline"},
                     "are two supports without edges; expected one word, or "
@@ -104,23 +108,15 @@ namespace PlateImpact
                       plate.outline.file + ", " + names);
     if (!is_named)
       return;
-    for (const auto &[name, support] : supports)
-      if (std::count(edges.begin(), edges.end(), name) == 0)
+    for (const std::string &edge : named)
+      if (std::count(edges.begin(), edges.end(), edge) == 0)
         refuse({"Plate/Support", "Plate/Outline"},
-               "names an edge '" + name + "', which " + plate.outline.file +
+               "names an edge '" + edge + "', which " + plate.outline.file +
                  " does not have; expected " + names);
-      else if (std::count_if(supports.begin(),
-                             supports.end(),
-                             [&name = name](const EdgeSupports &other) {
-                               return other.edge == name;
-                             }) > 1)
-        return refuse({"Plate/Support"}, "names the edge '" + name + "' twice");
+      else if (std::count(named.begin(), named.end(), edge) > 1)
+        return refuse({"Plate/Support"}, "names the edge '" + edge + "' twice");
     for (const std::string &edge : edges)
-      if (std::none_of(supports.begin(),
-                       supports.end(),
-                       [&edge](const EdgeSupports &named) {
-                         return named.edge == edge;
-                       }))
+      if (std::count(named.begin(), named.end(), edge) == 0)
         refuse({"Plate/Support", "Plate/Outline"},
                edge.empty() ?
                  "names no support for sides of " + plate.outline.file +

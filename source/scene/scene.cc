@@ -19,7 +19,7 @@ namespace PlateImpact
     if (reader.mistakes.empty() && checker.mistakes.empty())
       checker.complete();
     reader.add_mistakes(checker.mistakes);
-    reader.add_mistakes(SweepPlan(reader.entries, given.sweep).mistakes());
+    reader.add_mistakes(SweepPlan(reader.entries, given.sweep).mistakes);
     reader.refuse_mistakes();
     return {printable(path),
             checker.parameters,

@@ -65,6 +65,18 @@ namespace PlateImpact
 
 
 
+    bool
+    has_section(const Entries &entries, const std::string &section)
+    {
+      return std::any_of(entries.all.begin(),
+                         entries.all.end(),
+                         [&section](const Entry &entry) {
+                           return entry.section() == section;
+                         });
+    }
+
+
+
     /// "; did you mean ...?", empty when nothing is close.
     std::string
     suggestion(const std::string              &name,
@@ -128,23 +140,18 @@ namespace PlateImpact
     const SceneFile file = scan(path, overrides, output);
     mistakes             = file.mistakes;
     for (const Assignment &opening : file.sections)
-      if (!has_section(opening.section))
+      if (!has_section(entries, opening.section))
         mistakes.push_back(opening.origin + ": " +
                            unknown(entries, opening.section, opening.entry));
     add_mistakes(set(file.assignments));
-    check_directory();
-  }
-
-
-
-  bool
-  SceneReader::has_section(const std::string &section) const
-  {
-    return std::any_of(entries.all.begin(),
-                       entries.all.end(),
-                       [&section](const Entry &entry) {
-                         return entry.section() == section;
-                       });
+    // the results must not replace the scene
+    const Entry    &directory = entries.at("Output/Directory");
+    std::error_code error;
+    if (fs::equivalent(name, fs::path(directory.value) / "scene.prm", error))
+      mistakes.push_back(directory.origin + ": " + directory.path + " = " +
+                         directory.value +
+                         " holds the scene itself, which the results would "
+                         "replace; expected another directory or file name");
   }
 
 
@@ -155,7 +162,7 @@ namespace PlateImpact
     std::vector<std::string> refused;
     for (const Assignment &assignment : assignments)
       {
-        if (!has_section(assignment.section))
+        if (!has_section(entries, assignment.section))
           continue;
         const std::string path    = assignment.path(),
                           refusal = assignment.origin + ": " + path + " = ";
@@ -188,20 +195,6 @@ namespace PlateImpact
   SceneReader::add_mistakes(const std::vector<std::string> &more)
   {
     mistakes.insert(mistakes.end(), more.begin(), more.end());
-  }
-
-
-
-  void
-  SceneReader::check_directory()
-  {
-    const Entry    &directory = entries.at("Output/Directory");
-    std::error_code error;
-    if (fs::equivalent(name, fs::path(directory.value) / "scene.prm", error))
-      mistakes.push_back(directory.origin + ": " + directory.path + " = " +
-                         directory.value +
-                         " holds the scene itself, which the results would "
-                         "replace; expected another directory or file name");
   }
 
 

@@ -90,20 +90,20 @@ namespace PlateImpact
 
 
 
-  SweepPlan::SweepPlan(const Entries &entries, const SweepParameters &sweep)
+  SweepPlan::SweepPlan(const Entries &all, const SweepParameters &sweep)
     : is_product(sweep.combination == SweepCombination::product)
   {
     for (unsigned int n = 0; n < sweep.entries.size(); ++n)
-      read_entry(n, entries, sweep);
-    if (found_mistakes.empty() && !swept.empty())
-      combine(entries);
+      read_entry(n, all, sweep);
+    if (mistakes.empty() && !entries.empty())
+      combine(all);
   }
 
 
 
   void
   SweepPlan::read_entry(const unsigned int     n,
-                        const Entries         &entries,
+                        const Entries         &all,
                         const SweepParameters &sweep)
   {
     const std::string number = std::to_string(n + 1),
@@ -113,8 +113,8 @@ namespace PlateImpact
     const auto refuse         = [&](const std::string &which,
                             const std::string &value,
                             const std::string &text) {
-      found_mistakes.push_back(entries.at(which).origin + ": " + which + " = " +
-                               value + " " + text);
+      mistakes.push_back(all.at(which).origin + ": " + which + " = " + value +
+                         " " + text);
     };
     if (path.empty())
       {
@@ -126,63 +126,58 @@ namespace PlateImpact
     const std::string section = path.substr(0, slash);
     if (slash == std::string::npos)
       return refuse(entry, path, "is not of the form Section/Entry");
-    const Entry *const read = entries.find(path);
+    const Entry *const read = all.find(path);
     if (read == nullptr)
       return refuse(entry,
                     path,
                     "is not allowed: " +
-                      unknown(entries, section, path.substr(slash + 1)));
+                      unknown(all, section, path.substr(slash + 1)));
     if (section == "Output" || section == "Sweep" || section == "Comparison")
       return refuse(entry, path, "is no entry of an impact");
-    for (const SweptEntry &other : swept)
-      if (other.path == path)
-        return refuse(entry, path, "is swept twice");
-
+    if (sweeps(path))
+      return refuse(entry, path, "is swept twice");
     if (values.empty())
       return refuse(entry, path, "has no values; expected them in " + list);
-    SweptEntry result{path, read->unit(), entries.at(list).origin, {}};
+    SweptEntry result{path, read->unit(), all.at(list).origin, {}};
     if (const std::string mistake = append_values(values, *read, result.values);
         !mistake.empty())
       return refuse(list, values, "is not allowed: " + mistake);
-    swept.push_back(result);
+    entries.push_back(result);
   }
 
 
 
   void
-  SweepPlan::combine(const Entries &entries)
+  SweepPlan::combine(const Entries &all)
   {
-    double      product = 1.;
-    std::string sizes;
-    bool        same = true;
-    for (const SweptEntry &entry : swept)
+    std::vector<std::size_t> sizes;
+    double                   n = 1.;
+    for (const SweptEntry &entry : entries)
       {
-        const std::size_t n = entry.values.size();
-        product *= static_cast<double>(n);
-        sizes += (sizes.empty() ? "" :
-                    is_product  ? " x " :
-                                  " and ") +
-          std::to_string(n);
-        same = same && n == swept.front().values.size();
+        sizes.push_back(entry.values.size());
+        n = is_product ? n * sizes.back() : sizes.front();
       }
-    const double      n = is_product ? product : swept.front().values.size();
-    const Entry      &combination = entries.at("Sweep/Combination");
+    const Entry      &combination = all.at("Sweep/Combination");
     const std::string where =
-      (combination.origin == "default" ? swept.front().origin :
+      (combination.origin == "default" ? entries.front().origin :
                                          combination.origin) +
       ": " + combination.path + " = " + combination.value + " ";
-    if (!is_product && !same)
-      found_mistakes.push_back(where + "needs lists of one length; they have " +
-                               sizes + " values");
+    if (!is_product &&
+        std::count(sizes.begin(), sizes.end(), sizes[0]) <
+          static_cast<long>(sizes.size()))
+      mistakes.push_back(
+        fmt::format("{}needs lists of one length; they have {} values",
+                    where,
+                    fmt::join(sizes, " and ")));
     else if (n > max_points)
-      found_mistakes.push_back(
+      mistakes.push_back(
         fmt::format("{}makes {:.0f} points, {}; expected at most {}",
                     where,
                     n,
-                    sizes,
+                    fmt::join(sizes, is_product ? " x " : " and "),
                     max_points));
     else
-      size = static_cast<std::size_t>(n);
+      n_points = static_cast<std::size_t>(n);
   }
 
 
@@ -190,9 +185,20 @@ namespace PlateImpact
   bool
   SweepPlan::sweeps(const std::string &path) const
   {
-    return std::any_of(swept.begin(), swept.end(), [&](const auto &entry) {
+    return std::any_of(entries.begin(), entries.end(), [&](const auto &entry) {
       return entry.path == path;
     });
+  }
+
+
+
+  std::string
+  SweepPlan::names() const
+  {
+    std::vector<std::string> paths;
+    for (const SweptEntry &entry : entries)
+      paths.push_back(entry.path);
+    return fmt::format("{}", fmt::join(paths, ", "));
   }
 
 
@@ -200,10 +206,10 @@ namespace PlateImpact
   std::vector<std::string>
   SweepPlan::values(std::size_t point) const
   {
-    std::vector<std::string> result(swept.size());
-    for (std::size_t i = swept.size(); i-- > 0;)
+    std::vector<std::string> result(entries.size());
+    for (std::size_t i = entries.size(); i-- > 0;)
       {
-        const std::vector<std::string> &values = swept[i].values;
+        const std::vector<std::string> &values = entries[i].values;
         result[i] = values[is_product ? point % values.size() : point];
         point     = is_product ? point / values.size() : point;
       }

@@ -9,9 +9,10 @@ namespace PlateImpact
                          const std::vector<std::string>   &overrides,
                          const std::optional<std::string> &output)
     : reader(path, overrides, output)
-    , sweep_plan(reader.entries, reader.parameters.sweep)
+    , name(printable(path))
+    , plan(reader.entries, reader.parameters.sweep)
   {
-    for (const SweptEntry &swept : sweep_plan.entries())
+    for (const SweptEntry &swept : plan.entries)
       {
         Entry &entry = reader.entries.at(swept.path);
         if (entry.origin == "--set")
@@ -23,8 +24,8 @@ namespace PlateImpact
     SceneChecker checker(reader.entries, reader.parameters);
     checker.check_together();
     reader.add_mistakes(checker.mistakes);
-    reader.add_mistakes(sweep_plan.mistakes());
-    if (reader.mistakes.empty() && sweep_plan.n_points() == 0)
+    reader.add_mistakes(plan.mistakes);
+    if (reader.mistakes.empty() && plan.n_points == 0)
       reader.add_mistakes(
         {path +
          ": nothing is swept; expected Sweep/Entry 1 and Values 1, for "
@@ -41,10 +42,10 @@ namespace PlateImpact
   SweepScene::point(const std::size_t index)
   {
     std::vector<Assignment>        assignments;
-    const std::vector<std::string> values = sweep_plan.values(index);
+    const std::vector<std::string> values = plan.values(index);
     for (std::size_t i = 0; i < values.size(); ++i)
       {
-        const SweptEntry &swept = sweep_plan.entries()[i];
+        const SweptEntry &swept = plan.entries[i];
         const std::size_t slash = swept.path.find('/');
         assignments.push_back({swept.path.substr(0, slash),
                                swept.path.substr(slash + 1),
@@ -65,8 +66,7 @@ namespace PlateImpact
         mistakes = checker.mistakes;
       }
     if (mistakes.empty() && !checker.expected)
-      mistakes = {sweep_plan.entries().front().origin +
-                  ": there is no impactor"};
+      mistakes = {plan.entries.front().origin + ": there is no impactor"};
     if (!mistakes.empty())
       throw InputError(mistakes);
     return {checker.parameters, *checker.expected};

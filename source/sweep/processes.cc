@@ -1,10 +1,23 @@
 #include "plate_impact/sweep/processes.h"
 
+#include <deal.II/base/mpi.h>
+
+#include "plate_impact/base/exceptions.h"
+#include "plate_impact/base/interrupt.h"
+#include "plate_impact/sweep/sweep_computation.h"
+
+#include <boost/serialization/is_bitwise_serializable.hpp>
+#include <boost/serialization/vector.hpp>
+
 #include <cstdlib>
-#include <mpi.h>
+
+// sent as its numbers, in one piece
+BOOST_IS_BITWISE_SERIALIZABLE(PlateImpact::ContactState)
 
 namespace PlateImpact
 {
+  using namespace dealii;
+
   namespace
   {
     /// Whether mpirun or a batch system has started this process, by the
@@ -17,6 +30,50 @@ namespace PlateImpact
           return true;
       return false;
     }
+
+
+    /// What a process sends: a point, with the states of its history, or at
+    /// last its work.
+    struct Message
+    {
+      Message() = default;
+
+      explicit Message(const ComputedPoint &point)
+        : row(point.row)
+      {
+        if (point.history)
+          states = point.history->states();
+      }
+
+      explicit Message(const SweepWork &work)
+        : is_work(true)
+        , work(work)
+      {}
+
+      ComputedPoint
+      computed() const
+      {
+        ComputedPoint point{row, {}};
+        if (!states.empty())
+          point.history.emplace();
+        for (const ContactState &state : states)
+          point.history->add(state);
+        return point;
+      }
+
+      template <typename Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &is_work &work.meshes &work.plates &work.loads &states;
+        archive &row.point &row.quantities &row.failure &row.warnings;
+      }
+
+      SweepRow                  row;
+      std::vector<ContactState> states;
+      bool                      is_work = false;
+      SweepWork                 work;
+    };
   } // namespace
 
 
@@ -112,30 +169,8 @@ namespace PlateImpact
   void
   Processes::broadcast(std::vector<std::size_t> &numbers) const
   {
-    if (!connection)
-      return;
-    std::size_t n = numbers.size();
-    MPI_Bcast(&n, 1, MPI_UNSIGNED_LONG, 0, MPI_COMM_WORLD);
-    numbers.resize(n);
-    MPI_Bcast(numbers.data(),
-              static_cast<int>(n),
-              MPI_UNSIGNED_LONG,
-              0,
-              MPI_COMM_WORLD);
-  }
-
-
-
-  void
-  Processes::send(const std::vector<char> &bytes)
-  {
-    // without waiting for the first process as long as the message is small
-    MPI_Send(bytes.data(),
-             static_cast<int>(bytes.size()),
-             MPI_CHAR,
-             0,
-             0,
-             MPI_COMM_WORLD);
+    if (connection)
+      numbers = Utilities::MPI::broadcast(MPI_COMM_WORLD, numbers);
   }
 
 
@@ -179,5 +214,67 @@ namespace PlateImpact
   Processes::all_ended() const
   {
     return n_ended + 1 >= size();
+  }
+
+
+
+  SweepWork
+  Processes::compute(const std::vector<SweepGroups::Task> &tasks,
+                     SweepComputation                     &computation,
+                     const std::function<void(const ComputedPoint &)> &take)
+  {
+    const auto send = [](const std::vector<char> &bytes) {
+      // without waiting for the first process as long as the message is small
+      MPI_Send(bytes.data(), bytes.size(), MPI_CHAR, 0, 0, MPI_COMM_WORLD);
+    };
+    SweepWork  all;
+    const auto add_work = [&all](const SweepWork &work) {
+      all.meshes += work.meshes;
+      all.plates += work.plates;
+      all.loads += work.loads;
+    };
+    const auto take_others = [&](const bool wait) {
+      for (const std::vector<char> &bytes : receive(wait))
+        if (const auto message = Utilities::unpack<Message>(bytes, false);
+            message.is_work)
+          add_work(message.work);
+        else
+          take(message.computed());
+    };
+    try
+      {
+        for (std::size_t task; (task = next_task()) < tasks.size();)
+          for (const std::size_t index : tasks[task].points)
+            {
+              const ComputedPoint point =
+                computation.compute(tasks[task].group, index);
+              if (is_first())
+                {
+                  take(point);
+                  throw_if_interrupted();
+                  take_others(/*wait=*/false);
+                }
+              else
+                send(Utilities::pack(Message(point), false));
+            }
+        if (!is_first())
+          {
+            send(Utilities::pack(Message(computation.work()), false));
+            send({});
+          }
+        while (is_first() && !all_ended())
+          take_others(/*wait=*/true);
+      }
+    catch (const ComputationError &)
+      {
+        // nothing can be written: nothing more is computed
+        while (next_task() < tasks.size())
+          ;
+        while (!all_ended())
+          receive(/*wait=*/true);
+        throw;
+      }
+    add_work(computation.work());
+    return all;
   }
 } // namespace PlateImpact

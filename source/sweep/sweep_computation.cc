@@ -60,17 +60,6 @@ namespace PlateImpact
 
 
 
-  SweepWork &
-  SweepWork::operator+=(const SweepWork &other)
-  {
-    meshes += other.meshes;
-    plates += other.plates;
-    loads += other.loads;
-    return *this;
-  }
-
-
-
   SweepComputation::SweepComputation(SweepScene        &scene,
                                      const SweepGroups &groups)
     : scene(scene)
@@ -79,13 +68,12 @@ namespace PlateImpact
 
 
 
-  std::pair<SweepRow, std::optional<ContactHistory>>
+  ComputedPoint
   SweepComputation::compute(const std::size_t group, const std::size_t point)
   {
-    SweepRow                      row;
-    std::optional<ContactHistory> history;
-    row.point   = point;
-    row.failure = failure_of([&] {
+    ComputedPoint result;
+    result.row.point   = point;
+    result.row.failure = failure_of([&] {
       const SweepPoint     valid    = scene.point(point);
       Computed             computed = compute(group, valid);
       const ComputedImpact impact{valid.parameters,
@@ -95,12 +83,13 @@ namespace PlateImpact
                                   computed.discretization_error,
                                   computed.peak_force_bar};
       for (const ImpactQuantity &quantity : impact_quantities())
-        row.figures.push_back(quantity.value(impact).value_or(std::nan("")));
-      row.warnings = std::move(computed.warnings);
+        result.row.quantities.push_back(
+          quantity.value(impact).value_or(std::nan("")));
+      result.row.warnings = std::move(computed.warnings);
       if (valid.parameters.sweep.write_histories)
-        history = std::move(computed.impact.history);
+        result.history = std::move(computed.impact.history);
     });
-    return {row, history};
+    return result;
   }
 
 
@@ -115,20 +104,19 @@ namespace PlateImpact
 
     if (current_group != group)
       {
-        struck_plate.reset();
+        plate_model.reset();
         mesh_warnings.clear();
         current_group = group;
         failure       = failure_of([&] {
           auto mesh     = make_mesh(group, point);
           min_cell_size = smallest_cell_size(*mesh);
-          struck_plate =
-            std::make_unique<StruckPlate>(parameters.plate,
-                                          parameters.discretization,
-                                          std::move(mesh));
+          plate_model   = std::make_unique<PlateModel>(parameters.plate,
+                                                     parameters.discretization,
+                                                     std::move(mesh));
           ++done.plates;
         });
       }
-    if (struck_plate == nullptr)
+    if (plate_model == nullptr)
       throw ComputationError("the plate of this point: " + failure);
 
     if (parameters.sweep.estimate_error)
@@ -136,7 +124,7 @@ namespace PlateImpact
         Parameters on_mesh          = parameters;
         on_mesh.adaptivity.strategy = AdaptationStrategy::none;
         Computed computed =
-          analyse(on_mesh, copy_of(struck_plate->discretization().mesh()));
+          analyse(on_mesh, copy_of(plate_model->discretization().mesh()));
         computed.warnings.insert(computed.warnings.end(),
                                  mesh_warnings.begin(),
                                  mesh_warnings.end());
@@ -150,15 +138,15 @@ namespace PlateImpact
   SweepComputation::Computed
   SweepComputation::strike(const SweepPoint &point)
   {
-    const unsigned int loads_before = struck_plate->work().loads;
+    const unsigned int loads_before = plate_model->work().loads;
     const bool         needs_states = point.parameters.needs_estimator();
     const Parameters   parameters =
-      until_contact_ends(*struck_plate, point.parameters, needs_states);
-    const LoadedPlate plate = struck_plate->under(parameters, needs_states);
+      until_contact_ends(*plate_model, point.parameters, needs_states);
+    const LoadedPlate plate = plate_model->under(parameters, needs_states);
     Computed          computed{plate.strike(), {}, {}, {}};
-    done.loads += struck_plate->work().loads - loads_before;
+    done.loads += plate_model->work().loads - loads_before;
 
-    const Triangulation<2> &mesh = struck_plate->discretization().mesh();
+    const Triangulation<2> &mesh = plate_model->discretization().mesh();
     CycleResult             result;
     result.history       = computed.impact.history;
     result.sensitivity   = plate.sensitivity(*result.history);
@@ -218,7 +206,7 @@ namespace PlateImpact
       return std::make_tuple(-point.expected.peak.time,
                              point.expected.peak.force);
     };
-    for (const std::size_t index : groups.groups()[group])
+    for (const std::size_t index : groups.groups[group])
       try
         {
           const SweepPoint point = scene.point(index);

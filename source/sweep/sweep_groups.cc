@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <utility>
 
 namespace PlateImpact
 {
@@ -32,42 +31,37 @@ namespace PlateImpact
 
   SweepGroups::SweepGroups(const SweepPlan &plan, const bool is_adaptive)
   {
-    // in the order in which their first points come
-    std::map<std::string, std::size_t>                            group_of;
-    std::vector<std::map<std::string, std::size_t>>               loads;
-    std::vector<std::vector<std::pair<std::size_t, std::size_t>>> members;
-    for (std::size_t point = 0; point < plan.n_points(); ++point)
+    // numbers in the order in which their first points come
+    std::map<std::string, std::size_t> number_of_group, number_of_load;
+    std::vector<std::size_t>           load_of(plan.n_points);
+    for (std::size_t point = 0; point < plan.n_points; ++point)
       {
         const std::vector<std::string> values = plan.values(point);
         std::string                    plate_key, load_key;
         for (std::size_t i = 0; i < values.size(); ++i)
           {
-            const Level changes = level(plan.entries()[i].path);
+            const Level changes = level(plan.entries[i].path);
             if (changes == plate || (is_adaptive && changes == load))
               plate_key += values[i] + '\n';
             else if (changes == load)
               load_key += values[i] + '\n';
           }
-        const std::size_t group =
-          group_of.emplace(plate_key, members.size()).first->second;
-        if (group == members.size())
-          {
-            members.emplace_back();
-            loads.emplace_back();
-          }
-        const std::size_t place =
-          loads[group].emplace(load_key, loads[group].size()).first->second;
-        members[group].emplace_back(place, point);
+        const auto [group, is_new] =
+          number_of_group.emplace(plate_key, groups.size());
+        if (is_new)
+          groups.emplace_back();
+        groups[group->second].push_back(point);
+        load_of[point] =
+          number_of_load.emplace(plate_key + load_key, number_of_load.size())
+            .first->second;
       }
-    for (const auto &of_group : loads)
-      n_found_loads += of_group.size();
-    for (auto &group : members)
-      {
-        std::sort(group.begin(), group.end());
-        found.emplace_back();
-        for (const auto &[place, point] : group)
-          found.back().push_back(point);
-      }
+    n_loads = number_of_load.size();
+    for (auto &group : groups)
+      std::stable_sort(group.begin(),
+                       group.end(),
+                       [&load_of](const std::size_t p, const std::size_t q) {
+                         return load_of[p] < load_of[q];
+                       });
   }
 
 
@@ -77,10 +71,10 @@ namespace PlateImpact
                      const std::size_t        most_points) const
   {
     std::vector<Task> tasks;
-    for (std::size_t group = 0; group < found.size(); ++group)
+    for (std::size_t group = 0; group < groups.size(); ++group)
       {
         bool is_new = true;
-        for (const std::size_t point : found[group])
+        for (const std::size_t point : groups[group])
           if (to_do[point])
             {
               if (is_new || tasks.back().points.size() == most_points)

@@ -61,7 +61,7 @@ namespace PlateImpact
 
 
   Parameters
-  until_contact_ends(StruckPlate      &plate,
+  until_contact_ends(PlateModel       &plate,
                      const Parameters &impact,
                      const bool        needs_states)
   {

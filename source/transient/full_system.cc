@@ -27,22 +27,6 @@ namespace PlateImpact
 
 
 
-  Eigen::Map<const Eigen::SparseMatrix<double, Eigen::RowMajor>>
-  as_eigen(const Epetra_CrsMatrix &matrix)
-  {
-    int    *rows, *columns;
-    double *values;
-    matrix.ExtractCrsDataPointers(rows, columns, values);
-    return {matrix.NumMyRows(),
-            matrix.NumMyCols(),
-            matrix.NumMyNonzeros(),
-            rows,
-            columns,
-            values};
-  }
-
-
-
   EffectiveStiffness::EffectiveStiffness(
     const PlateDiscretization &discretization,
     const SolverType           solver)

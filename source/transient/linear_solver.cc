@@ -12,7 +12,6 @@
 
 #include <fmt/format.h>
 #include <new>
-#include <stdexcept>
 #include <unistd.h>
 
 // Present when the BLAS is OpenBLAS and when CHOLMOD was built with OpenMP.
@@ -25,6 +24,22 @@ omp_set_max_active_levels(int) __attribute__((weak));
 
 namespace PlateImpact
 {
+  Eigen::Map<const Eigen::SparseMatrix<double, Eigen::RowMajor>>
+  as_eigen(const Epetra_CrsMatrix &matrix)
+  {
+    int    *rows, *columns;
+    double *values;
+    matrix.ExtractCrsDataPointers(rows, columns, values);
+    return {matrix.NumMyRows(),
+            matrix.NumMyCols(),
+            matrix.NumMyNonzeros(),
+            rows,
+            columns,
+            values};
+  }
+
+
+
   namespace
   {
     /// Threads, four in CHOLMOD whatever the machine has, cost more than they
@@ -83,16 +98,7 @@ namespace PlateImpact
       factorize(Epetra_CrsMatrix &matrix) override
       {
         // rows of a symmetric matrix are its columns
-        int    *rows, *columns;
-        double *values;
-        matrix.ExtractCrsDataPointers(rows, columns, values);
-        const Eigen::SparseMatrix<double> A =
-          Eigen::Map<const Eigen::SparseMatrix<double>>(matrix.NumMyRows(),
-                                                        matrix.NumMyRows(),
-                                                        matrix.NumMyNonzeros(),
-                                                        rows,
-                                                        columns,
-                                                        values);
+        const Eigen::SparseMatrix<double> A = as_eigen(matrix).transpose();
         if (!is_analyzed)
           {
             cholesky.analyzePattern(A);
@@ -136,23 +142,19 @@ namespace PlateImpact
 
 
 
-    /// A direct solver of Trilinos' Amesos.
-    class AmesosSolver : public LinearSolver
+    /// KLU of Trilinos' Amesos.
+    class KluSolver : public LinearSolver
     {
     public:
-      explicit AmesosSolver(const std::string &name)
-        : name(name)
-      {}
-
       void
       factorize(Epetra_CrsMatrix &matrix) override
       {
         problem.SetOperator(&matrix);
-        solver.reset(Amesos().Create(name, problem));
+        solver.reset(Amesos().Create("Amesos_Klu", problem));
         if (solver == nullptr || solver->SymbolicFactorization() != 0 ||
             solver->NumericFactorization() != 0)
           throw ComputationError(
-            name + " cannot factorize the effective stiffness matrix of " +
+            "KLU cannot factorize the effective stiffness matrix of " +
             std::to_string(matrix.NumMyRows()) + " unknowns");
       }
 
@@ -168,34 +170,39 @@ namespace PlateImpact
         problem.SetRHS(&b);
         problem.SetLHS(&solution);
         if (solver->Solve() != 0)
-          throw ComputationError(name + " cannot solve");
+          throw ComputationError("KLU cannot solve");
       }
 
     private:
-      const std::string                  name;
       Epetra_LinearProblem               problem;
       std::unique_ptr<Amesos_BaseSolver> solver;
     };
+
+
+
+    struct SolverRow
+    {
+      SolverType  choice;
+      std::string word;
+      std::unique_ptr<LinearSolver> (*make)();
+    };
+
+    const std::vector<SolverRow> solvers = {
+      {SolverType::CHOLMOD, "CHOLMOD", make_as<LinearSolver, CholmodSolver>},
+      {SolverType::KLU, "KLU", make_as<LinearSolver, KluSolver>}};
   } // namespace
 
 
 
   template <>
-  const std::vector<Word<SolverType>> Choices<SolverType>::words =
-    {{SolverType::CHOLMOD, "CHOLMOD"}, {SolverType::KLU, "KLU"}};
+  const std::vector<Word<SolverType>>
+    Choices<SolverType>::words = words_of(solvers);
 
 
 
   std::unique_ptr<LinearSolver>
   make_linear_solver(const SolverType type)
   {
-    switch (type)
-      {
-        case SolverType::CHOLMOD:
-          return std::make_unique<CholmodSolver>();
-        case SolverType::KLU:
-          return std::make_unique<AmesosSolver>("Amesos_Klu");
-      }
-    throw std::logic_error("no such linear solver");
+    return row_of(type, solvers).make();
   }
 } // namespace PlateImpact

@@ -150,7 +150,7 @@ namespace PlateImpact
     to_peak.end_time       = time_of_peak;
     to_peak.time_step      = scheme.dt;
     to_peak.ritz_tolerance = tolerance_of_estimate;
-    return make_integrator(to_peak, load->system, *load->integration, true);
+    return make_integrator(load->system, to_peak, *load->integration, true);
   }
 
 

@@ -3,37 +3,37 @@
 #include "plate_impact/base/entries.h"
 #include "plate_impact/transient/ritz_reduction.h"
 
-#include <stdexcept>
-
 namespace PlateImpact
 {
-  std::unique_ptr<Integrator>
-  make_integrator(const TimeParameters     &time,
-                  FullSystem               &full,
-                  const ContactIntegration &integration,
-                  bool                      needs_fields)
-  {
-    switch (time.integrator)
-      {
-        case IntegratorType::Newmark:
-          return std::make_unique<NewmarkOnTheMesh>(full, time, integration);
-        case IntegratorType::Ritz_vectors:
-          return std::make_unique<RitzReduction>(full,
-                                                 time,
-                                                 integration,
-                                                 needs_fields);
-      }
-    throw std::logic_error("no such integrator");
-  }
-
-
-
   namespace
   {
-    const std::vector<Word<IntegratorType>> integrators = {
-      {IntegratorType::Newmark, "Newmark"},
-      {IntegratorType::Ritz_vectors, "Ritz vectors"}};
+    struct IntegratorRow
+    {
+      IntegratorType             choice;
+      std::string                word;
+      decltype(make_integrator) *make;
+    };
+
+    const std::vector<IntegratorRow> integrators = {
+      {IntegratorType::Newmark,
+       "Newmark",
+       make_as<Integrator, NewmarkOnTheMesh>},
+      {IntegratorType::Ritz_vectors,
+       "Ritz vectors",
+       make_as<Integrator, RitzReduction>}};
   } // namespace
+
+
+
+  std::unique_ptr<Integrator>
+  make_integrator(FullSystem               &full,
+                  const TimeParameters     &time,
+                  const ContactIntegration &integration,
+                  const bool                needs_fields)
+  {
+    return row_of(time.integrator, integrators)
+      .make(full, time, integration, needs_fields);
+  }
 
 
 

@@ -1,5 +1,7 @@
 #include "plate_impact/transient/natural_frequencies.h"
 
+#include <deal.II/grid/grid_tools.h>
+
 #include "plate_impact/base/exceptions.h"
 
 // Anasazi's and Teuchos' templates make warnings of their own.
@@ -65,9 +67,7 @@ namespace PlateImpact
     shift(const PlateDiscretization &discretization)
     {
       const PlateSection &section = discretization.section();
-      double              area    = 0.;
-      for (const auto &cell : discretization.mesh().active_cell_iterators())
-        area += cell->measure();
+      const double area = dealii::GridTools::volume(discretization.mesh());
       return section.mean_bending_stiffness() / section.mass_per_area /
         (area * area);
     }

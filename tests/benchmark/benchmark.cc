@@ -317,10 +317,10 @@ namespace PlateImpact
     Adaptation(benchmark::State &state)
     {
       Stages                   stages(state.range(0));
-      const auto               adaptation = make_mesh_adaptation([] {
+      const MeshAdaptation     adaptation([] {
         AdaptivityParameters adaptivity =
           steel_case(3, IntegratorType::Newmark).adaptivity;
-        adaptivity.strategy = AdaptationStrategy::hanging_nodes;
+        adaptivity.strategy          = AdaptationStrategy::hanging_nodes;
         adaptivity.minimum_cell_size = 1e-5;
         return adaptivity;
       }());
@@ -332,7 +332,7 @@ namespace PlateImpact
         {
           dealii::Triangulation<2> mesh;
           mesh.copy_triangulation(*stages.mesh);
-          adaptation->adapt(mesh, error, warnings);
+          adaptation.adapt(mesh, error, warnings);
         }
       count(state, stages);
     }

@@ -7,7 +7,6 @@
 #include "plate_impact/base/parameters.h"
 #include "plate_impact/estimator/error_estimator.h"
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -44,49 +43,91 @@ namespace PlateImpact
   sorted_cells(const dealii::Triangulation<2> &mesh);
 
 
-  /// A way to make the mesh follow its error.
+  /// A way to make the mesh follow its error: the strategy that the scene
+  /// names.
   class MeshAdaptation
   {
   public:
     /// @param contact_half_length  l of a contact along 0 <= x <= l; 0 for a
     ///                             sphere [m]
-    MeshAdaptation(const AdaptivityParameters &adaptivity,
-                   double                      contact_half_length);
-
-    virtual ~MeshAdaptation() = default;
+    explicit MeshAdaptation(const AdaptivityParameters &adaptivity,
+                            double contact_half_length = 0.);
 
     /// Changes the mesh.
     /// @param warnings  told what a user should know about the new mesh
     /// @return whether the new mesh differs from the old one
     /// @throws ComputationError when there is no new mesh
-    virtual bool
+    bool
     adapt(dealii::Triangulation<2> &mesh,
           const ErrorRatios        &error,
-          std::vector<std::string> &warnings) const = 0;
+          std::vector<std::string> &warnings) const;
 
-    /// About how many cells the mesh would have after adapt(), by
-    /// wanted_sizes(); without those as many as now.
+    /// About how many cells the mesh would have after adapt(); as many as now
+    /// of strategies that refine cells once, whose mesh can be made and
+    /// counted.
     double
     n_wanted_cells(const dealii::Triangulation<2> &mesh,
                    const ErrorRatios              &error) const;
 
-  protected:
-    /// Sizes of cells that take the place of the present ones, by active index;
-    /// none by default, for strategies that refine cells once, whose mesh can
-    /// be made and counted. [m]
-    virtual std::vector<double>
-    wanted_sizes(const dealii::Triangulation<2> &mesh,
-                 const ErrorRatios              &error) const;
-
+  private:
     const AdaptivityParameters adaptivity;
     const double               contact_half_length;
   };
 
 
-  /// The strategy that the scene names; `none` keeps the mesh.
-  std::unique_ptr<const MeshAdaptation>
-  make_mesh_adaptation(const AdaptivityParameters &adaptivity,
-                       double                      contact_half_length = 0.);
+  // Strategies, each as MeshAdaptation::adapt().
+
+  /// Satisfies target sizes by refining and coarsening cells of the given mesh,
+  /// several levels at once where necessary. Levels are rounded up, so that no
+  /// cell stays larger than its target.
+  bool
+  adapt_by_hanging_nodes(dealii::Triangulation<2>   &mesh,
+                         const ErrorRatios          &error,
+                         const AdaptivityParameters &adaptivity,
+                         double                      contact_half_length,
+                         std::vector<std::string>   &warnings);
+
+  /// Satisfies target sizes by a new mesh of quadrilaterals, as the paper does.
+  /// The impact and the end of a line contact are vertices.
+  ///
+  /// Sizes are held at the vertices of the old mesh, the smallest that the
+  /// cells there need, bilinear between them and limited in gradation.
+  /// Gmsh's cells scatter around their size, and xi' with its square, so that
+  /// without more half of the cells would exceed their limit for ever: cells to
+  /// be refined get somewhat less than they need, and cells grow only when
+  /// their target is well above them. For the same reason a mesh is kept when
+  /// eta is met and no cell is off its target by more than the scatter.
+  bool
+  remesh(dealii::Triangulation<2>   &mesh,
+         const ErrorRatios          &error,
+         const AdaptivityParameters &adaptivity,
+         double                      contact_half_length,
+         std::vector<std::string>   &warnings);
+
+  /// By active index. [m]
+  std::vector<double>
+  sizes_for_remeshing(const dealii::Triangulation<2> &mesh,
+                      const ErrorRatios              &error,
+                      const AdaptivityParameters     &adaptivity);
+
+  /// A mesh chosen before anything is known of its error: cells are at most
+  /// theta r large, r the distance of their centre from the contact, down to
+  /// the minimum cell size. The ratio theta is 1 first and halved from mesh to
+  /// mesh.
+  bool
+  refine_graded(dealii::Triangulation<2>   &mesh,
+                const ErrorRatios          &error,
+                const AdaptivityParameters &adaptivity,
+                double                      contact_half_length,
+                std::vector<std::string>   &warnings);
+
+
+  /// Refines cells until those at the load are no larger than its patch, or the
+  /// thickness, and others no larger than their distance from it, or 5000 cells
+  /// are too few for it.
+  void
+  refine_towards_load(dealii::Triangulation<2> &mesh,
+                      const Parameters         &parameters);
 } // namespace PlateImpact
 
 #endif

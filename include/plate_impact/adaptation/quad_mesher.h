@@ -3,12 +3,36 @@
 
 #include <deal.II/base/point.h>
 
+#include <gmsh.h>
+
 #include <array>
 #include <string>
 #include <vector>
 
 namespace PlateImpact
 {
+  /// Gmsh is one for the whole program: started here and ended here. Silent.
+  class GmshSession
+  {
+  public:
+    GmshSession()
+    {
+      gmsh::initialize(0, nullptr, /*readConfigFiles=*/false);
+      gmsh::option::setNumber("General.Terminal", 0);
+      gmsh::option::setNumber("General.NumThreads", 1);
+    }
+
+    ~GmshSession()
+    {
+      gmsh::finalize();
+    }
+
+    GmshSession(const GmshSession &) = delete;
+    GmshSession &
+    operator=(const GmshSession &) = delete;
+  };
+
+
   /// Target sizes of a mesh, bilinear in quadrilaterals that cover its domain.
   struct SizeField
   {

@@ -8,7 +8,7 @@
 #include "plate_impact/base/parameters.h"
 #include "plate_impact/estimator/stress_recovery.h"
 #include "plate_impact/plate/plate_discretization.h"
-#include "plate_impact/transient/struck_plate.h"
+#include "plate_impact/transient/plate_model.h"
 
 #include <Eigen/Core>
 
@@ -51,7 +51,7 @@ namespace PlateImpact
     recovery() const;
 
     const Parameters &parameters;
-    StruckPlate       plate;
+    PlateModel        plate;
     CycleResult       result;
 
   private:

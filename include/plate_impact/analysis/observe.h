@@ -14,7 +14,7 @@ namespace PlateImpact
   {
   public:
     /// Both must outlive this object.
-    StageCharges(const StruckPlate &plate, Seconds &seconds)
+    StageCharges(const PlateModel &plate, Seconds &seconds)
       : plate(plate)
       , seconds(seconds)
       , noted(plate.work())
@@ -25,7 +25,7 @@ namespace PlateImpact
     charge(double Seconds::*stage)
     {
       clock.charge(seconds.*stage);
-      const StruckPlate::Work work = plate.work();
+      const PlateModel::Work work = plate.work();
       const double assembly = work.assembly_seconds - noted.assembly_seconds,
                    factorization =
                      work.factorization_seconds - noted.factorization_seconds;
@@ -36,10 +36,10 @@ namespace PlateImpact
     }
 
   private:
-    const StruckPlate &plate;
-    Seconds           &seconds;
-    StruckPlate::Work  noted;
-    StageClock         clock;
+    const PlateModel &plate;
+    Seconds          &seconds;
+    PlateModel::Work  noted;
+    StageClock        clock;
   };
 
 

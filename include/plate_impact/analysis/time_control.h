@@ -4,7 +4,7 @@
 #include "plate_impact/analysis/cycle_result.h"
 #include "plate_impact/base/parameters.h"
 #include "plate_impact/contact/zener.h"
-#include "plate_impact/transient/struck_plate.h"
+#include "plate_impact/transient/plate_model.h"
 
 #include <optional>
 
@@ -61,10 +61,10 @@ namespace PlateImpact
     rest(const Window &last, const CycleResult &seen) const;
 
     /// The scene with the end time and the step of a window.
-    /// @param needs_states  as for StruckPlate::under()
+    /// @param needs_states  as for PlateModel::under()
     /// @throws ComputationError naming step and quantity
     Parameters
-    impact(const Window &window, StruckPlate &plate, bool needs_states) const;
+    impact(const Window &window, PlateModel &plate, bool needs_states) const;
 
   private:
     /// Whether the window ended where the scene does.

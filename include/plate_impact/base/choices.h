@@ -1,9 +1,11 @@
 #ifndef plate_impact_base_choices_h
 #define plate_impact_base_choices_h
 
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 /// What an entry of a scene may choose from. A word, its enumerator and what it
@@ -204,6 +206,14 @@ namespace PlateImpact
   word_for(const Choice choice)
   {
     return row_of(choice, Choices<Choice>::words).word;
+  }
+
+  /// Makes what a row stands for, an object of a class behind an interface.
+  template <typename Interface, typename Class, typename... Arguments>
+  std::unique_ptr<Interface>
+  make_as(Arguments... arguments)
+  {
+    return std::make_unique<Class>(std::forward<Arguments>(arguments)...);
   }
 
   /// The words of a table.

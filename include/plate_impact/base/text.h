@@ -84,14 +84,6 @@ namespace PlateImpact
   std::string
   error_in_words(double error, const std::string &unit);
 
-  /// A title of an axis or a column, with the unit where there is one: "Peak
-  /// force [N]".
-  inline std::string
-  with_unit(const std::string &title, const std::string &unit)
-  {
-    return unit.empty() || unit == "-" ? title : title + " [" + unit + "]";
-  }
-
   /// A result, a fraction, as "5 %".
   inline std::string
   percentage(const double fraction)

@@ -1,10 +1,12 @@
 #ifndef plate_impact_plate_assumed_shear_h
 #define plate_impact_plate_assumed_shear_h
 
-#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/base/quadrature.h>
 #include <deal.II/fe/fe_values.h>
 
 #include <Eigen/Core>
+
+#include <functional>
 
 namespace PlateImpact
 {
@@ -20,35 +22,20 @@ namespace PlateImpact
   /// that follows from deflection and rotations, which locks on thin plates: it
   /// is tied to the latter at some points of the cell and interpolated between
   /// them.
-  class AssumedShear
+  struct AssumedShear
   {
-  public:
-    virtual ~AssumedShear() = default;
-
-    /// Points of the reference cell where the strain is tied.
-    const dealii::Quadrature<2> &
-    tying_points() const
-    {
-      return points;
-    }
+    /// Where the strain is tied, on the reference cell.
+    dealii::Quadrature<2> tying_points;
 
     /// The assumed strain, two Cartesian components a point.
     /// @param tied    strains from deflection and rotations at the tying points
     /// @param tying   FEValues there, with Jacobians
     /// @param values  FEValues at the points of the result, with inverse
     /// Jacobians
-    virtual CellOperator
-    interpolate(const CellOperator        &tied,
-                const dealii::FEValues<2> &tying,
-                const dealii::FEValues<2> &values) const = 0;
-
-  protected:
-    explicit AssumedShear(const dealii::Quadrature<2> &points)
-      : points(points)
-    {}
-
-  private:
-    const dealii::Quadrature<2> points;
+    std::function<CellOperator(const CellOperator        &tied,
+                               const dealii::FEValues<2> &tying,
+                               const dealii::FEValues<2> &values)>
+      interpolate;
   };
 
 
@@ -58,18 +45,8 @@ namespace PlateImpact
   /// Mech Engng 15, 1978, 63-81), since they integrate the square of such a
   /// strain exactly on parallelograms. As the rest of the element has 3 x 3
   /// points, nothing is assumed with n = 3.
-  class ShearAtGaussPoints : public AssumedShear
-  {
-  public:
-    explicit ShearAtGaussPoints(unsigned int n);
-    CellOperator
-    interpolate(const CellOperator        &tied,
-                const dealii::FEValues<2> &tying,
-                const dealii::FEValues<2> &values) const override;
-
-  private:
-    const dealii::QGauss<1> rule;
-  };
+  AssumedShear
+  shear_at_gauss_points(unsigned int n);
 
 
   /// Mixed interpolation of tensorial components with nine nodes, after Bucalem
@@ -84,19 +61,8 @@ namespace PlateImpact
   /// cells the inner points lock (measured, clamped plate with 8x8 cells moved
   /// by a quarter of their size: 0.94, 0.64 and 0.08 of the thin plate's
   /// deflection at a/t = 1e4, 1e5, 1e6; on the edges 1.000 at all three).
-  class MixedShear : public AssumedShear
-  {
-  public:
-    MixedShear();
-    CellOperator
-    interpolate(const CellOperator        &tied,
-                const dealii::FEValues<2> &tying,
-                const dealii::FEValues<2> &values) const override;
-
-  private:
-    const dealii::QGauss<1>        linear;
-    const dealii::QGaussLobatto<1> quadratic;
-  };
+  AssumedShear
+  mixed_shear();
 } // namespace PlateImpact
 
 #endif

@@ -7,7 +7,7 @@
 
 #include "plate_impact/plate/plate_element.h"
 
-#include <Eigen/Core>
+#include <Eigen/SparseCore>
 
 #include <vector>
 
@@ -75,20 +75,12 @@ namespace PlateImpact
     nodal_values(const Eigen::VectorXd &unknowns) const;
 
   private:
-    struct Contribution
-    {
-      int    unknown;
-      double weight;
-    };
-
     const dealii::AffineConstraints<double> *constraints = nullptr;
     std::vector<int>          unknown_of_dof; ///< -1 for constrained ones
     std::vector<unsigned int> components;
 
-    /// Nodal value i of cell c is the sum of contributions
-    /// first_contribution[27 c + i] ... first_contribution[27 c + i + 1] - 1.
-    std::vector<std::size_t>  first_contribution;
-    std::vector<Contribution> contributions;
+    /// A row for each nodal value of each cell, by unknowns.
+    Eigen::SparseMatrix<double, Eigen::RowMajor> nodal_values_of_cells;
   };
 } // namespace PlateImpact
 

@@ -158,21 +158,13 @@ namespace PlateImpact
                     const CellMatrix &matrix,
                     Epetra_CrsMatrix &sum) const;
 
-    /// Adds a force at a point of a cell.
+    /// Adds a force at a point of a cell, on w + beta div theta.
     void
     add_load(const dealii::Triangulation<2>::active_cell_iterator &cell,
              const dealii::Point<2>                               &unit,
-             double                                                weight,
-             double           rotation_factor,
-             Eigen::VectorXd &u) const;
-
-    /// Adds a factor times the divergence of the rotations at a point of a
-    /// cell.
-    void
-    add_divergence(const dealii::Triangulation<2>::active_cell_iterator &cell,
-                   const dealii::Point<2>                               &unit,
-                   double                                                factor,
-                   Eigen::VectorXd &u) const;
+             double                                                force,
+             double                                                beta,
+             Eigen::VectorXd                                      &u) const;
 
     const PlateElement               &plate_element;
     const PlateSection                plate_section;

@@ -15,7 +15,6 @@
 #include <Eigen/Core>
 
 #include <array>
-#include <memory>
 #include <vector>
 
 namespace PlateImpact
@@ -64,7 +63,7 @@ namespace PlateImpact
   ///    deflection constrained, 2x2 points;
   ///  - `Lagrange`: nothing constrained, 2x2 points; has a spurious zero-energy
   ///    mode that the assembly of a uniform mesh does not suppress;
-  ///  - `MITC9`: nothing constrained, MixedShear.
+  ///  - `MITC9`: nothing constrained, mixed_shear().
   class PlateElement
   {
   public:
@@ -111,11 +110,11 @@ namespace PlateImpact
     strains(const dealii::Triangulation<2>::active_cell_iterator &cell,
             const dealii::FEValues<2>                            &values) const;
 
-    std::array<bool, n_components>            centre_is_constrained;
-    const std::unique_ptr<const AssumedShear> assumed_shear;
-    const dealii::FE_Q<2>                     scalar_element;
-    const dealii::FESystem<2>                 element;
-    const dealii::QGauss<2>                   quadrature_points, samples;
+    std::array<bool, n_components> centre_is_constrained;
+    const AssumedShear             assumed_shear;
+    const dealii::FE_Q<2>          scalar_element;
+    const dealii::FESystem<2>      element;
+    const dealii::QGauss<2>        quadrature_points, samples;
   };
 } // namespace PlateImpact
 

@@ -14,7 +14,7 @@
 namespace PlateImpact
 {
   /// The outline and the first mesh of a plate that a file of Gmsh holds.
-  /// Lengths are in metres, points from the middle of the rectangle around it.
+  /// In metres.
   struct PlateFile
   {
     std::string path;
@@ -28,6 +28,7 @@ namespace PlateImpact
     std::vector<std::string> edges; ///< names of the physical groups; empty:
                                     ///< of sides that belong to none
     std::array<double, 2> extent;   ///< of the rectangle around it
+    dealii::Point<2>      centre;   ///< of that
     double                area;
 
     /// From a point to the nearest edge; negative outside of the plate.

@@ -50,13 +50,6 @@ namespace PlateImpact
     Parameters               parameters;
     Entries                  entries; ///< of the parameters
     std::vector<std::string> mistakes;
-
-  private:
-    bool
-    has_section(const std::string &section) const;
-    /// The results must not replace the scene.
-    void
-    check_directory();
   };
 } // namespace PlateImpact
 

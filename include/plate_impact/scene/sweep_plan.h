@@ -25,62 +25,40 @@ namespace PlateImpact
   /// Values that are no number where the entry holds one, or no word that it
   /// knows, are mistakes of the scene; numbers beyond what an entry allows only
   /// make their points invalid.
-  class SweepPlan
+  struct SweepPlan
   {
-  public:
     /// Points beyond this number are refused.
     static constexpr std::size_t max_points = 1000000;
 
     SweepPlan(const Entries &entries, const SweepParameters &sweep);
 
-    /// A sentence each.
-    const std::vector<std::string> &
-    mistakes() const
-    {
-      return found_mistakes;
-    }
-
-    const std::vector<SweptEntry> &
-    entries() const
-    {
-      return swept;
-    }
-
     /// Whether an entry, "Section/Entry", is swept.
     bool
     sweeps(const std::string &path) const;
 
-    /// Every value with every other, as opposed to lists that are paired up.
-    bool
-    forms_product() const
-    {
-      return is_product;
-    }
-
-    /// 0 without an entry.
-    std::size_t
-    n_points() const
-    {
-      return size;
-    }
+    /// Their paths, for a sentence.
+    std::string
+    names() const;
 
     /// The value of every entry at a point. In a product the values of the last
     /// entry change fastest.
     std::vector<std::string>
     values(std::size_t point) const;
 
+    std::vector<SweptEntry>  entries;
+    std::vector<std::string> mistakes; ///< a sentence each
+
+    /// Every value with every other, as opposed to lists that are paired up.
+    bool        is_product;
+    std::size_t n_points = 0; ///< 0 without an entry
+
   private:
     void
     read_entry(unsigned int           n,
-               const Entries         &entries,
+               const Entries         &all,
                const SweepParameters &sweep);
     void
-    combine(const Entries &entries);
-
-    std::vector<SweptEntry>  swept;
-    std::vector<std::string> found_mistakes;
-    bool                     is_product;
-    std::size_t              size = 0;
+    combine(const Entries &all);
   };
 } // namespace PlateImpact
 

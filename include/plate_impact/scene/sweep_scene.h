@@ -25,6 +25,8 @@ namespace PlateImpact
   /// scene with its values in place, checked and completed as by read_scene().
   class SweepScene
   {
+    SceneReader reader; // before what is read by it
+
   public:
     /// @throws InputError with every mistake that is not one of single points
     SweepScene(const std::string                &path,
@@ -36,19 +38,7 @@ namespace PlateImpact
     may_adapt() const
     {
       return base.adaptivity.is_adaptive() ||
-        sweep_plan.sweeps("Adaptivity/Strategy");
-    }
-
-    std::string
-    name() const
-    {
-      return printable(reader.name);
-    }
-
-    const SweepPlan &
-    plan() const
-    {
-      return sweep_plan;
+        plan.sweeps("Adaptivity/Strategy");
     }
 
     /// The scene with the points' values left out.
@@ -70,11 +60,12 @@ namespace PlateImpact
     SweepPoint
     point(std::size_t index);
 
+    const std::string name; ///< of the file, printable
+    const SweepPlan   plan;
+
   private:
-    SceneReader     reader;
-    const SweepPlan sweep_plan;
-    std::string     base_text;
-    Parameters      base;
+    std::string base_text;
+    Parameters  base;
   };
 } // namespace PlateImpact
 

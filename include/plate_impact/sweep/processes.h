@@ -1,16 +1,23 @@
 #ifndef plate_impact_sweep_processes_h
 #define plate_impact_sweep_processes_h
 
+#include "plate_impact/sweep/sweep_groups.h"
+
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <vector>
 
 namespace PlateImpact
 {
-  /// The processes that share a computation: those that mpirun has started, or
-  /// this one alone. Tasks are handed out one by one by a counter that all
-  /// share, results go to the first process. MPI is started only under mpirun;
-  /// its start takes longer than a small scene.
+  class SweepComputation;
+  struct ComputedPoint;
+  struct SweepWork;
+
+  /// The processes that share a sweep: those that mpirun has started, or this
+  /// one alone. Tasks are handed out one by one by a counter that all share,
+  /// results go to the first process. MPI is started only under mpirun; its
+  /// start takes longer than a small scene.
   class Processes
   {
   public:
@@ -25,30 +32,34 @@ namespace PlateImpact
     bool
     is_first() const;
 
-    /// The next number of 0, 1, 2, ... that no process has been given.
-    std::size_t
-    next_task();
-
     /// Makes the first process' numbers known to all.
     void
     broadcast(std::vector<std::size_t> &numbers) const;
 
-    /// Sends bytes to the first process, which takes them between two points of
-    /// its own. Empty ones say that nothing will follow.
-    void
-    send(const std::vector<char> &bytes);
+    /// Computes the tasks, a share of them on each process.
+    /// @param take  called on the first process with every point, whoever has
+    ///              computed it
+    /// @return on the first process what was made by all
+    /// @throws Interruption, between two points
+    /// @throws ComputationError that `take` throws, after which nobody goes on
+    SweepWork
+    compute(const std::vector<SweepGroups::Task>             &tasks,
+            SweepComputation                                 &computation,
+            const std::function<void(const ComputedPoint &)> &take);
 
+  private:
+    struct Connection;
+
+    /// The next number of 0, 1, 2, ... that no process has been given.
+    std::size_t
+    next_task();
     /// What has come from the others since the last call; on the first process.
     /// @param wait  for something, as long as some have not sent their end
     std::vector<std::vector<char>>
     receive(bool wait);
-
     /// Whether all others have sent their end.
     bool
     all_ended() const;
-
-  private:
-    struct Connection;
 
     std::unique_ptr<Connection> connection;  ///< null: this process is alone
     std::size_t                 counter = 0; ///< of a process that is alone

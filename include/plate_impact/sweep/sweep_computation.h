@@ -3,27 +3,22 @@
 
 #include "plate_impact/scene/sweep_scene.h"
 #include "plate_impact/sweep/sweep_groups.h"
-#include "plate_impact/sweep/sweep_table.h"
-#include "plate_impact/transient/struck_plate.h"
+#include "plate_impact/sweep/sweep_results.h"
+#include "plate_impact/transient/plate_model.h"
 
 #include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace PlateImpact
 {
-  /// What was made for the points of a sweep.
-  struct SweepWork
+  /// A point and, where the scene asks for it, its history.
+  struct ComputedPoint
   {
-    unsigned int meshes = 0; ///< adapted ones with those before them
-    unsigned int plates = 0; ///< models that points were computed on
-    unsigned int loads  = 0; ///< responses or reductions
-
-    SweepWork &
-    operator+=(const SweepWork &other);
+    SweepRow                      row;
+    std::optional<ContactHistory> history;
   };
 
 
@@ -37,10 +32,9 @@ namespace PlateImpact
     /// Both must outlive the computation.
     SweepComputation(SweepScene &scene, const SweepGroups &groups);
 
-    /// A point and, where the scene asks for it, its history. Whatever goes
-    /// wrong becomes the failure of the row.
+    /// Whatever goes wrong becomes the failure of the row.
     /// @param group  that the point belongs to
-    std::pair<SweepRow, std::optional<ContactHistory>>
+    ComputedPoint
     compute(std::size_t group, std::size_t point);
 
     const SweepWork &
@@ -78,11 +72,11 @@ namespace PlateImpact
     const SweepGroups &groups;
     SweepWork          done;
 
-    std::optional<std::size_t>   current_group;
-    double                       min_cell_size = 0.; ///< of its mesh [m]
-    std::unique_ptr<StruckPlate> struck_plate;       ///< of the current group
-    std::string                  failure;            ///< why there is none
-    std::vector<std::string>     mesh_warnings;      ///< of its mesh
+    std::optional<std::size_t>  current_group;
+    double                      min_cell_size = 0.; ///< of its mesh [m]
+    std::unique_ptr<PlateModel> plate_model;        ///< of the current group
+    std::string                 failure;            ///< why there is none
+    std::vector<std::string>    mesh_warnings;      ///< of its mesh
   };
 } // namespace PlateImpact
 

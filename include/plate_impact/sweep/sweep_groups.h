@@ -18,26 +18,10 @@ namespace PlateImpact
   ///
   /// A mesh that adapts depends on the load and the time as well, so that
   /// adaptive points share a mesh only where both are the same.
-  class SweepGroups
+  struct SweepGroups
   {
-  public:
     /// @param is_adaptive  whether points of the sweep may adapt their mesh
     SweepGroups(const SweepPlan &plan, bool is_adaptive);
-
-    /// Points by group.
-    const std::vector<std::vector<std::size_t>> &
-    groups() const
-    {
-      return found;
-    }
-
-    /// Loads with time steps, as the swept entries tell them apart, in all
-    /// groups together.
-    std::size_t
-    n_loads() const
-    {
-      return n_found_loads;
-    }
 
     /// Parts of groups to compute one after another: points that are still to
     /// be computed, at most so many.
@@ -51,9 +35,11 @@ namespace PlateImpact
     std::vector<Task>
     tasks(const std::vector<bool> &to_do, std::size_t most_points) const;
 
-  private:
-    std::vector<std::vector<std::size_t>> found;
-    std::size_t                           n_found_loads = 0;
+    std::vector<std::vector<std::size_t>> groups; ///< of points
+
+    /// Loads with time steps, as the swept entries tell them apart, in all
+    /// groups together.
+    std::size_t n_loads;
   };
 } // namespace PlateImpact
 

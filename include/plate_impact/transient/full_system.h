@@ -5,7 +5,6 @@
 #include "plate_impact/transient/linear_solver.h"
 #include "plate_impact/transient/semidiscrete_system.h"
 
-#include <Eigen/SparseCore>
 #include <Epetra_CrsMatrix.h>
 
 #include <memory>
@@ -13,12 +12,6 @@
 
 namespace PlateImpact
 {
-  /// The arrays of a matrix, for products without the allocations of
-  /// Epetra_CrsMatrix::Multiply().
-  Eigen::Map<const Eigen::SparseMatrix<double, Eigen::RowMajor>>
-  as_eigen(const Epetra_CrsMatrix &matrix);
-
-
   /// K + c M of a mesh, factorized for one c after another.
   class EffectiveStiffness
   {

@@ -67,7 +67,8 @@ namespace PlateImpact
     /// @param full  must outlive the integrator
     NewmarkOnTheMesh(FullSystem               &full,
                      const TimeParameters     &time,
-                     const ContactIntegration &integration)
+                     const ContactIntegration &integration,
+                     bool /*needs_fields*/ = true)
       : Integrator(time, integration)
       , full(full)
     {}

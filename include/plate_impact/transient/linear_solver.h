@@ -3,7 +3,7 @@
 
 #include "plate_impact/base/choices.h"
 
-#include <Eigen/Core>
+#include <Eigen/SparseCore>
 
 #include <memory>
 
@@ -11,6 +11,12 @@ class Epetra_CrsMatrix;
 
 namespace PlateImpact
 {
+  /// The arrays of a matrix, for products without the allocations of
+  /// Epetra_CrsMatrix::Multiply().
+  Eigen::Map<const Eigen::SparseMatrix<double, Eigen::RowMajor>>
+  as_eigen(const Epetra_CrsMatrix &matrix);
+
+
   /// Direct solver for symmetric positive definite matrices of one sparsity,
   /// one at a time, and many right hand sides.
   class LinearSolver

@@ -11,8 +11,8 @@ namespace PlateImpact
   /// and integration must outlive it.
   /// @param needs_fields  whether more than the force is to be right
   std::unique_ptr<Integrator>
-  make_integrator(const TimeParameters     &time,
-                  FullSystem               &full,
+  make_integrator(FullSystem               &full,
+                  const TimeParameters     &time,
                   const ContactIntegration &integration,
                   bool                      needs_fields);
 } // namespace PlateImpact

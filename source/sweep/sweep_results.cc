@@ -1,4 +1,4 @@
-#include "plate_impact/sweep/sweep_table.h"
+#include "plate_impact/sweep/sweep_results.h"
 
 #include <deal.II/base/utilities.h>
 
@@ -6,6 +6,10 @@
 #include "plate_impact/base/entries.h"
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/text.h"
+#include "plate_impact/base/version.h"
+#include "plate_impact/output/report.h"
+#include "plate_impact/output/run_in_words.h"
+#include "plate_impact/page/page.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -90,6 +94,40 @@ namespace PlateImpact
       std::string name, first;
       std::size_t n_points;
     };
+
+
+
+    /// Numbers of all quantities together, so that a page stays below some
+    /// megabytes. Of very large sweeps it has the first quantities only.
+    constexpr std::size_t most_numbers = 500000;
+
+    /// States of a history; more do not show.
+    constexpr std::size_t most_states = 1000;
+
+
+
+    /// Figures of the impacts as columns.
+    Json
+    quantities_on_page(const std::vector<std::optional<SweepRow>> &rows)
+    {
+      const std::size_t n = std::clamp<std::size_t>(most_numbers / rows.size(),
+                                                    1,
+                                                    impact_quantities().size());
+      Json              quantities = Json::array();
+      for (std::size_t i = 0; i < n; ++i)
+        {
+          const ImpactQuantity &quantity = impact_quantities()[i];
+          std::vector<double>   values;
+          for (const auto &row : rows)
+            values.push_back(row->failure.empty() ? row->quantities[i] :
+                                                    std::nan(""));
+          quantities.push_back({{"name", quantity.name},
+                                {"title", quantity.title},
+                                {"unit", quantity.unit},
+                                {"values", numbers_on_page(values)}});
+        }
+      return quantities;
+    }
   } // namespace
 
 
@@ -99,7 +137,7 @@ namespace PlateImpact
                          const bool             resume)
     : directory(directory)
     , plan(plan)
-    , found(plan.n_points())
+    , found(plan.n_points)
   {
     if (resume)
       read();
@@ -113,7 +151,7 @@ namespace PlateImpact
   SweepTable::header() const
   {
     std::vector<std::string> names;
-    for (const SweptEntry &entry : plan.entries())
+    for (const SweptEntry &entry : plan.entries)
       names.push_back(entry.path);
     for (const ImpactQuantity &quantity : impact_quantities())
       names.push_back(quantity.name);
@@ -128,14 +166,12 @@ namespace PlateImpact
     std::string text = joined(plan.values(row.point));
     for (std::size_t i = 0; i < impact_quantities().size(); ++i)
       {
-        if (row.failure.empty() && !std::isnan(row.figures[i]))
-          text += shortest(row.figures[i]);
+        if (row.failure.empty() && !std::isnan(row.quantities[i]))
+          text += shortest(row.quantities[i]);
         text += ',';
       }
-    std::string warnings;
-    for (const std::string &warning : row.warnings)
-      warnings += (warnings.empty() ? "" : separator) + warning;
-    return text + as_field(warnings) + ',' +
+    return text +
+      as_field(fmt::format("{}", fmt::join(row.warnings, separator))) + ',' +
       as_field(row.failure.empty() ? "ok" : row.failure);
   }
 
@@ -145,30 +181,31 @@ namespace PlateImpact
   SweepTable::read()
   {
     std::map<std::string, std::vector<std::size_t>> points;
-    for (std::size_t point = 0; point < plan.n_points(); ++point)
+    for (std::size_t point = 0; point < plan.n_points; ++point)
       points[joined(plan.values(point))].push_back(point);
 
     std::ifstream     in(directory / file_name);
     std::string       text;
-    const std::size_t n_values  = plan.entries().size(),
-                      n_figures = impact_quantities().size();
+    const std::size_t n_values     = plan.entries.size(),
+                      n_quantities = impact_quantities().size();
     // a line without its end was being written when the sweep was interrupted
     if (!std::getline(in, text) || text != header())
       return;
     while (std::getline(in, text) && !in.eof())
       {
         const std::vector<std::string> fields = split(text);
-        if (fields.size() != n_values + n_figures + 2 || fields.back() != "ok")
+        if (fields.size() != n_values + n_quantities + 2 ||
+            fields.back() != "ok")
           continue;
         SweepRow row;
-        for (std::size_t i = 0; i < n_figures; ++i)
+        for (std::size_t i = 0; i < n_quantities; ++i)
           {
-            row.figures.push_back(std::nan(""));
+            row.quantities.push_back(std::nan(""));
             if (const std::string &field = fields[n_values + i]; !field.empty())
-              any_number().read(field, row.figures.back());
+              any_number().read(field, row.quantities.back());
           }
         row.warnings =
-          dealii::Utilities::split_string_list(fields[n_values + n_figures],
+          dealii::Utilities::split_string_list(fields[n_values + n_quantities],
                                                separator);
         const auto place =
           points.find(joined({fields.begin(), fields.begin() + n_values}));
@@ -251,5 +288,59 @@ namespace PlateImpact
       warnings.push_back(std::to_string(kind.n_points) + of_all +
                          " points; the first: " + kind.first);
     return warnings;
+  }
+
+
+
+  void
+  write_sweep_page(std::ostream                                &out,
+                   const SweepScene                            &scene,
+                   const std::vector<std::optional<SweepRow>>  &rows,
+                   const std::map<std::size_t, ContactHistory> &histories,
+                   const SweepWork                             &work)
+  {
+    const SweepPlan &plan  = scene.plan;
+    Json             study = {{"study", "sweep"},
+                              {"version", PLATE_IMPACT_VERSION},
+                              {"text", scene.text()},
+                              {"isProduct", plan.is_product},
+                              {"warnings", sweep_warnings(rows)},
+                              {"warned", Json::array()},
+                              {"histories", Json::array()},
+                              {"quantities", quantities_on_page(rows)},
+                              {"work",
+                               {{"meshes", work.meshes},
+                                {"plates", work.plates},
+                                {"loads", work.loads}}}};
+    for (const SweptEntry &entry : plan.entries)
+      study["entries"].push_back(
+        {{"path", entry.path}, {"unit", entry.unit}, {"values", entry.values}});
+    for (const auto &row : rows)
+      {
+        study["statuses"].push_back(row->failure.empty() ? "ok" : row->failure);
+        if (!row->warnings.empty())
+          study["warned"].push_back(row->point);
+      }
+    for (const auto &[point, history] : histories)
+      {
+        study["histories"].push_back(
+          history_on_page(history, most_states, {"time", "force"}));
+        study["histories"].back()["point"] = point;
+      }
+    study["words"].push_back("The scene, but for what is swept: " +
+                             scene_in_words(scene.parameters()));
+    if (scene.may_adapt())
+      study["words"].push_back(
+        scene.parameters().sweep.adapt == SweepAdaptation::each_point ?
+          "Every point has a mesh of its own." :
+          "The points of a plate share the mesh that was adapted for the one "
+          "with the shortest contact.");
+    write_page(
+      out,
+      {scene.name,
+       std::to_string(rows.size()) + " impacts: " + plan.names() +
+         (plan.entries.size() > 1 && !plan.is_product ? ", paired up" : ""),
+       "sweep.csv has the peak force and other quantities of all points."},
+      study);
   }
 } // namespace PlateImpact

@@ -1,5 +1,5 @@
-#ifndef plate_impact_transient_struck_plate_h
-#define plate_impact_transient_struck_plate_h
+#ifndef plate_impact_transient_plate_model_h
+#define plate_impact_transient_plate_model_h
 
 #include <deal.II/grid/tria.h>
 
@@ -20,14 +20,14 @@ namespace PlateImpact
   /// impactor does not change is made once, when it is first needed: matrices
   /// for the mesh, factorizations for the time step, reduced systems and
   /// discrete responses for the load.
-  class StruckPlate
+  class PlateModel
   {
   public:
     /// Numbers the unknowns.
     /// @param mesh  of the part of the plate that symmetry leaves
-    StruckPlate(const PlateParameters                    &plate,
-                const DiscretizationParameters           &discretization,
-                std::unique_ptr<dealii::Triangulation<2>> mesh);
+    PlateModel(const PlateParameters                    &plate,
+               const DiscretizationParameters           &discretization,
+               std::unique_ptr<dealii::Triangulation<2>> mesh);
 
     /// @param impact        with the plate and the discretization of this
     /// object
@@ -60,39 +60,23 @@ namespace PlateImpact
   private:
     /// All of an impact that a load and its steps depend on; the rest is the
     /// impactor's own.
-    struct LoadKey
-    {
-      LoadKey(const Parameters &impact, bool needs_states);
-
-      LoadShape        shape;
-      double           patch_radius;
-      LocalResponse    local_response;
-      ForceIntegration integration;
-      ImpactorShape    impactor;
-      double           length; ///< of a cylinder
-      TimeParameters   time;   ///< to the end of the vectors
-      bool             needs_states;
-
-      auto
-      members() const
-      {
-        return std::tie(shape,
-                        patch_radius,
-                        local_response,
-                        integration,
-                        impactor,
-                        length,
-                        time,
-                        needs_states);
-      }
-    };
+    using LoadKey = std::tuple<LoadShape,
+                               double, // patch radius
+                               LocalResponse,
+                               ForceIntegration,
+                               ImpactorShape,
+                               double,         // length of a cylinder
+                               TimeParameters, // to the end of the vectors
+                               bool>;          // needs states
 
     /// Assembled when it is first needed.
     const std::shared_ptr<EffectiveStiffness> &
     assembled();
-    /// @param key  of the impact
+    /// @param time  to the end of the vectors
     std::shared_ptr<Load>
-    make_load(const Parameters &impact, const LoadKey &key);
+    make_load(const Parameters     &impact,
+              const TimeParameters &time,
+              bool                  needs_states);
     /// Makes room for another one.
     void
     forget_loads();

@@ -1,4 +1,4 @@
-#include "plate_impact/transient/struck_plate.h"
+#include "plate_impact/transient/plate_model.h"
 
 #include "plate_impact/base/stage_clock.h"
 #include "plate_impact/contact/make_contact.h"
@@ -29,9 +29,9 @@ namespace PlateImpact
 
 
 
-  StruckPlate::StruckPlate(const PlateParameters          &plate,
-                           const DiscretizationParameters &discretization,
-                           std::unique_ptr<dealii::Triangulation<2>> part)
+  PlateModel::PlateModel(const PlateParameters          &plate,
+                         const DiscretizationParameters &discretization,
+                         std::unique_ptr<dealii::Triangulation<2>> part)
     : element(discretization.element)
     , mesh(std::move(part))
     , linear_solver(discretization.linear_solver)
@@ -41,38 +41,33 @@ namespace PlateImpact
 
 
   LoadedPlate
-  StruckPlate::under(const Parameters &impact, const bool needs_states)
+  PlateModel::under(const Parameters &impact, const bool needs_states)
   {
-    const LoadKey key(impact, needs_states);
+    TimeParameters time = impact.time;
+    time.end_time       = std::max(time.end_time, time.end_of_vectors);
+    const LoadKey key(impact.contact.load_distribution,
+                      impact.contact.patch_radius,
+                      impact.contact.local_response,
+                      impact.contact.integration,
+                      impact.impactor.shape,
+                      impact.impactor.length,
+                      time,
+                      needs_states);
     auto          found = loads.find(key);
     if (found == loads.end())
       {
         forget_loads();
-        found = loads.emplace(key, make_load(impact, key)).first;
+        found = loads.emplace(key, make_load(impact, time, needs_states)).first;
       }
     return {impact, found->second};
   }
 
 
 
-  StruckPlate::LoadKey::LoadKey(const Parameters &impact,
-                                const bool        needs_states)
-    : shape(impact.contact.load_distribution)
-    , patch_radius(impact.contact.patch_radius)
-    , local_response(impact.contact.local_response)
-    , integration(impact.contact.integration)
-    , impactor(impact.impactor.shape)
-    , length(impact.impactor.length)
-    , time(impact.time)
-    , needs_states(needs_states)
-  {
-    time.end_time = std::max(time.end_time, time.end_of_vectors);
-  }
-
-
-
   std::shared_ptr<Load>
-  StruckPlate::make_load(const Parameters &impact, const LoadKey &key)
+  PlateModel::make_load(const Parameters     &impact,
+                        const TimeParameters &time,
+                        const bool            needs_states)
   {
     assembled();
     StageClock               clock;
@@ -82,19 +77,17 @@ namespace PlateImpact
                            impact.impactor.contact_half_length(),
                            contact.has_patch() ? contact.patch_radius : 0.)
         .first;
-    const auto points =
-      on_meshed_part(make_load_distribution(contact, key.length, finest_cell),
-                     impact.plate);
+    const auto points = on_meshed_part(
+      make_load_distribution(contact, impact.impactor.length, finest_cell),
+      impact.plate);
     std::shared_ptr<Load> load(new Load{
       {matrices,
        plate.load(points, load_rotation_factor(impact.plate, contact))},
       layer_constant(impact.plate, contact),
-      make_contact_integration(key.integration),
+      make_contact_integration(contact.integration),
       nullptr});
-    load->integrator = make_integrator(key.time,
-                                       load->system,
-                                       *load->integration,
-                                       key.needs_states);
+    load->integrator =
+      make_integrator(load->system, time, *load->integration, needs_states);
     ++n_loads;
     clock.charge(assembly_seconds);
     return load;
@@ -103,7 +96,7 @@ namespace PlateImpact
 
 
   std::vector<double>
-  StruckPlate::natural_frequencies(const unsigned int n)
+  PlateModel::natural_frequencies(const unsigned int n)
   {
     if (n == 0)
       return {};
@@ -113,7 +106,7 @@ namespace PlateImpact
 
 
   const std::shared_ptr<EffectiveStiffness> &
-  StruckPlate::assembled()
+  PlateModel::assembled()
   {
     if (matrices == nullptr)
       {
@@ -128,7 +121,7 @@ namespace PlateImpact
 
 
   void
-  StruckPlate::forget_loads()
+  PlateModel::forget_loads()
   {
     double numbers = 0.;
     for (const auto &[key, load] : loads)
@@ -143,8 +136,8 @@ namespace PlateImpact
 
 
 
-  StruckPlate::Work
-  StruckPlate::work() const
+  PlateModel::Work
+  PlateModel::work() const
   {
     Work work;
     work.loads            = n_loads;

@@ -1,29 +1,39 @@
-#ifndef plate_impact_sweep_sweep_table_h
-#define plate_impact_sweep_sweep_table_h
+#ifndef plate_impact_sweep_sweep_results_h
+#define plate_impact_sweep_sweep_results_h
 
 #include "plate_impact/contact/contact_history.h"
 #include "plate_impact/output/result_directory.h"
-#include "plate_impact/scene/sweep_plan.h"
+#include "plate_impact/scene/sweep_scene.h"
 
 #include <cstddef>
 #include <fstream>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace PlateImpact
 {
+  /// What was made for the points of a sweep.
+  struct SweepWork
+  {
+    unsigned int meshes = 0; ///< adapted ones with those before them
+    unsigned int plates = 0; ///< models that points were computed on
+    unsigned int loads  = 0; ///< responses or reductions
+  };
+
+
   /// What became of a point.
   struct SweepRow
   {
-    std::size_t              point = 0;
-    std::vector<double>      figures;  ///< NaN: none; empty for a failed point
-    std::string              failure;  ///< the reason, in one line
+    std::size_t         point = 0;
+    std::vector<double> quantities;    ///< NaN: none; empty for a failed point
+    std::string         failure;       ///< the reason, in one line
     std::vector<std::string> warnings; ///< a sentence each, as of `run`
   };
 
 
-  /// sweep.csv: a row per point with the swept values, the figures of the
+  /// sweep.csv: a row per point with the swept values, the quantities of the
   /// impact, warnings, and `ok` or the reason of the failure. While the sweep
   /// lasts, rows are appended as they come, so that what is there is valid at
   /// any moment; finish() puts them in the order of the points.
@@ -73,6 +83,17 @@ namespace PlateImpact
   /// first of each kind.
   std::vector<std::string>
   sweep_warnings(const std::vector<std::optional<SweepRow>> &rows);
+
+  /// sweep.html: the range of the force, the quantities of the points over the
+  /// swept values, histories and the table.
+  /// @param rows       of all points
+  /// @param histories  of some points
+  void
+  write_sweep_page(std::ostream                                &out,
+                   const SweepScene                            &scene,
+                   const std::vector<std::optional<SweepRow>>  &rows,
+                   const std::map<std::size_t, ContactHistory> &histories,
+                   const SweepWork                             &work);
 } // namespace PlateImpact
 
 #endif

@@ -1,0 +1,60 @@
+#ifndef plate_impact_command_commands_h
+#define plate_impact_command_commands_h
+
+#include "plate_impact/scene/scene.h"
+#include "plate_impact/scene/sweep_scene.h"
+#include "plate_impact/sweep/processes.h"
+
+#include <iosfwd>
+
+namespace PlateImpact
+{
+  /// Computes the impact of a scene cycle by cycle, and writes and prints what
+  /// is found.
+  /// @param quiet  only warnings and errors are printed, and a line for scripts
+  /// @throws ComputationError; files written so far are then valid, and
+  ///         summary.json tells of the failure
+  void
+  run_scene(const Scene &scene, bool quiet);
+
+  /// Computes the comparison of a scene, and writes and prints what is found:
+  /// comparison.csv, a row per mesh as soon as it is known; comparison.json
+  /// with the reference and who reaches which error first, and comparison.html,
+  /// after every curve.
+  /// @param quiet  only warnings and errors are printed
+  /// @throws InputError for a scene without an impactor
+  /// @throws ComputationError; files written so far are then valid
+  void
+  compare_scene(const Scene &scene, bool quiet);
+
+
+  struct SweepOptions
+  {
+    bool resume = false; ///< continue an interrupted sweep
+    bool quiet  = false; ///< print warnings and errors only
+  };
+
+  /// Computes the points of a sweep, spread over all processes, and writes and
+  /// prints what is found. A point that fails has its reason in its row.
+  /// @throws InputError when there is a sweep to resume, of another scene
+  /// @throws ComputationError when results cannot be written, or when every
+  ///         point failed
+  void
+  run_sweep(SweepScene         &scene,
+            const SweepOptions &options,
+            Processes          &processes);
+
+
+  /// What to expect of a scene before paying for it: peak force and contact
+  /// time on a coarse mesh, which takes some hundredths of a second; beside
+  /// them Zener's infinite thin plate (ZenerImpact) and the force on a plate
+  /// that does not move; the time at which the first waves return from the
+  /// edges, the bending wavelength of the contact against the cells, advice on
+  /// step and end time, a rough cost, what a sweep of it computes, and where
+  /// the impact leaves the model.
+  /// @throws ComputationError when the impact cannot be computed
+  void
+  print_expectation(std::ostream &out, const Scene &scene);
+} // namespace PlateImpact
+
+#endif

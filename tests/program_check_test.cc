@@ -1,0 +1,125 @@
+// What `check` says.
+#include "program_fixture.h"
+#include "test_plate.h"
+
+#include <gtest/gtest.h>
+
+namespace PlateImpact
+{
+  namespace
+  {
+    TEST_F(Program, CheckSaysWhatToExpect)
+    {
+      ASSERT_EQ(execute("check '" + main_scene + "'"), 0) << err;
+      // from the edge of the patch to that of the plate and back
+      EXPECT_NE(out.find("back at 34.8 us"), std::string::npos) << out;
+      EXPECT_NE(out.find("valid scene"), std::string::npos) << out;
+      const auto force = [this] {
+        return std::stod(out.substr(out.find("about ") + 6));
+      };
+      EXPECT_NEAR(force() / elastic_peak, 1., 0.02) << out;
+      // heavier than the plate: nothing that Zener's equation knows
+      ASSERT_EQ(execute("check '" SCENES "/extremes/heavy-impactor.prm'"), 0);
+      EXPECT_NEAR(force() / 822.6, 1., 0.03) << out;
+      ASSERT_EQ(execute("check '" SCENES "/paper-cylinder.prm'"), 0);
+      EXPECT_NEAR(force() / 9091., 1., 0.03) << out;
+      // a roller whose waves are shorter than those of Zener's infinite plate,
+      // which gives a third of the force
+      const std::string roller =
+        " --set 'Plate/Side lengths=0.3, 0.2' --set Plate/Thickness=0.005 --set "
+        "\"Plate/Young's modulus=70e9\" --set Plate/Density=2700 --set "
+        "Impactor/Velocity=2 --set 'Contact/Load distribution=strip' --set "
+        "'Adaptivity/Maximum cycles=3'";
+      ASSERT_EQ(run(SCENES "/paper-cylinder.prm", roller), 0) << err;
+      ASSERT_EQ(execute("check '" SCENES "/paper-cylinder.prm'" + roller), 0);
+      EXPECT_NEAR(force() / last_cycle()["peak_force"].get<double>(), 1., 0.03)
+        << out;
+      for (const std::string scene :
+           {SCENES "/paper-sphere.prm", SCENES "/paper-cylinder.prm"})
+        EXPECT_EQ(execute("check '" + scene + "'"), 0) << err;
+      EXPECT_EQ(execute("check '" + main_scene + "' --set Impactor/Shape=none"),
+                0)
+        << err;
+    }
+
+
+
+    TEST_F(Program, CheckKnowsThinPlatesAsWell)
+    {
+      struct Case
+      {
+        std::string changes;
+        double      force, deflection, cells; // of a run
+      };
+      // the plate gives way, and the contact is not over at the end of the run
+      const std::vector<Case> cases = {
+        {"--set Plate/Thickness=1e-3", 93.4, 68e-6, 700.},
+        {"--set Plate/Thickness=4e-4 --set Impactor/Velocity=0.1",
+         1.554,
+         7.6e-6,
+         1300.}};
+      const auto number_after = [this](const std::string &words) {
+        const std::size_t at = out.find(words);
+        EXPECT_NE(at, std::string::npos) << words << '\n' << out;
+        // the number, its prefix and its unit
+        std::istringstream text(out.substr(at + words.size()));
+        double             value = 0.;
+        std::string        unit;
+        text >> value >> unit;
+        const std::map<char, double> prefixes = {{'n', 1e-9},
+                                                 {'u', 1e-6},
+                                                 {'m', 1e-3}};
+        const auto                   prefix   = prefixes.find(unit.front());
+        const bool                   has_prefix =
+          unit.size() > 1 && std::isalpha(unit[1]) && prefix != prefixes.end();
+        return has_prefix ? value * prefix->second : value;
+      };
+      for (const Case &one : cases)
+        {
+          ASSERT_EQ(execute("check '" + main_scene + "' " + one.changes), 0)
+            << err;
+          EXPECT_NEAR(number_after("peak force            about ") / one.force,
+                      1.,
+                      0.03);
+          EXPECT_GT(number_after("contact time          more than "), 80e-6);
+          EXPECT_NEAR(number_after("under the load ") / one.deflection,
+                      1.,
+                      0.05);
+          const double cells = number_after("of the order of ");
+          EXPECT_GT(cells, 0.5 * one.cells);
+          EXPECT_LT(cells, 2. * one.cells);
+          EXPECT_EQ(out.find("warning"), std::string::npos) << out;
+        }
+      // a line contact is none of a point
+      ASSERT_EQ(execute("check '" SCENES
+                        "/paper-cylinder.prm' --set Plate/Thickness=1e-3"),
+                0)
+        << err;
+      EXPECT_NE(out.find("step, end time, cost  cannot be said"),
+                std::string::npos)
+        << out;
+    }
+
+
+
+    TEST_F(Program, CheckKnowsCellsToAFactorOfAboutFour)
+    {
+      // waves and a hole take more, a light ball fewer
+      for (const std::string scene : {SCENES "/drilled-plate.prm",
+                                      SCENES "/extremes/fast-impact.prm",
+                                      SCENES "/extremes/light-impactor.prm"})
+        {
+          ASSERT_EQ(execute("check '" + scene + "'"), 0) << err;
+          const std::string words = "of the order of ";
+          ASSERT_NE(out.find(words), std::string::npos) << out;
+          const double expected =
+            std::stod(out.substr(out.find(words) + words.size()));
+          ASSERT_EQ(run(scene), 0) << err;
+          EXPECT_EQ(summary()["outcome"], "target reached");
+          const double ratio = expected / last_cycle()["cells"].get<double>();
+          EXPECT_GT(ratio, 1. / 4.5) << scene;
+          EXPECT_LT(ratio, 4.5) << scene;
+        }
+    }
+  } // namespace
+} // namespace PlateImpact
