@@ -327,7 +327,7 @@ namespace PlateImpact
 
     TEST(ComparisonScenes, Sphere)
     {
-      expect_comparison("compare-sphere", 1390.06, 1e-3, 300);
+      expect_comparison("compare-sphere", 1398.80, 1e-3, 300);
     }
   } // namespace
 } // namespace PlateImpact

@@ -108,6 +108,8 @@ class Scene:
             "Output/Field samples": str(choose.choice([0, 0, 1, 3])),
             "Output/Write report": choose.choice(["true", "false"]),
         }
+        if not is_cylinder and choose.random() < 0.4:
+            self.entries["Plate/Yield strength"] = f"{plate['modulus'] * power(-3.3, -2):.6g}"
 
 
 class Result:

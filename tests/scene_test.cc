@@ -42,7 +42,8 @@ namespace PlateImpact
                                           "collocation",
                                           "Yang-Sun",
                                           "3",
-                                          "true"})
+                                          "true",
+                                          "false"})
             if (!is_changed && entry.value != other)
               is_changed = entry.set(other, "test");
           ASSERT_TRUE(is_changed) << entry.path;

@@ -1,6 +1,6 @@
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/parameters.h"
-#include "plate_impact/contact/contact_area.h"
+#include "plate_impact/contact/contact_bodies.h"
 #include "plate_impact/contact/hertz_law.h"
 #include "plate_impact/contact/zener.h"
 #include "plate_impact/plate/plate_section.h"
@@ -39,7 +39,7 @@ namespace PlateImpact
       // a plate so thick that nothing is lost into it
       const Impactor     impactor{0.03, 0., 1.};
       const ExpectedPeak peak =
-        zener_peak(hertz, impactor, steel_section(100.));
+        ZenerImpact(hertz, impactor, steel_section(100.)).peak;
       const double alpha = std::pow(1.25 * 0.03 / 1.4e10, 0.4);
       EXPECT_NEAR(peak.indentation / alpha, 1., 1e-4);
       EXPECT_NEAR(peak.force / hertz.force(alpha), 1., 1e-4);
@@ -53,7 +53,7 @@ namespace PlateImpact
       // the plate gives way at once: F = 8 sqrt(D rho t) v
       const PlateSection section = steel_section(1e-5);
       const Impactor     impactor{0.03, 0., 1.};
-      const ExpectedPeak peak = zener_peak(hertz, impactor, section);
+      const ExpectedPeak peak = ZenerImpact(hertz, impactor, section).peak;
       const double       impedance =
         8. * std::sqrt(section.bending_stiffness(0, 0) * section.mass_per_area);
       EXPECT_NEAR(peak.force / impedance, 1., 2e-3);
@@ -68,7 +68,7 @@ namespace PlateImpact
       const Contact  contact(std::make_shared<HertzLaw>(14659685863.874344));
       const Impactor impactor{0.03267256359733385, 0., 1.};
       const ExpectedPeak peak =
-        zener_peak(contact, impactor, steel_section(0.008));
+        ZenerImpact(contact, impactor, steel_section(0.008)).peak;
       EXPECT_NEAR(peak.force / 1370.835, 1., 0.03);
     }
 
@@ -111,16 +111,17 @@ namespace PlateImpact
       for (const double mass : {1e-4, 1e-3, 0.01, 0.03, 0.1, 0.5})
         for (const double velocity : {0.1, 1., 5., 20.})
           {
-            const Impactor impactor{mass, 0., velocity};
-            const double lambda = *zener_loss_factor(hertz, impactor, section);
-            EXPECT_NEAR(zener_restitution(hertz, impactor, section),
+            const ZenerImpact impact(hertz, {mass, 0., velocity}, section);
+            const double      lambda = *impact.loss_factor();
+            EXPECT_NEAR(impact.restitution(),
                         lambda < 4. ? restitution(lambda) : 0.,
                         1e-3)
               << "lambda = " << lambda;
           }
-      EXPECT_NEAR(zener_restitution(hertz, {0.03, 0., 1.}, steel_section(100.)),
-                  1.,
-                  1e-4);
+      EXPECT_NEAR(
+        ZenerImpact(hertz, {0.03, 0., 1.}, steel_section(100.)).restitution(),
+        1.,
+        1e-4);
     }
 
 
@@ -155,27 +156,26 @@ namespace PlateImpact
 
     TEST(ZenerHistory, HasThePeakTheEndAndTheRebound)
     {
-      const PlateSection   section = steel_section(0.008);
-      const Impactor       impactor{0.03, 0., 1.};
-      const ContactHistory history =
-        zener_history(hertz, impactor, section, 1.);
-      const ExpectedPeak peak = zener_peak(hertz, impactor, section);
+      const ZenerImpact    impact(hertz, {0.03, 0., 1.}, steel_section(0.008));
+      const ContactHistory history = impact.history(1.);
+      const ExpectedPeak   peak    = impact.peak;
       EXPECT_NEAR(history.peak().force / peak.force, 1., 1e-4);
       EXPECT_NEAR(history.peak().time / peak.time, 1., 0.01);
       ASSERT_TRUE(history.first_contact_end());
       EXPECT_NEAR(-history.states().back().impactor_velocity,
-                  zener_restitution(hertz, impactor, section),
+                  impact.restitution(),
                   1e-3);
       EXPECT_NEAR(history.states().back().time,
                   *history.first_contact_end(),
                   0.01 * peak.time);
       // a heavy ball stays in contact with a thin plate
       const ContactHistory pushed =
-        zener_history(hertz, {0.5, 0., 1.}, steel_section(0.001), 1e-3);
+        ZenerImpact(hertz, {0.5, 0., 1.}, steel_section(0.001)).history(1e-3);
       EXPECT_FALSE(pushed.first_contact_end());
       EXPECT_GE(pushed.states().back().time, 1e-3);
       // in long steps where little changes
-      EXPECT_LT(zener_history(hertz, {100., 0., 1.}, steel_section(1e-5), 1e-3)
+      EXPECT_LT(ZenerImpact(hertz, {100., 0., 1.}, steel_section(1e-5))
+                  .history(1e-3)
                   .states()
                   .size(),
                 20000u);
@@ -194,9 +194,10 @@ namespace PlateImpact
 
     TEST(ZenerRestitution, LossFactorIsOfHertzianContactsOnly)
     {
-      EXPECT_FALSE(zener_loss_factor(Contact(std::make_shared<LinearLaw>()),
-                                     {0.01, 0., 1.},
-                                     steel_section(0.008)));
+      EXPECT_FALSE(ZenerImpact(Contact(std::make_shared<LinearLaw>()),
+                               {0.01, 0., 1.},
+                               steel_section(0.008))
+                     .loss_factor());
     }
 
 
@@ -214,9 +215,10 @@ namespace PlateImpact
         std::pow(rho / rho_p, 0.6) * std::pow(e / (e + e_p), 0.4);
       const Contact contact(
         std::make_shared<HertzLaw>(hertz_coefficient(r, 1. / e, 1. / e_p)));
-      EXPECT_NEAR(*zener_loss_factor(contact,
-                                     {4. / 3. * pi * r * r * r * rho, 0., v},
-                                     steel_section(t)) /
+      EXPECT_NEAR(*ZenerImpact(contact,
+                               {4. / 3. * pi * r * r * r * rho, 0., v},
+                               steel_section(t))
+                      .loss_factor() /
                     expected,
                   1.,
                   1e-12);

@@ -68,6 +68,8 @@ def random_scene(number):
         "Impactor/Young's modulus": ball[0],
         "Impactor/Poisson's ratio": ball[1],
         "Impactor/Velocity": f"{velocity:.4g}",
+        # as the kept true forces have it
+        "Contact/Finite ball": "false",
         "Time/End time": choose.choice(["0", f"{time * between(0.8, 6):.5g}"]),
         "Time/Time step": "0",
         "Time/Integrator": choose.choice(["Ritz vectors", "Ritz vectors", "Newmark"]),
@@ -84,6 +86,25 @@ def random_scene(number):
         if choose.random() < 0.2:
             entries["Contact/Local response"] = "half-space"
             entries["Contact/Law"] = choose.choice(["Sun", "Hertz"])
+    return entries
+
+
+def yielding_scene(number):
+    """The same of spheres on plates that yield, some with a ball that may yield too."""
+    entries = random_scene(number)
+    choose = random.Random(-1 - number)
+
+    def strength(body):
+        modulus = entries[f"{body}/Young's modulus"]
+        return f"{modulus * 10**choose.uniform(-3.3, -2):.4g}"
+
+    entries.update({"Impactor/Shape": "sphere", "Contact/Finite ball": "true",
+                    "Plate/Yield strength": strength("Plate")})
+    entries.pop("Impactor/Length", None)
+    entries.pop("Contact/Law", None)
+    entries["Contact/Load distribution"] = "Hertz disc"
+    if choose.random() < 0.3:
+        entries["Impactor/Yield strength"] = strength("Impactor")
     return entries
 
 
@@ -126,9 +147,9 @@ def true_force(program, entries):
     return None, None, "; ".join(why)
 
 
-def bars_of_scene(program, number, known=None):
+def bars_of_scene(program, number, known=None, scene=random_scene):
     """Every bar with its true error, which may be `known` from an earlier result."""
-    entries = random_scene(number)
+    entries = scene(number)
     if known:
         force, true_bar, why = (known[key] for key in ("force", "bar of the force", "why"))
     else:
@@ -194,6 +215,7 @@ def main():
     parser.add_argument("--scenes", default="0:100")
     parser.add_argument("--output")
     parser.add_argument("--known", help="an earlier output, whose true forces are taken")
+    parser.add_argument("--yielding", action="store_true", help="plates and balls that yield")
     parser.add_argument("--jobs", type=int, default=2)
     arguments = parser.parse_args()
     first, last = (int(part) for part in arguments.scenes.split(":"))
@@ -204,7 +226,10 @@ def main():
     scenes = []
     with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
         for scene in pool.map(lambda number: bars_of_scene(arguments.program, number,
-                                                             known.get(number)),
+                                                             known.get(number),
+                                                             yielding_scene if
+                                                             arguments.yielding
+                                                             else random_scene),
                               range(first, last)):
             scenes.append(scene)
             if arguments.output:

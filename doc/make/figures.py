@@ -135,6 +135,32 @@ def total_energy(runs_by_integration):
     return svg(figure)
 
 
+def restitution_by_velocity(sweep):
+    """Restitution of a sweep over velocities of a steel ball on steel that yields, with
+    Johnson's formula (Contact Mechanics, sec. 11.5)."""
+    figure, axes = new_figure()
+    speed, restitution = (np.array([point[name] for point in sweep.points])
+                          for name in ("Impactor/Velocity", "coefficient_of_restitution"))
+    axes.loglog(speed, restitution, "o-", label="computed")
+    entry = {key: float(sweep.entries[key]) for key in (
+        "Plate/Yield strength", "Plate/Young's modulus", "Plate/Poisson's ratio",
+        "Impactor/Radius", "Impactor/Density", "Impactor/Young's modulus",
+        "Impactor/Poisson's ratio")}
+    strength, radius = entry["Plate/Yield strength"], entry["Impactor/Radius"]
+    modulus = 1 / sum((1 - entry[f"{body}/Poisson's ratio"]**2) / entry[f"{body}/Young's modulus"]
+                      for body in ("Plate", "Impactor"))
+    mass = 4 / 3 * np.pi * radius**3 * entry["Impactor/Density"]
+    fast = speed[speed > 0.1]
+    axes.loglog(fast, 3.8 * (strength / modulus)**0.5 *
+                (0.5 * mass * fast**2 / (strength * radius**3))**-0.125, "--",
+                label="Johnson, plastic throughout")
+    axes.set(xlabel="velocity [m/s]", ylabel="restitution")
+    axes.set_yticks([0.5, 0.6, 0.7, 0.8, 0.9, 1], ["0.5", "0.6", "0.7", "0.8", "0.9", "1"])
+    axes.minorticks_off()
+    axes.legend()
+    return svg(figure)
+
+
 def histories_of_sweeps(*studies):
     """Histories over their peaks, a plot for each sweep, its entry, unit and factor."""
     figure, axes = new_figure(len(studies))

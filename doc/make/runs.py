@@ -75,6 +75,18 @@ class Command:
         """Its changes alone, to be added to a command."""
         return " ".join(wrapped(self.words[3:], 10**6).split())
 
+    @functools.cached_property
+    def entries(self):
+        """Every entry of the scene as text, by `Section/Entry`."""
+        entries, section = {}, ""
+        for line in (self.results / "scene.prm").read_text().splitlines():
+            if line.startswith("subsection "):
+                section = line.split(None, 1)[1]
+            elif " = " in line:
+                name, value = line.split(" = ", 1)
+                entries[f"{section}/{name.split(None, 1)[1].strip()}"] = value
+        return entries
+
     @staticmethod
     def table(path):
         """Columns by name."""
@@ -97,18 +109,6 @@ class Run(Command):
         """The contact history of every cycle, columns by name."""
         names = [f"contact_history_cycle_{i}.csv" for i in range(1, len(self.cycles))]
         return [self.table(self.results / name) for name in names + ["contact_history.csv"]]
-
-    @functools.cached_property
-    def entries(self):
-        """Every entry of the scene as text, by `Section/Entry`."""
-        entries, section = {}, ""
-        for line in (self.results / "scene.prm").read_text().splitlines():
-            if line.startswith("subsection "):
-                section = line.split(None, 1)[1]
-            elif " = " in line:
-                name, value = line.split(" = ", 1)
-                entries[f"{section}/{name.split(None, 1)[1].strip()}"] = value
-        return entries
 
     @functools.cached_property
     def energy_changes(self):
@@ -230,6 +230,7 @@ def layer_case(case):
                "Impactor/Radius": case["impactor"]["radius"],
                "Impactor/Velocity": case["velocity"],
                "Time/End time": 0.6 * case["end_time"], "Time/Time step": 0,
+               "Contact/Finite ball": "false",
                "Discretization/Initial cells": "6, 6", "Adaptivity/Maximum cycles": 4}
     for body in ("Plate", "Impactor"):
         for entry, key in (("Young's modulus", "E"), ("Poisson's ratio", "nu"), ("Density", "rho")):

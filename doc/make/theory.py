@@ -29,6 +29,19 @@ def slow_impact(entries, deflection):
             "contact_stiffness": 1.5 * force / indentation}
 
 
+def velocity_of_first_yield(points, strength, poissons_ratio):
+    """Velocity whose contact pressure is 1.295 exp(0.736 nu) of the strength, between the
+    points of an elastic sweep over velocities by a power law. [m/s]"""
+    pressure = 1.295 * math.exp(0.736 * poissons_ratio) * strength
+    for slow, fast in zip(points, points[1:]):
+        if slow["contact_pressure"] <= pressure <= fast["contact_pressure"]:
+            share = (math.log(pressure / slow["contact_pressure"]) /
+                     math.log(fast["contact_pressure"] / slow["contact_pressure"]))
+            return slow["Impactor/Velocity"] * (
+                fast["Impactor/Velocity"] / slow["Impactor/Velocity"])**share
+    raise ValueError(f"no pressure of the sweep is near {pressure:g} Pa")
+
+
 def bending_wavelength(entries, half_period):
     """Of a bending wave on the plate, omega^2 rho t = D k^4. [m]"""
     thickness, ratio = (float(entries[f"Plate/{name}"]) for name in ("Thickness", "Poisson's ratio"))

@@ -2,6 +2,7 @@
 
 #include "plate_impact/analysis/observe.h"
 #include "plate_impact/base/exceptions.h"
+#include "plate_impact/contact/make_contact.h"
 #include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
 #include "plate_impact/transient/newmark_scheme.h"
@@ -23,7 +24,7 @@ namespace PlateImpact
     , adaptation(parameters.adaptivity,
                  parameters.impactor.contact_half_length())
     , expected(parameters.has_impactor() ?
-                 std::make_optional<ImpactEstimate>(parameters) :
+                 std::make_optional(make_zener_impact(parameters)) :
                  std::nullopt)
     , time_control(expected ?
                      std::make_optional<TimeControl>(parameters, *expected) :
@@ -195,7 +196,7 @@ namespace PlateImpact
     // nor does a change of the force tell anything where no mesh sees the waves
     // that the contact sends out
     if (result.cell_size_at_load >
-        0.5 * std::max(expected->wave.length, 2. * load))
+        0.5 * std::max(expected->wave().length, 2. * load))
       return {};
     return peak_force_error_by_mesh(*result.peak_force_error,
                                     result.history->peak().force,

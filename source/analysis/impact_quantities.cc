@@ -1,93 +1,201 @@
 #include "plate_impact/analysis/impact_quantities.h"
 
-#include "plate_impact/contact/contact_area.h"
-#include "plate_impact/contact/impactor.h"
-#include "plate_impact/contact/make_contact.h"
-#include "plate_impact/plate/plate_section.h"
-
 namespace PlateImpact
 {
-  std::optional<double>
-  restitution(const ContactHistory &history)
+  namespace
   {
-    const ContactState &first = history.states().front(),
-                       &last  = history.states().back();
-    if (history.n_contacts() == 0 || last.overlap() > 0. ||
-        last.impactor_velocity > 0.)
-      return {};
-    return -last.impactor_velocity / first.impactor_velocity;
-  }
+    using Value = std::optional<double>;
+
+    const ContactState &
+    first(const ComputedImpact &impact)
+    {
+      return impact.history.states().front();
+    }
+
+
+
+    const ContactState &
+    peak(const ComputedImpact &impact)
+    {
+      return impact.history.peak();
+    }
+
+
+
+    const ContactState &
+    last(const ComputedImpact &impact)
+    {
+      return impact.history.states().back();
+    }
+
+
+
+    double
+    contact_radius(const ComputedImpact &impact)
+    {
+      return ContactBodies(impact.parameters)
+        .radius(peak(impact).force, peak(impact).indentation);
+    }
+
+
+
+    Value
+    contact_pressure(const ComputedImpact &impact)
+    {
+      if (peak(impact).force == 0.)
+        return {};
+      return ContactBodies(impact.parameters)
+        .pressure(peak(impact).force, peak(impact).indentation);
+    }
+
+
+
+    /// Of a contact that leaves a dent.
+    Value
+    if_dented(const ComputedImpact &impact, const double value)
+    {
+      if (impact.parameters.contact.unloading == UnloadingLaw::elastic &&
+          !ContactBodies(impact.parameters).yield_indentation)
+        return {};
+      return value;
+    }
+
+
+
+    Value
+    pressure_over_strength(const ComputedImpact &impact)
+    {
+      const auto  weaker   = ContactBodies(impact.parameters).weaker;
+      const Value pressure = contact_pressure(impact);
+      if (!weaker || !pressure)
+        return {};
+      return 2. / 3. * *pressure / weaker->yield_strength;
+    }
+
+
+
+    Value
+    restitution(const ComputedImpact &impact)
+    {
+      if (impact.history.n_contacts() == 0 || last(impact).overlap() > 0. ||
+          last(impact).impactor_velocity > 0.)
+        return {};
+      return -last(impact).impactor_velocity / first(impact).impactor_velocity;
+    }
+
+
+
+    bool
+    is_sphere(const ComputedImpact &impact)
+    {
+      return !impact.parameters.impactor.is_cylinder();
+    }
+
+
+
+    Value
+    restitution_over_zener(const ComputedImpact &impact)
+    {
+      const Value e = restitution(impact);
+      if (!is_sphere(impact) || !e || impact.history.n_contacts() != 1)
+        return {};
+      const double of_zener = impact.expected.restitution();
+      return of_zener > 0. ? Value(*e / of_zener) : Value();
+    }
+  } // namespace
 
 
 
   const std::vector<ImpactQuantity> &
   impact_quantities()
   {
+    using Impact = const ComputedImpact &;
     static const std::vector<ImpactQuantity> quantities = {
-      {"peak_force", "Peak force", "N"},
-      {"time_of_peak_force", "Time of the peak force", "s"},
-      {"first_contact_end", "End of the first contact", "s"},
-      {"number_of_contacts", "Number of contacts", ""},
-      {"impulse", "Impulse", "N s"},
-      {"final_impactor_velocity", "Final velocity of the impactor", "m/s"},
-      {"max_plate_displacement", "Largest displacement of the plate", "m"},
+      {"peak_force",
+       "Peak force",
+       "N",
+       [](Impact i) -> Value { return peak(i).force; }},
+      {"time_of_peak_force",
+       "Time of the peak force",
+       "s",
+       [](Impact i) -> Value { return peak(i).time; }},
+      {"first_contact_end",
+       "End of the first contact",
+       "s",
+       [](Impact i) { return i.history.first_contact_end(); }},
+      {"number_of_contacts",
+       "Number of contacts",
+       "",
+       [](Impact i) -> Value { return i.history.n_contacts(); }},
+      {"impulse",
+       "Impulse",
+       "N s",
+       [](Impact i) -> Value { return i.impulse; }},
+      {"final_impactor_velocity",
+       "Final velocity of the impactor",
+       "m/s",
+       [](Impact i) -> Value { return last(i).impactor_velocity; }},
+      {"max_plate_displacement",
+       "Largest displacement of the plate",
+       "m",
+       [](Impact i) -> Value { return i.history.max_plate_displacement(); }},
       {"contact_radius_over_thickness",
        "Largest contact radius over the thickness",
-       ""},
-      {"relative_energy_drift", "Relative drift of the energy", ""},
-      {"coefficient_of_restitution", "Coefficient of restitution", ""},
-      {"plate_energy_fraction", "Energy left in the plate, fraction", ""},
-      {"zener_loss_factor", "Loss factor of Zener's formula", ""},
-      {"peak_force_over_zener", "Peak force over Zener's", ""},
-      {"restitution_over_zener", "Restitution over Zener's", ""},
+       "",
+       [](Impact i) -> Value {
+         return contact_radius(i) / i.parameters.plate.thickness;
+       }},
+      {"relative_energy_drift",
+       "Relative drift of the energy",
+       "",
+       [](Impact i) -> Value { return i.history.relative_energy_drift(); }},
+      {"coefficient_of_restitution",
+       "Coefficient of restitution",
+       "",
+       restitution},
+      {"plate_energy_fraction",
+       "Energy left in the plate, fraction",
+       "",
+       [](Impact i) -> Value {
+         return last(i).plate_energy / first(i).total_energy();
+       }},
+      {"zener_loss_factor",
+       "Loss factor of Zener's formula",
+       "",
+       [](Impact i) {
+         return is_sphere(i) ? i.expected.loss_factor() : Value();
+       }},
+      {"peak_force_over_zener",
+       "Peak force over Zener's",
+       "",
+       [](Impact i) {
+         return is_sphere(i) ? peak(i).force / i.expected.peak.force : Value();
+       }},
+      {"restitution_over_zener",
+       "Restitution over Zener's",
+       "",
+       restitution_over_zener},
       {"discretization_error",
        "Relative error in the energy norm eta, fraction",
-       ""},
-      {"peak_force_error_bar", "Error bar of the peak force, fraction", ""}};
+       "",
+       [](Impact i) { return i.discretization_error; }},
+      {"peak_force_error_bar",
+       "Error bar of the peak force, fraction",
+       "",
+       [](Impact i) { return i.peak_force_bar; }},
+      {"contact_pressure", "Largest contact pressure", "Pa", contact_pressure},
+      {"mean_pressure_over_yield_strength",
+       "Mean contact pressure over the yield strength",
+       "",
+       pressure_over_strength},
+      {"permanent_indentation",
+       "Dent",
+       "m",
+       [](Impact i) { return if_dented(i, last(i).permanent_indentation); }},
+      {"dissipated_energy",
+       "Energy dissipated by the contact",
+       "J",
+       [](Impact i) { return if_dented(i, last(i).dissipated_energy); }}};
     return quantities;
-  }
-
-
-
-  std::vector<std::optional<double>>
-  values_of_quantities(const Impact                &impact,
-                       const Parameters            &parameters,
-                       const ExpectedPeak          &expected,
-                       const std::optional<double> &discretization_error,
-                       const std::optional<double> &peak_force_bar)
-  {
-    const ContactHistory &history = impact.history;
-    const ContactState &peak = history.peak(), &last = history.states().back();
-    const std::optional<double> e = restitution(history);
-
-    std::optional<double> loss_factor, peak_over_zener, e_over_zener;
-    if (!parameters.impactor.is_cylinder())
-      {
-        const Contact      contact  = make_half_space_contact(parameters);
-        const Impactor     impactor = make_impactor(parameters.impactor);
-        const PlateSection section(parameters.plate);
-        loss_factor          = zener_loss_factor(contact, impactor, section);
-        peak_over_zener      = peak.force / expected.force;
-        const double zener_e = zener_restitution(contact, impactor, section);
-        if (e && history.n_contacts() == 1 && zener_e > 0.)
-          e_over_zener = *e / zener_e;
-      }
-    return {peak.force,
-            peak.time,
-            history.first_contact_end(),
-            history.n_contacts(),
-            impact.impulse,
-            last.impactor_velocity,
-            history.max_plate_displacement(),
-            contact_radius(parameters, peak.force, peak.indentation) /
-              parameters.plate.thickness,
-            history.relative_energy_drift(),
-            e,
-            last.plate_energy / history.states().front().total_energy(),
-            loss_factor,
-            peak_over_zener,
-            e_over_zener,
-            discretization_error,
-            peak_force_bar};
   }
 } // namespace PlateImpact

@@ -1,7 +1,8 @@
 #include "plate_impact/analysis/warnings.h"
 #include "plate_impact/base/text.h"
-#include "plate_impact/contact/contact_area.h"
-#include "plate_impact/contact/impact_estimate.h"
+#include "plate_impact/contact/contact_bodies.h"
+#include "plate_impact/contact/make_contact.h"
+#include "plate_impact/contact/yielding_law.h"
 #include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_section.h"
 
@@ -28,16 +29,24 @@ namespace PlateImpact
         , smallest_cell(result.min_cell_size)
         , history(*result.history)
         , peak(history.peak())
-        , radius(peak.force > 0. ?
-                   contact_radius(parameters, peak.force, peak.indentation) :
-                   0.)
-      {}
+        , bodies(parameters)
+        , radius(bodies.radius(peak.force, peak.indentation))
+        , pressure(peak.force > 0. ?
+                     bodies.pressure(peak.force, peak.indentation) :
+                     0.)
+      {
+        if (result.error && result.error->max_stresses.size() == 1)
+          bending_stress = result.error->max_stresses(0, 0);
+      }
 
       Warnings
       warnings_of_all()
       {
         if (peak.force > 0.)
-          check_load();
+          {
+            check_local_response();
+            check_load();
+          }
         check_plate();
         if (peak.force > 0.)
           {
@@ -45,10 +54,19 @@ namespace PlateImpact
             check_contact();
             check_duration();
           }
+        if (is_beyond_limits)
+          leaves("what is beyond a limit of the model", {});
         return warnings;
       }
 
     private:
+      /// Notes what a part of the model leaves of the peak force.
+      void
+      leaves(const std::string &part, const std::optional<double> &relative)
+      {
+        warnings.model_errors.push_back({part, relative});
+      }
+
       /// Notes a sentence, with {} for each number.
       template <typename... Numbers>
       void
@@ -61,7 +79,8 @@ namespace PlateImpact
           std::max(warnings.farthest_from_model, over_limit);
       }
 
-      /// The same where a quantity passes its limit.
+      /// The same where a quantity passes its limit, beyond which the error is
+      /// not known.
       template <typename... Numbers>
       void
       limit(const double quantity,
@@ -69,8 +88,38 @@ namespace PlateImpact
             const char  *sentence,
             const Numbers &...numbers)
       {
-        if (quantity > limit)
-          warn(quantity / limit, sentence, numbers...);
+        if (quantity <= limit)
+          return;
+        warn(quantity / limit, sentence, numbers...);
+        is_beyond_limits = true;
+      }
+
+      /// What the contact takes for the answer of plate and ball to short
+      /// waves, as far as doc/validation.md has compared it.
+      void
+      check_local_response()
+      {
+        const bool was_compared = !impactor.is_cylinder() &&
+          !plate.is_laminate() && contact.law == ForceLaw::Hertz &&
+          contact.has_patch() && plate.shear_correction_factor < 10.;
+        if (!was_compared)
+          return leaves("local response", {});
+        if (!is_layer)
+          return leaves("local response of a half-space", 0.08);
+        leaves("local response", 0.003);
+        if (contact.finite_ball)
+          return;
+        // the same impact of a finite ball, by Zener's equation
+        Parameters changed          = parameters;
+        changed.contact.finite_ball = true;
+        const auto force            = [&](const Parameters &scene) {
+          return ZenerImpact(make_contact(scene, /*layer_constant=*/0.),
+                             make_impactor(impactor),
+                             section)
+            .peak.force;
+        };
+        leaves("ball taken for a half-space",
+               std::abs(force(changed) / force(parameters) - 1.));
       }
 
       /// When the radius of the load on the plate is halved, the plate gives
@@ -93,7 +142,7 @@ namespace PlateImpact
         const auto force = [&](const double factor_of_k) {
           Parameters changed = parameters;
           changed.impactor.radius *= factor_of_k * factor_of_k;
-          return zener_peak(changed).force;
+          return make_zener_impact(changed).peak.force;
         };
         const double step     = 0.05;
         const double exponent = std::log(force(1. + step) / force(1. - step)) /
@@ -149,17 +198,19 @@ namespace PlateImpact
         if (0.6 * give_per_halving() * std::abs(halvings) < 0.005)
           return;
         const double change = drop_per_halving() * halvings;
-        if (std::abs(change) > 0.005)
-          warn(std::abs(change) / 0.05,
-               "Contact/Patch radius = {} m spreads the force over another "
-               "area than the contact, whose radius is {}: the peak force is "
-               "{} {} too {}; choose Contact/Patch radius = {}",
-               about(contact.patch_radius),
-               about(radius, "m"),
-               contact.patch_radius > plate.thickness ? "more than" : "about",
-               about_percentage(std::abs(change)),
-               change > 0. ? "large" : "small",
-               about(radius));
+        if (std::abs(change) <= 0.005)
+          return;
+        leaves("patch radius", std::abs(change));
+        warn(std::abs(change) / 0.05,
+             "Contact/Patch radius = {} m spreads the force over another "
+             "area than the contact, whose radius is {}: the peak force is "
+             "{} {} too {}; choose Contact/Patch radius = {}",
+             about(contact.patch_radius),
+             about(radius, "m"),
+             contact.patch_radius > plate.thickness ? "more than" : "about",
+             about_percentage(std::abs(change)),
+             change > 0. ? "large" : "small",
+             about(radius));
       }
 
       void
@@ -168,6 +219,11 @@ namespace PlateImpact
         const double deflection = history.max_plate_displacement(),
                      to_edge    = geometry_of(plate)->distance_to_edge(),
                      thickness  = plate.thickness;
+        // the static stiffness of a clamped plate grows by about 0.5 (w/h)^2
+        // (Timoshenko & Woinowsky-Krieger, Theory of Plates and Shells, sec.
+        // 100)
+        leaves("deflection",
+               0.5 * std::pow(peak.plate_displacement / thickness, 2));
         limit(deflection / thickness,
               0.2,
               "the plate deflects by {}, {} of its thickness: beyond 0.2 it "
@@ -194,45 +250,100 @@ namespace PlateImpact
                 "contact leaves a dent, which Contact/Unloading = Yang-Sun has",
                 about(peak.indentation, "m"),
                 about(contact.critical_indentation, "m"));
-        // Full plasticity begins at three times the yield strength, which is at
-        // most a hundredth of Young's modulus (Johnson, Contact Mechanics, sec.
-        // 6.3). A nearly incompressible body is an elastomer, which does not
-        // yield; a lay-up has its own limit. A law of unloading does not help:
-        // the loading is Hertz's in any case.
-        const double of_plate = section.contact_modulus,
-                     softer   = std::min(of_plate, impactor.youngs_modulus),
-                     pressure = contact_pressure(parameters,
-                                                 peak.force,
-                                                 peak.indentation);
-        if (const auto weaker = weaker_body(parameters))
+        if (bodies.weaker)
+          check_yielding();
+        else
+          check_elastic();
+        if (plate.yield_strength > 0. && bending_stress)
+          limit(
+            *bending_stress,
+            plate.yield_strength,
+            "the bending stress of the plate reaches {}, its yield strength "
+            "is {}: beyond it the plate itself yields, which the model does "
+            "not have",
+            about(*bending_stress, "Pa"),
+            about(plate.yield_strength, "Pa"));
+      }
+
+      /// The law of a contact that yields was compared up to w = 100
+      /// (doc/validation.md).
+      void
+      check_yielding()
+      {
+        const YieldingBody &weaker = *bodies.weaker;
+        if (impactor.is_cylinder())
           {
-            const auto   first_yield = yield_indentation(parameters);
-            const double w = first_yield ? peak.indentation / *first_yield : 0.;
-            limit(w,
-                  100.,
-                  "the indentation is {} times that at first yield: the law of "
-                  "a contact that yields was compared up to 100",
-                  about(w));
             // Johnson, Contact Mechanics, sec. 6.1
-            if (impactor.is_cylinder())
-              limit(pressure,
-                    1.67 * weaker->yield_strength,
-                    "the contact pressure reaches {}: a line contact yields "
-                    "from 1.67 of the yield strength on, for which there is no "
-                    "law here; the force is an upper bound",
-                    about(pressure, "Pa"));
+            warnings.contact = fmt::format(
+              "pressure {}; it yields from {} on, for which a line contact has "
+              "no law",
+              about(pressure, "Pa"),
+              about(1.67 * weaker.yield_strength, "Pa"));
+            return limit(
+              pressure,
+              1.67 * weaker.yield_strength,
+              "the contact pressure reaches {}: a line contact yields from 1.67 "
+              "of the yield strength on, for which there is no law here; the "
+              "force is an upper bound",
+              about(pressure, "Pa"));
+          }
+        const double w = peak.indentation / *bodies.yield_indentation;
+        if (w <= 1.)
+          {
+            warnings.contact =
+              fmt::format("elastic: pressure {}, first yield at {}",
+                          about(pressure, "Pa"),
+                          about(yield_pressure_ratio(weaker.poissons_ratio) *
+                                  weaker.yield_strength,
+                                "Pa"));
             return;
           }
-        const bool yields = of_plate < impactor.youngs_modulus ?
-          !plate.is_laminate() && plate.poissons_ratio < 0.45 :
-          impactor.poissons_ratio < 0.45;
-        if (yields)
-          limit(pressure,
-                0.03 * softer,
-                "the contact pressure reaches {}, {} of Young's modulus: no "
-                "metal stays elastic beyond 0.03; the force is an upper bound",
-                about(pressure, "Pa"),
-                about(pressure / softer));
+        warnings.contact = fmt::format(
+          "yields: mean pressure {} times the yield strength, dent {}",
+          about(2. / 3. * pressure / weaker.yield_strength),
+          about(history.states().back().permanent_indentation, "m"));
+        leaves("contact that yields", 0.04);
+        limit(w,
+              100.,
+              "the indentation is {} times that at first yield: the law of "
+              "a contact that yields was compared up to 100",
+              about(w));
+      }
+
+      /// Nothing is said of a strength.
+      void
+      check_elastic()
+      {
+        const bool plate_is_softer =
+          section.contact_modulus < impactor.youngs_modulus;
+        const double softer =
+          std::min(section.contact_modulus, impactor.youngs_modulus);
+        warnings.contact = "pressure " + about(pressure, "Pa");
+        if (plate_is_softer && plate.is_laminate())
+          return; // which has its own limit
+        warnings.assumes_elastic_contact = true;
+        // A nearly incompressible body is an elastomer, which does not yield.
+        if ((plate_is_softer ? plate.poissons_ratio :
+                               impactor.poissons_ratio) >= 0.45)
+          {
+            warnings.contact +=
+              " on a body like rubber, which does not yield, but is stiffer the "
+              "faster it is struck: the force is that of the given modulus";
+            return;
+          }
+        warnings.contact +=
+          fmt::format(", elastic as long as the yield strength is above {}",
+                      about(bodies.elastic_strength(pressure), "Pa"));
+        // Full plasticity begins at three times the yield strength, which is at
+        // most a hundredth of Young's modulus (Johnson, Contact Mechanics, sec.
+        // 6.3). A law of unloading does not help: the loading is Hertz's in any
+        // case.
+        limit(pressure,
+              0.03 * softer,
+              "the contact pressure reaches {}, {} of Young's modulus: no "
+              "metal stays elastic beyond 0.03; the force is an upper bound",
+              about(pressure, "Pa"),
+              about(pressure / softer));
       }
 
       void
@@ -272,12 +383,15 @@ namespace PlateImpact
         const double transit = std::sqrt(
           plate.thickness * section.mass_per_area / section.shear_modulus);
         const double n_transits = end.value_or(2. * peak.time) / transit;
-        if (n_transits < 10.)
-          warn(1.,
-               "the contact lasts {} transits of a shear wave through the "
-               "plate: below 10 the local response, a static one, makes the "
-               "force up to a per cent too large",
-               about(n_transits));
+        if (n_transits >= 10.)
+          return;
+        leaves("short contact",
+               n_transits > 1.8 ? std::optional(0.012) : std::nullopt);
+        warn(1.,
+             "the contact lasts {} transits of a shear wave through the "
+             "plate: below 10 the local response, a static one, makes the "
+             "force up to a per cent too large",
+             about(n_transits));
       }
 
       const Parameters         &parameters;
@@ -289,7 +403,11 @@ namespace PlateImpact
       const double              smallest_cell;
       const ContactHistory     &history;
       const ContactState       &peak;
-      const double              radius; ///< or half-width of Hertz's contact
+      const ContactBodies       bodies;
+      const double              radius;   ///< or half-width of the contact
+      const double              pressure; ///< largest of the contact
+      std::optional<double>     bending_stress; ///< of an isotropic plate [Pa]
+      bool                      is_beyond_limits = false;
       Warnings                  warnings;
     };
   } // namespace
@@ -302,6 +420,21 @@ namespace PlateImpact
     std::vector<std::string> result = numerical;
     result.insert(result.end(), model.begin(), model.end());
     return result;
+  }
+
+
+
+  std::optional<double>
+  Warnings::model_error() const
+  {
+    double sum = 0.;
+    for (const ModelError &error : model_errors)
+      {
+        if (!error.relative)
+          return {};
+        sum += *error.relative;
+      }
+    return sum;
   }
 
 

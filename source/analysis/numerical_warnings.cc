@@ -193,15 +193,15 @@ namespace PlateImpact
 
 
   Warnings
-  impact_warnings(const Parameters     &parameters,
-                  const CycleResult    &result,
-                  const ImpactEstimate &expected)
+  impact_warnings(const Parameters  &parameters,
+                  const CycleResult &result,
+                  const ZenerImpact &expected)
   {
     Warnings warnings  = model_warnings(parameters, result);
     warnings.numerical = joined({warn_of_step(parameters.time,
                                               parameters.adaptivity,
                                               result,
-                                              expected.contact_time),
+                                              expected.contact_time()),
                                  warn_of_end(parameters.time, *result.history),
                                  warn_of_history(result),
                                  warnings.numerical});
@@ -214,7 +214,7 @@ namespace PlateImpact
   reliability_warnings(const Parameters       &parameters,
                        const Triangulation<2> &mesh,
                        const CycleResult      &result,
-                       const ImpactEstimate   &expected)
+                       const ZenerImpact      &expected)
   {
     Warnings   warnings = impact_warnings(parameters, result, expected);
     const auto goal     = make_goal(parameters.adaptivity);
@@ -222,12 +222,13 @@ namespace PlateImpact
     const double largest_cell =
       cell_sizes_near_load(mesh,
                            parameters.impactor.contact_half_length(),
-                           expected.wave.group_speed * parameters.time.end_time)
+                           expected.wave().group_speed *
+                             parameters.time.end_time)
         .second;
     warnings.numerical =
       joined({warnings.numerical,
               warn_of_resolution(parameters,
-                                 expected.wave,
+                                 expected.wave(),
                                  largest_cell,
                                  goal->is_met(result)),
               goal->warnings(result),

@@ -77,25 +77,55 @@ namespace PlateImpact
 
 
 
+  namespace
+  {
+    /// Digits after the point with which an error is shown: two of 1 and 2, of
+    /// which one would be coarse.
+    int
+    digits_of_error(const double error)
+    {
+      const int    power = int(std::floor(std::log10(error)));
+      const double lead  = error / std::pow(10., power);
+      return std::clamp(lead < 3. ? 1 - power : -power, 0, 9);
+    }
+
+
+
+    std::string
+    rounded_up(const double error, const std::string &unit)
+    {
+      const int    digits       = digits_of_error(error);
+      const double unit_of_last = std::pow(10., -digits);
+      return fmt::format("{:.{}f} {}",
+                         std::ceil(error / unit_of_last - 1e-9) * unit_of_last,
+                         digits,
+                         unit);
+    }
+  } // namespace
+
+
+
   std::string
   with_error(const double value, const double error, const std::string &unit)
   {
     const PrefixedUnit prefixed(unit, value);
     if (!(error > 0.) || !std::isfinite(error))
       return prefixed.text(value);
-    // two digits of 1 and 2, of which one would be coarse
-    const double shown  = prefixed(error);
-    const int    power  = int(std::floor(std::log10(shown)));
-    const double lead   = shown / std::pow(10., power);
-    const int    digits = std::clamp(lead < 3. ? 1 - power : -power, 0, 9);
-    const double unit_of_last = std::pow(10., -digits);
-    return fmt::format("{:.{}f} {} ± {:.{}f} {}",
+    const double shown = prefixed(error);
+    return fmt::format("{:.{}f} {} ± {}",
                        prefixed(value),
-                       digits,
+                       digits_of_error(shown),
                        prefixed.name(),
-                       std::ceil(shown / unit_of_last - 1e-9) * unit_of_last,
-                       digits,
-                       prefixed.name());
+                       rounded_up(shown, prefixed.name()));
+  }
+
+
+
+  std::string
+  error_in_words(const double error, const std::string &unit)
+  {
+    const PrefixedUnit prefixed(unit, error);
+    return rounded_up(prefixed(error), prefixed.name());
   }
 
 

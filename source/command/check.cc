@@ -3,7 +3,6 @@
 #include "plate_impact/command/commands.h"
 #include "plate_impact/command/expectation.h"
 #include "plate_impact/plate/plate_geometry.h"
-#include "plate_impact/plate/plate_section.h"
 #include "plate_impact/scene/scene_reader.h"
 #include "plate_impact/scene/sweep_plan.h"
 #include "plate_impact/sweep/sweep_groups.h"
@@ -79,16 +78,19 @@ namespace PlateImpact
         }
       text.line("infinite plate",
                 format("{} at {}, by Zener's equation{}",
-                       about(expected.zener.force, "N"),
-                       about(expected.zener.time, "s"),
+                       about(expected.zener.peak.force, "N"),
+                       about(expected.zener.peak.time, "s"),
                        parameters.impactor.is_cylinder() ?
                          ", which strikes at a point" :
                          ""));
+      const ExpectedPeak rigid = expected.zener.peak_on_rigid_plate();
       text.line("half-space",
                 format("{} at {}, on a plate that does not move: the upper "
                        "bound of a single contact",
-                       about(expected.rigid.force, "N"),
-                       about(expected.rigid.time, "s")));
+                       about(rigid.force, "N"),
+                       about(rigid.time, "s")));
+      if (!expected.contact.empty())
+        text.line("contact", expected.contact);
       if (parameters.contact.patch_radius > 0.)
         text.line("load",
                   word_for(parameters.contact.load_distribution) + " of " +
@@ -102,20 +104,18 @@ namespace PlateImpact
               const Parameters  &parameters,
               const Expectation &expected)
     {
-      const PlateParameters &plate = parameters.plate;
-      const double           speed = PlateSection(plate).fastest_wave();
+      const double speed = expected.zener.section.fastest_wave();
       text.line("first reflection",
                 format("back at {}; before, the supports do not matter",
                        about(2. * distance_to_edge(parameters) / speed, "s")));
 
       // the first are those that the warnings of a run speak of
-      const double      wavelength = expected.wave.length;
+      const double      wavelength = expected.zener.wave().length;
       const double      h          = initial_cell_size(parameters);
       const std::string of_contact = expected.contact_end ?
-        format(
-          " and {} of the whole contact",
-          about(contact_wave(PlateSection(plate), *expected.contact_end).length,
-                "m")) :
+        format(" and {} of the whole contact",
+               about(expected.zener.wave_of(*expected.contact_end).length,
+                     "m")) :
         "";
       text.line("bending wavelength",
                 format("{} as the force rises{}; initial cells of {}{}",

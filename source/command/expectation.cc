@@ -3,11 +3,9 @@
 #include "plate_impact/analysis/cycle_result.h"
 #include "plate_impact/analysis/warnings.h"
 #include "plate_impact/base/text.h"
-#include "plate_impact/contact/impactor.h"
 #include "plate_impact/contact/make_contact.h"
 #include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
-#include "plate_impact/plate/plate_section.h"
 #include "plate_impact/transient/plate_model.h"
 
 #include <algorithm>
@@ -117,40 +115,36 @@ namespace PlateImpact
 
 
   Expectation::Expectation(const Parameters &parameters)
+    : zener(make_zener_impact(parameters))
   {
-    const PlateSection section(parameters.plate);
-    const Contact      contact  = make_half_space_contact(parameters);
-    const Impactor     impactor = make_impactor(parameters.impactor);
-    zener                       = zener_peak(contact, impactor, section);
-    rigid                       = rigid_plate_peak(contact, impactor, section);
-    // the wave that an infinite plate would carry
-    wave = contact_wave(section, 2. * zener.time);
-    CycleResult impact =
-      coarse_impact(parameters, 2. * zener.time, wave.length);
+    const BendingWave wave = zener.wave();
+    CycleResult       impact =
+      coarse_impact(parameters, zener.contact_time(), wave.length);
     const bool is_resolved = impact.min_cell_size < 0.5 * wave.length;
     until                  = impact.history->states().back().time;
     contact_end            = impact.history->first_contact_end();
     source = "on a coarse mesh of " + counted(impact.cells, "cell");
     if (!is_resolved)
       {
-        const auto history_to = [&](const double end) {
-          return zener_history(contact, impactor, section, end);
-        };
         // when waves are back from the edges
         until       = 2. * distance_to_edge(parameters) / wave.group_speed;
-        contact_end = history_to(until).first_contact_end();
+        contact_end = zener.history(until).first_contact_end();
         source =
           "on an infinite plate: its waves are too short for a coarse mesh";
         impact.history =
-          history_to(parameters.time.end_time > 0. ?
-                       std::min(until, parameters.time.end_time) :
-                       until);
+          zener.history(parameters.time.end_time > 0. ?
+                          std::min(until, parameters.time.end_time) :
+                          until);
       }
     is_bound             = parameters.impactor.is_cylinder() && !is_resolved;
     history              = *impact.history;
     impact.min_cell_size = parameters.adaptivity.minimum_cell_size;
     if (!is_bound)
-      warnings = model_warnings(parameters, impact).all();
+      {
+        const Warnings of_model = model_warnings(parameters, impact);
+        warnings                = of_model.all();
+        contact                 = of_model.contact;
+      }
   }
 
 
@@ -183,9 +177,9 @@ namespace PlateImpact
            adaptivity.target_error;
     const double halvings =
       initial_cell_size(parameters) / adaptivity.minimum_cell_size;
-    const double end   = is_for_peak ? zener.time : end_time(parameters);
+    const double end   = is_for_peak ? zener.peak.time : end_time(parameters);
     const double cells = 18. * std::log2(halvings) * 0.05 / target +
-      cells_for_waves(parameters, wave, end, target);
+      cells_for_waves(parameters, zener.wave(), end, target);
     return std::min(std::clamp(cells, initial, initial * halvings * halvings),
                     1. * adaptivity.maximum_cells);
   }

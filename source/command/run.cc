@@ -106,37 +106,26 @@ namespace PlateImpact
                  outcome_of(outcome, last));
         if (last.history)
           {
-            const ContactState &peak = last.history->peak();
-            const double        bar  = last.peak_force_bar ?
-                      last.peak_force_bar->total() * peak.force :
-                      0.;
             text += line("Peak force",
-                         emphasized(in_ascii(with_error(peak.force, bar, "N")),
-                                    Emphasis::bold) +
-                           " at " + in_ascii(time_unit.text(peak.time)) +
-                           (verdict.convergence.trust == Trust::none &&
-                                !last.peak_force_bar ?
-                              " (error not known)" :
-                              ""));
+                         emphasized(in_ascii(verdict.force), Emphasis::bold));
             if (last.verification)
-              text +=
-                line("Verified",
-                     number(last.verification->peak_force) + " N on " +
-                       counted(last.verification->cells, "cell") + ", " +
-                       deviation(last.verification->peak_force, peak.force) +
-                       " away");
+              text += line("Verified",
+                           number(last.verification->peak_force) + " N on " +
+                             counted(last.verification->cells, "cell") + ", " +
+                             deviation(last.verification->peak_force,
+                                       last.history->peak().force) +
+                             " away");
           }
-        if (verdict.model.trust != Trust::good)
-          text +=
-            line("Model",
-                 emphasized(verdict.model.trust == Trust::none ? "far outside" :
-                                                                 "outside",
-                            emphasis_of(verdict.model)) +
-                   ", see " + counted(verdict.model.reasons.size(), "warning"));
-        if (scene.parameters.has_impactor())
-          text += line("Contact",
-                       "local response of a " +
-                         in_ascii(local_response_in_words(scene.parameters)));
+        if (!last.history)
+          return text + line("Results", results);
+        text += line("Model",
+                     emphasized(in_ascii(model_in_words(verdict)),
+                                emphasis_of(verdict.model)));
+        if (!verdict.contact.empty())
+          text += line("Contact", in_ascii(verdict.contact));
+        text += line("Response",
+                     "local, of a " +
+                       in_ascii(local_response_in_words(scene.parameters)));
         return text + line("Results", results);
       }
 

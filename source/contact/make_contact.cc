@@ -2,13 +2,12 @@
 
 #include "plate_impact/base/entries.h"
 #include "plate_impact/contact/ball_compliance.h"
-#include "plate_impact/contact/contact_area.h"
+#include "plate_impact/contact/contact_bodies.h"
 #include "plate_impact/contact/hertz_law.h"
 #include "plate_impact/contact/impactor.h"
 #include "plate_impact/contact/line_law.h"
 #include "plate_impact/contact/yang_sun_unloading.h"
 #include "plate_impact/contact/yielding_law.h"
-#include "plate_impact/contact/zener.h"
 #include "plate_impact/plate/layer_response.h"
 #include "plate_impact/plate/plate_section.h"
 
@@ -52,7 +51,7 @@ namespace PlateImpact
     {
       const PlateParameters    &plate    = parameters.plate;
       const ImpactorParameters &impactor = parameters.impactor;
-      return contact_modulus(parameters) *
+      return ContactBodies(parameters).modulus *
         (PlateSection(plate).half_space_compliance *
            (std::log(plate.thickness) + Lambda) +
          compliance_of(impactor) * (std::log(4. * impactor.radius) - 0.5)) -
@@ -69,14 +68,12 @@ namespace PlateImpact
       const ImpactorParameters &impactor = parameters.impactor;
       if (!parameters.contact.finite_ball)
         return 0.;
-      const ExpectedPeak peak = zener_peak(make_half_space_contact(parameters),
-                                           make_impactor(impactor),
-                                           PlateSection(parameters.plate));
+      const ExpectedPeak peak = make_zener_impact(parameters).peak;
       return ball_compliance(
         impactor.radius,
         0.5 * impactor.youngs_modulus / (1. + impactor.poissons_ratio),
         impactor.poissons_ratio,
-        contact_radius(parameters, peak.force, peak.indentation));
+        ContactBodies(parameters).radius(peak.force, peak.indentation));
     }
 
 
@@ -98,12 +95,12 @@ namespace PlateImpact
                        compliance,
                        std::make_shared<YangSunUnloading>(
                          parameters.contact.critical_indentation));
-      if (const auto weaker = weaker_body(parameters))
+      if (const ContactBodies bodies(parameters); bodies.weaker)
         {
           const auto law =
             std::make_shared<YieldingLaw>(k,
-                                          *yield_indentation(parameters),
-                                          weaker->share_of_compliance);
+                                          *bodies.yield_indentation,
+                                          bodies.weaker->share_of_compliance);
           return Contact(law,
                          compliance,
                          std::make_shared<PlasticUnloading>(law));
@@ -121,7 +118,7 @@ namespace PlateImpact
       return Contact(std::make_shared<LineLaw>(
         impactor.radius,
         0.5 * impactor.length,
-        contact_modulus(parameters),
+        ContactBodies(parameters).modulus,
         layer_constant ? line_constant_of_layer(parameters, *layer_constant) :
                          LineLaw::constant_of_half_space));
     }
@@ -149,10 +146,12 @@ namespace PlateImpact
 
 
 
-  Contact
-  make_half_space_contact(const Parameters &parameters)
+  ZenerImpact
+  make_zener_impact(const Parameters &parameters)
   {
-    return row_of(parameters.contact.law, laws).make(parameters, {});
+    return {row_of(parameters.contact.law, laws).make(parameters, {}),
+            make_impactor(parameters.impactor),
+            PlateSection(parameters.plate)};
   }
 
 
@@ -182,10 +181,10 @@ namespace PlateImpact
   Contact
   make_contact(const Parameters &parameters, const double layer_constant)
   {
+    const LawRow &law = row_of(parameters.contact.law, laws);
     if (parameters.contact.local_response == LocalResponse::half_space)
-      return make_half_space_contact(parameters);
-    return row_of(parameters.contact.law, laws)
-      .make(parameters, layer_constant);
+      return law.make(parameters, {});
+    return law.make(parameters, layer_constant);
   }
 
 
@@ -226,9 +225,10 @@ namespace PlateImpact
              "which counts the shortest waves twice; where no response is "
              "given, that of the law Sun, of point and line loads, of "
              "laminates and of unloading by Yang-Sun.");
-    entry("Finite ball", "false", truth(), finite_ball)
+    entry("Finite ball", "true", truth(), finite_ball)
       .means("With a layer, a sphere as the elastic body that it is, held by "
-             "its inertia, in place of Hertz's half-space.");
+             "its inertia; false: as Hertz's half-space. With a half-space it "
+             "has no meaning.");
     entry("Unloading", "elastic", one_of(unloadings), unloading)
       .means("elastic: along the curve of loading, or down to the dent of a "
              "contact that yields. Yang-Sun: steeper, down to "

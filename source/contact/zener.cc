@@ -3,7 +3,6 @@
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/parameters.h"
 #include "plate_impact/contact/contact_solver.h"
-#include "plate_impact/plate/plate_section.h"
 
 #include <algorithm>
 #include <cmath>
@@ -96,24 +95,19 @@ namespace PlateImpact
 
 
 
-  ExpectedPeak
-  zener_peak(const Contact      &contact,
-             const Impactor     &impactor,
-             const PlateSection &section)
-  {
-    return zener_peak(contact,
-                      impactor,
-                      section,
-                      step_size(contact, impactor, section));
-  }
+  ZenerImpact::ZenerImpact(const Contact      &contact,
+                           const Impactor     &impactor,
+                           const PlateSection &section)
+    : contact(contact)
+    , impactor(impactor)
+    , section(section)
+    , peak(peak_in_steps(step_size(contact, impactor, section)))
+  {}
 
 
 
   ExpectedPeak
-  zener_peak(const Contact      &contact,
-             const Impactor     &impactor,
-             const PlateSection &section,
-             const double        dt)
+  ZenerImpact::peak_in_steps(const double dt) const
   {
     ZenerSteps steps(contact, impactor, section);
     double     before = 0., alpha = 0.;
@@ -140,22 +134,17 @@ namespace PlateImpact
 
 
   ExpectedPeak
-  rigid_plate_peak(const Contact      &contact,
-                   const Impactor     &impactor,
-                   const PlateSection &section)
+  ZenerImpact::peak_on_rigid_plate() const
   {
     PlateSection immovable = section;
     immovable.mass_per_area *= 1e12;
-    return zener_peak(contact, impactor, immovable);
+    return ZenerImpact(contact, impactor, immovable).peak;
   }
 
 
 
   ContactHistory
-  zener_history(const Contact      &contact,
-                const Impactor     &impactor,
-                const PlateSection &section,
-                const double        end_time)
+  ZenerImpact::history(const double end_time) const
   {
     const double   shortest = step_size(contact, impactor, section);
     ZenerSteps     steps(contact, impactor, section);
@@ -187,9 +176,7 @@ namespace PlateImpact
 
 
   double
-  zener_restitution(const Contact      &contact,
-                    const Impactor     &impactor,
-                    const PlateSection &section)
+  ZenerImpact::restitution() const
   {
     const double shortest = step_size(contact, impactor, section);
     ZenerSteps   steps(contact, impactor, section);
@@ -213,9 +200,7 @@ namespace PlateImpact
 
 
   std::optional<double>
-  zener_loss_factor(const Contact      &contact,
-                    const Impactor     &impactor,
-                    const PlateSection &section)
+  ZenerImpact::loss_factor() const
   {
     const std::optional<double> k = contact.first_loading().hertz_coefficient();
     if (!k)
@@ -227,44 +212,39 @@ namespace PlateImpact
 
 
 
-  BendingWave
-  contact_wave(const PlateSection &section, const double contact_time)
-  {
-    const double pi        = std::acos(-1.);
-    const double frequency = pi / contact_time;
-    const double speed     = std::sqrt(frequency) *
-      std::pow(section.mean_bending_stiffness() / section.mass_per_area, 0.25);
-    return {2. * contact_time * speed, 2. * speed};
-  }
-
-
-
   double
-  chosen_time_step(const TimeParameters &time,
-                   const Contact        &contact,
-                   const Impactor       &impactor,
-                   const PlateSection   &section)
+  ZenerImpact::chosen_time_step(const TimeParameters &time) const
   {
-    const ExpectedPeak exact        = zener_peak(contact, impactor, section);
-    const double       contact_time = 2. * exact.time, pi = std::acos(-1.);
+    const double pi = std::acos(-1.);
     // by powers of two from a time of the plate alone, the inverse frequency of
     // thickness shear, so that impactors share steps
     const double base =
       std::sqrt(section.rotary_inertia / section.mean_shear_stiffness());
     double step =
-      base * std::exp2(std::floor(std::log2(contact_time / 8. / base)));
+      base * std::exp2(std::floor(std::log2(contact_time() / 8. / base)));
     // the reference is good to about 1e-5
     const double tolerance = std::max(time.step_tolerance, 1e-5);
     while (true)
       {
         step *= 0.5;
         // the largest step misses the peak of a half sine by up to half a step
-        const double missed  = 1. - std::cos(0.5 * pi * step / contact_time);
-        const double changed = std::abs(
-          zener_peak(contact, impactor, section, step).force / exact.force -
-          1.);
+        const double missed = 1. - std::cos(0.5 * pi * step / contact_time());
+        const double changed =
+          std::abs(peak_in_steps(step).force / peak.force - 1.);
         if (std::max(missed, changed) <= tolerance)
           return time.end_time > 0. ? std::min(step, time.end_time) : step;
       }
+  }
+
+
+
+  BendingWave
+  ZenerImpact::wave_of(const double contact_time) const
+  {
+    const double pi        = std::acos(-1.);
+    const double frequency = pi / contact_time;
+    const double speed     = std::sqrt(frequency) *
+      std::pow(section.mean_bending_stiffness() / section.mass_per_area, 0.25);
+    return {2. * contact_time * speed, 2. * speed};
   }
 } // namespace PlateImpact

@@ -110,7 +110,7 @@ namespace PlateImpact
     if (scene.parameters.output.write_report)
       report.add_cycle(cycle);
     clock.charge(result.seconds.output);
-    cycles.push_back(summary_of(result, scene.parameters));
+    cycles.push_back(summary_of(result, scene.parameters, scene.expected));
   }
 
 
@@ -129,8 +129,16 @@ namespace PlateImpact
     };
     summary["verdict"] = {{"trust", word_for(verdict.trust())},
                           {"text", verdict.text},
+                          {"contact", verdict.contact},
                           {"convergence", part(verdict.convergence)},
                           {"model", part(verdict.model)}};
+    for (const ModelError &error : verdict.model_errors)
+      {
+        Json &errors = summary["verdict"]["model"]["errors"];
+        errors.push_back({{"of", error.of}});
+        if (error.relative)
+          errors.back()["relative"] = *error.relative;
+      }
     if (scene.parameters.has_impactor())
       summary["local_response"] =
         word_for(scene.parameters.contact.local_response);
@@ -155,7 +163,7 @@ namespace PlateImpact
     if (!last.result.snapshots.empty())
       write_fields(directory, last);
     clock.charge(last.result.seconds.output);
-    cycles.back()      = summary_of(last.result, scene.parameters);
+    cycles.back() = summary_of(last.result, scene.parameters, scene.expected);
     const Json summary = write_summary(word_for(outcome), warnings, verdict);
     if (scene.parameters.output.write_report)
       directory.write_file("report.html", [&](std::ostream &out) {
@@ -170,11 +178,10 @@ namespace PlateImpact
   {
     try
       {
-        write_summary("failed: " + failure,
-                      {},
-                      {"the computation has failed",
-                       {Trust::none, {failure}},
-                       {}});
+        Verdict verdict;
+        verdict.text        = "the computation has failed";
+        verdict.convergence = {Trust::none, {failure}};
+        write_summary("failed: " + failure, {}, verdict);
       }
     catch (const ComputationError &)
       {

@@ -1,7 +1,6 @@
 #include "plate_impact/output/report.h"
 
 #include "plate_impact/base/text.h"
-#include "plate_impact/contact/impact_estimate.h"
 #include "plate_impact/estimator/peak_force_error.h"
 #include "plate_impact/output/deflection_film.h"
 #include "plate_impact/output/run_in_words.h"
@@ -144,14 +143,14 @@ namespace PlateImpact
     study["errors"]    = std::move(errors);
     if (parameters.has_impactor())
       {
-        const ExpectedPeak expected = zener_peak(parameters);
-        study["expected"]           = {{"force", expected.force},
-                                       {"time", expected.time}};
-        study["safety"]             = safety_of_bar;
-        study["words"]              = {{"localResponse",
-                                        local_response_in_words(parameters)},
-                                       {"load", load_in_words(parameters)},
-                                       {"model", model_in_words(verdict)}};
+        const ExpectedPeak &expected = scene.expected->peak;
+        study["expected"]            = {{"force", expected.force},
+                                        {"time", expected.time}};
+        study["safety"]              = safety_of_bar;
+        study["words"]               = {{"localResponse",
+                                         local_response_in_words(parameters)},
+                                        {"load", load_in_words(parameters)},
+                                        {"model", model_in_words(verdict)}};
       }
     study["meshes"] = std::move(meshes);
     // the last meshes matter most

@@ -102,6 +102,25 @@ namespace PlateImpact
 
 
 
+  std::string
+  force_in_words(const CycleResult           &last,
+                 const std::optional<double> &model_error)
+  {
+    const double force = last.history->peak().force;
+    const auto  &bar   = last.peak_force_bar;
+    std::string  text = with_error(force, bar ? bar->total() * force : 0., "N");
+    if (force == 0.)
+      return text;
+    if (!bar)
+      return text + ", error not known";
+    return text + " (mesh, step)" +
+      (model_error ? " ± " + error_in_words(*model_error * force, "N") +
+           " (model, as far as compared)" :
+                     ", error of the model not known");
+  }
+
+
+
   Trust
   Verdict::trust() const
   {
@@ -122,16 +141,17 @@ namespace PlateImpact
         verdict.text = "nothing strikes the plate";
         return verdict;
       }
-    const double force = last.history->peak().force;
-    verdict.text =
-      with_error(force,
-                 last.peak_force_bar ? last.peak_force_bar->total() * force :
-                                       0.,
-                 "N") +
-      (last.peak_force_bar ? ": " : ", error not known: ") +
-      result_in_words(parameters, outcome);
+    verdict.contact                 = warnings.contact;
+    verdict.assumes_elastic_contact = warnings.assumes_elastic_contact;
+    verdict.model_errors            = warnings.model_errors;
+    verdict.force = force_in_words(last, warnings.model_error());
+    verdict.text  = verdict.force + ": " + result_in_words(parameters, outcome);
     verdict.convergence =
       convergence_of(parameters, outcome, last, warnings.numerical);
+    if (warnings.assumes_elastic_contact)
+      lower(verdict.model,
+            Trust::doubtful,
+            "an elastic contact is assumed: " + warnings.contact);
     for (const std::string &warning : warnings.model)
       lower(verdict.model,
             warnings.farthest_from_model > far_from_model ? Trust::none :
@@ -145,8 +165,12 @@ namespace PlateImpact
   std::string
   model_in_words(const Verdict &verdict)
   {
-    return verdict.model.trust == Trust::good ? "Inside of the model" :
-      verdict.model.trust == Trust::doubtful  ? "Outside of the model" :
-                                                "Far outside of the model";
+    const bool only_assumes =
+      verdict.assumes_elastic_contact && verdict.model.reasons.size() == 1;
+    if (verdict.model.trust == Trust::good || only_assumes)
+      return std::string("Inside of the model") +
+        (only_assumes ? ", elastic contact assumed" : "");
+    return verdict.model.trust == Trust::doubtful ? "Outside of the model" :
+                                                    "Far outside of the model";
   }
 } // namespace PlateImpact

@@ -67,7 +67,10 @@ function evidenceOfRun({ summary, words, safety }) {
     (last.first_contact_end ? `; ${Math.round(last.first_contact_end / last.time_step)} of the steps in the first contact` : '')],
   ['Local response under the contact',
     `${words.localResponse}; contact radius ${formatted(last.contact_radius_over_thickness)} of the thickness`],
-  ['Load', `${words.load}; smallest cell ${withUnit(last.min_cell_size, 'm')}`]);
+  ['Load', `${words.load}; smallest cell ${withUnit(last.min_cell_size, 'm')}`],
+  ['Model, as far as compared', (summary.verdict.model.errors ?? []).map(({ of, relative }) =>
+    `${of} ${relative === undefined ? 'not known' : percentage(relative, 2)}`).join('; ')],
+  ['Contact', summary.verdict.contact]);
   return table(['What the peak force depends on', 'Evidence'], rows, 'words');
 }
 

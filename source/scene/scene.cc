@@ -24,7 +24,8 @@ namespace PlateImpact
     return {printable(path),
             checker.parameters,
             reader.entries.text(/*with_meanings=*/false),
-            given};
+            given,
+            checker.expected};
   }
 
 

@@ -2,7 +2,7 @@
 
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/text.h"
-#include "plate_impact/contact/contact_area.h"
+#include "plate_impact/contact/contact_bodies.h"
 #include "plate_impact/contact/impactor.h"
 #include "plate_impact/contact/make_contact.h"
 #include "plate_impact/plate/layer_response.h"
@@ -266,10 +266,10 @@ namespace PlateImpact
     if (!parameters.has_impactor())
       return;
     complete_impactor();
-    if (!expected_peak)
+    if (!expected)
       return;
-    complete_time(*expected_peak);
-    complete_contact(*expected_peak);
+    complete_time();
+    complete_contact();
     if (!contact.has_patch() || contact.patch_radius > 0.)
       complete_mesh();
   }
@@ -287,11 +287,9 @@ namespace PlateImpact
                       " J, which is beyond what can be computed with");
     if (impactor.mass == 0.)
       choose("Impactor/Mass", impactor.mass, mass_point.mass);
-    if (expected_peak)
-      return;
     try
       {
-        expected_peak = zener_peak(parameters);
+        expected.emplace(make_zener_impact(parameters));
       }
     catch (const ComputationError &error)
       {
@@ -304,7 +302,7 @@ namespace PlateImpact
 
 
   void
-  SceneChecker::complete_time(const ExpectedPeak &peak)
+  SceneChecker::complete_time()
   {
     const bool is_for_peak = adaptivity.is_for_peak_force();
     if (time.time_step == 0.)
@@ -315,10 +313,7 @@ namespace PlateImpact
           to_choose.step_tolerance = adaptivity.target_peak_force_error;
         choose("Time/Time step",
                time.time_step,
-               chosen_time_step(to_choose,
-                                make_half_space_contact(parameters),
-                                make_impactor(impactor),
-                                PlateSection(plate)));
+               expected->chosen_time_step(to_choose));
         time.step_is_chosen = true;
       }
     if (is_for_peak && !is_given("Time/Ritz tolerance"))
@@ -330,26 +325,25 @@ namespace PlateImpact
              "s needs more than 1e8 steps to reach End time, " +
                number(time.end_time) + " s");
     // a contact lasts about twice the time to its peak
-    const double longest_step = 25. * 2. * peak.time;
+    const double longest_step = 25. * expected->contact_time();
     if (time.time_step > longest_step)
       refuse({"Time/Time step", "Impactor/Mass", "Impactor/Velocity"},
              "s is more than 25 times as long as the contact, which Zener's "
              "equation expects to last " +
-               number(2. * peak.time) + " s; expected at most " +
+               number(expected->contact_time()) + " s; expected at most " +
                number(longest_step) + " s");
   }
 
 
 
   void
-  SceneChecker::check_layer(const ExpectedPeak &peak,
-                            const bool          radius_is_given)
+  SceneChecker::check_layer(const bool radius_is_given)
   {
     const double largest = make_contact(parameters).largest_force();
-    if (peak.force <= largest)
+    if (expected->peak.force <= largest)
       return;
     const std::string forces = number(largest, "N") +
-      ", and Zener's equation expects " + number(peak.force, "N") +
+      ", and Zener's equation expects " + number(expected->peak.force, "N") +
       "; expected ";
     if (radius_is_given)
       refuse({"Contact/Patch radius", "Contact/Local response"},
@@ -372,7 +366,7 @@ namespace PlateImpact
 
 
   void
-  SceneChecker::complete_contact(const ExpectedPeak &peak)
+  SceneChecker::complete_contact()
   {
     if (!contact.has_patch())
       return;
@@ -380,7 +374,7 @@ namespace PlateImpact
     if (contact.patch_radius > 0.)
       {
         if (is_layer)
-          check_layer(peak, /*radius_is_given=*/true);
+          check_layer(/*radius_is_given=*/true);
         return;
       }
     const double thickness = plate.thickness;
@@ -402,10 +396,11 @@ namespace PlateImpact
                           number(of_layer) +
                           " m; expected a point farther from it");
         choose("Contact/Patch radius", contact.patch_radius, of_layer);
-        return check_layer(peak, /*radius_is_given=*/false);
+        return check_layer(/*radius_is_given=*/false);
       }
     const double radius =
-      contact_radius(parameters, peak.force, peak.indentation);
+      ContactBodies(parameters)
+        .radius(expected->peak.force, expected->peak.indentation);
     if (radius > to_edge)
       return refuse({"Contact/Patch radius",
                      "Plate/Side lengths",

@@ -56,13 +56,8 @@ namespace PlateImpact
       entry.chosen.reset();
     std::vector<std::string> mistakes = reader.set(assignments);
 
-    const auto known             = expected_peaks.find(index);
     reader.parameters.plate.file = base.plate.file;
-    SceneChecker checker(reader.entries,
-                         reader.parameters,
-                         known == expected_peaks.end() ?
-                           std::nullopt :
-                           std::optional(known->second));
+    SceneChecker checker(reader.entries, reader.parameters);
     if (mistakes.empty())
       {
         checker.check_together();
@@ -70,11 +65,10 @@ namespace PlateImpact
           checker.complete();
         mistakes = checker.mistakes;
       }
-    if (mistakes.empty() && !checker.expected_peak)
+    if (mistakes.empty() && !checker.expected)
       mistakes = {plan.entries.front().origin + ": there is no impactor"};
     if (!mistakes.empty())
       throw InputError(mistakes);
-    expected_peaks.try_emplace(index, *checker.expected_peak);
-    return {checker.parameters, *checker.expected_peak};
+    return {checker.parameters, *checker.expected};
   }
 } // namespace PlateImpact

@@ -66,15 +66,17 @@ namespace PlateImpact
     ComputedPoint result;
     result.row.point   = point;
     result.row.failure = failure_of([&] {
-      const SweepPoint valid    = scene.point(point);
-      Computed         computed = compute(group, valid);
-      for (const auto &value :
-           values_of_quantities(computed.impact,
-                                valid.parameters,
-                                valid.expected,
-                                computed.discretization_error,
-                                computed.peak_force_bar))
-        result.row.quantities.push_back(value.value_or(std::nan("")));
+      const SweepPoint     valid    = scene.point(point);
+      Computed             computed = compute(group, valid);
+      const ComputedImpact impact{valid.parameters,
+                                  valid.expected,
+                                  computed.impact.history,
+                                  computed.impact.impulse,
+                                  computed.discretization_error,
+                                  computed.peak_force_bar};
+      for (const ImpactQuantity &quantity : impact_quantities())
+        result.row.quantities.push_back(
+          quantity.value(impact).value_or(std::nan("")));
       result.row.warnings = std::move(computed.warnings);
       if (valid.parameters.sweep.write_histories)
         result.history = std::move(computed.impact.history);
@@ -141,12 +143,11 @@ namespace PlateImpact
     result.history       = computed.impact.history;
     result.sensitivity   = plate.sensitivity(*result.history);
     result.min_cell_size = min_cell_size;
-    const ImpactEstimate expected(parameters, point.expected);
     // an adapted mesh was judged with the worst point
     computed.warnings =
       (parameters.adaptivity.is_adaptive() ?
-         impact_warnings(parameters, result, expected) :
-         reliability_warnings(parameters, mesh, result, expected))
+         impact_warnings(parameters, result, point.expected) :
+         reliability_warnings(parameters, mesh, result, point.expected))
         .all();
     computed.warnings.insert(computed.warnings.end(),
                              mesh_warnings.begin(),
@@ -194,7 +195,8 @@ namespace PlateImpact
   {
     std::optional<SweepPoint> worst;
     const auto                severity = [](const SweepPoint &point) {
-      return std::make_tuple(-point.expected.time, point.expected.force);
+      return std::make_tuple(-point.expected.peak.time,
+                             point.expected.peak.force);
     };
     for (const std::size_t index : groups.groups[group])
       try

@@ -1,6 +1,4 @@
-#include "plate_impact/contact/impact_estimate.h"
 #include "plate_impact/contact/make_contact.h"
-#include "plate_impact/plate/plate_section.h"
 #include "plate_impact/transient/plate_model.h"
 
 #include <algorithm>
@@ -17,15 +15,11 @@ namespace PlateImpact
 
     /// Longest first contact that is waited for. [s]
     double
-    longest_contact(const LoadedPlate &plate, const Parameters &impact)
+    longest_contact(const LoadedPlate &plate, const ZenerImpact &expected)
     {
-      const double half_space = 2. *
-        rigid_plate_peak(make_half_space_contact(impact),
-                         make_impactor(impact.impactor),
-                         PlateSection(impact.plate))
-          .time;
+      const double half_space = 2. * expected.peak_on_rigid_plate().time;
       const double compliance = plate.static_compliance();
-      const double mass       = make_impactor(impact.impactor).mass;
+      const double mass       = expected.impactor.mass;
       if (!std::isfinite(compliance)) // free to move, it is left sooner
         return 100. * half_space;
       return 2. * (half_space + std::acos(-1.) * std::sqrt(mass * compliance));
@@ -36,16 +30,19 @@ namespace PlateImpact
     /// A little after the end of the first contact, on the mesh by steps four
     /// times as long, or as long as anybody waits. [s]
     double
-    end_by_steps(const LoadedPlate &plate, const Parameters &impact)
+    end_by_steps(const LoadedPlate &plate,
+                 const Parameters  &impact,
+                 const ZenerImpact &expected)
     {
       const double dt = impact.time.time_step;
       // few digits are needed, but every step counts
       TimeParameters coarse = impact.time;
       coarse.time_step *= 4.;
       coarse.end_time = dt *
-        std::ceil(std::min(
-          most_steps_of_contact,
-          std::max(impact.time.end_time, longest_contact(plate, impact)) / dt));
+        std::ceil(std::min(most_steps_of_contact,
+                           std::max(impact.time.end_time,
+                                    longest_contact(plate, expected)) /
+                             dt));
       TimeStepper stepper     = plate.steps_on_the_mesh(coarse);
       bool        is_touching = false;
       for (unsigned int step = 0; step < stepper.n_steps(); ++step)
@@ -69,12 +66,14 @@ namespace PlateImpact
   {
     if (impact.time.end_time > 0.)
       return impact;
-    Parameters result         = impact;
-    result.time.end_is_chosen = true;
-    const double dt           = impact.time.time_step;
-    const double expected     = 2. * zener_peak(impact).time;
+    Parameters result          = impact;
+    result.time.end_is_chosen  = true;
+    const double      dt       = impact.time.time_step;
+    const ZenerImpact expected = make_zener_impact(impact);
     // by powers of two, so that impactors share vectors
-    for (double n = std::exp2(std::ceil(std::log2(1.5 * expected / dt)));;
+    for (double n =
+           std::exp2(std::ceil(std::log2(1.5 * expected.contact_time() / dt)));
+         ;
          n *= 2.)
       {
         result.time.end_of_vectors = result.time.end_time = n * dt;
@@ -83,7 +82,7 @@ namespace PlateImpact
           {
             // more steps take more vectors
             result.time.integrator = IntegratorType::Newmark;
-            result.time.end_time   = end_by_steps(loaded, result);
+            result.time.end_time   = end_by_steps(loaded, result, expected);
             return result;
           }
         const std::optional<double> end =
@@ -91,7 +90,7 @@ namespace PlateImpact
         if (end)
           result.time.end_time = dt * std::ceil(*end / dt);
         if (end || n >= most_steps_of_contact ||
-            n * dt >= longest_contact(loaded, impact))
+            n * dt >= longest_contact(loaded, expected))
           return result;
       }
   }

@@ -1,7 +1,6 @@
 #include "plate_impact/transient/ritz_reduction.h"
 
 #include "plate_impact/base/exceptions.h"
-#include "plate_impact/contact/impact_estimate.h"
 #include "plate_impact/contact/make_contact.h"
 #include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/transient/time_stepper.h"
@@ -166,15 +165,15 @@ namespace PlateImpact
       // best sigma, and the waves of a contact reach up to some 5 pi /
       // contact_time, where the mesh carries them: coarse ones have fewer
       // vectors. Zener's contact is that of a point.
-      const TimeParameters &time = scene.time;
-      if (make_half_space_contact(scene).first_loading().hertz_coefficient() ==
+      const TimeParameters &time     = scene.time;
+      const ZenerImpact     expected = make_zener_impact(scene);
+      if (expected.contact.first_loading().hertz_coefficient() ==
             std::nullopt ||
           n_unknowns < 3. * time.end_time / time.time_step)
         return false;
-      const ImpactEstimate expected(scene);
       return time.end_time > 2. * geometry_of(scene.plate)->distance_to_edge() /
-          expected.wave.group_speed &&
-        expected.contact_time < 16. * time.time_step;
+          expected.wave().group_speed &&
+        expected.contact_time() < 16. * time.time_step;
     }
 
 
@@ -238,9 +237,10 @@ namespace PlateImpact
   {
     const Contact  contact  = make_contact(rounded);
     const Impactor impactor = make_impactor(rounded.impactor);
-    const int      octave   = half_octave(
-      2. * zener_peak(contact, impactor, PlateSection(rounded.plate)).time,
-      time.end_time);
+    const int      octave =
+      half_octave(ZenerImpact(contact, impactor, PlateSection(rounded.plate))
+                    .contact_time(),
+                  time.end_time);
     // Waves run along the vectors at this speed; a force is right when those
     // that the end reflects cannot be back before the end time. Fields may
     // follow with the third basis, the first that is judged.

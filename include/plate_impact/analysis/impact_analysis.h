@@ -91,11 +91,11 @@ namespace PlateImpact
     std::optional<Outcome>
     adapt(AdaptationControl &control, AnalysisListener &listener);
 
-    const Parameters                    parameters;
-    const Wanted                        wanted;
-    const MeshAdaptation                adaptation;
-    const std::optional<ImpactEstimate> expected; ///< of an impactor
-    const std::optional<TimeControl>    time_control;
+    const Parameters                 parameters;
+    const Wanted                     wanted;
+    const MeshAdaptation             adaptation;
+    const std::optional<ZenerImpact> expected; ///< of an impactor
+    const std::optional<TimeControl> time_control;
 
     std::unique_ptr<dealii::Triangulation<2>> mesh; ///< the next one
     std::unique_ptr<Cycle>    current;              ///< null before the first

@@ -3,7 +3,7 @@
 
 #include "plate_impact/analysis/cycle_result.h"
 #include "plate_impact/base/parameters.h"
-#include "plate_impact/contact/impact_estimate.h"
+#include "plate_impact/contact/zener.h"
 #include "plate_impact/transient/plate_model.h"
 
 #include <optional>
@@ -40,7 +40,7 @@ namespace PlateImpact
   public:
     /// @param scene     complete; with an impactor
     /// @param expected  of it
-    TimeControl(const Parameters &scene, const ImpactEstimate &expected);
+    TimeControl(const Parameters &scene, const ZenerImpact &expected);
 
     /// The first window on the first mesh.
     Window

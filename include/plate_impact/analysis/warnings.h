@@ -5,13 +5,21 @@
 
 #include "plate_impact/analysis/cycle_result.h"
 #include "plate_impact/base/parameters.h"
-#include "plate_impact/contact/impact_estimate.h"
+#include "plate_impact/contact/zener.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace PlateImpact
 {
+  /// What a part of the model may leave of the peak force.
+  struct ModelError
+  {
+    std::string           of;       ///< the part, as "local response"
+    std::optional<double> relative; ///< to the force; empty: not known
+  };
+
   /// What limits the trust in a result: sentences, each with numbers and
   /// advice.
   struct Warnings
@@ -22,6 +30,21 @@ namespace PlateImpact
     /// The quantity that passes its limit by most, over the limit; 1 or less
     /// inside of the model.
     double farthest_from_model = 0.;
+
+    /// As far as the parts of the model were compared (doc/validation.md).
+    std::vector<ModelError> model_errors;
+
+    /// Whether the contact yields, or the strength that it needs not to; empty
+    /// without a contact.
+    std::string contact;
+
+    /// Whether nothing is said of the plate's strength.
+    bool assumes_elastic_contact = false;
+
+    /// Of all parts together, relative to the force; empty where one is not
+    /// known.
+    std::optional<double>
+    model_error() const;
 
     /// The numerical ones first.
     std::vector<std::string>
@@ -35,16 +58,16 @@ namespace PlateImpact
 
   /// The same, and where end time and time step leave the peak force open.
   Warnings
-  impact_warnings(const Parameters     &parameters,
-                  const CycleResult    &result,
-                  const ImpactEstimate &expected);
+  impact_warnings(const Parameters  &parameters,
+                  const CycleResult &result,
+                  const ZenerImpact &expected);
 
   /// The same, and where the mesh leaves it open.
   Warnings
   reliability_warnings(const Parameters               &parameters,
                        const dealii::Triangulation<2> &mesh,
                        const CycleResult              &result,
-                       const ImpactEstimate           &expected);
+                       const ZenerImpact              &expected);
 } // namespace PlateImpact
 
 #endif

@@ -80,6 +80,10 @@ namespace PlateImpact
   std::string
   with_error(double value, double error, const std::string &unit);
 
+  /// The same of the error alone, which is above 0: "5 N".
+  std::string
+  error_in_words(double error, const std::string &unit);
+
   /// A result, a fraction, as "5 %".
   inline std::string
   percentage(const double fraction)

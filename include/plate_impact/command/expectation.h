@@ -30,9 +30,7 @@ namespace PlateImpact
     double
     cells(const Parameters &parameters) const;
 
-    ExpectedPeak zener; ///< on the infinite plate
-    ExpectedPeak rigid; ///< on a plate that does not move
-    BendingWave  wave;  ///< of half the period of Zener's contact
+    ZenerImpact zener; ///< on the infinite plate
 
     ContactHistory        history; ///< up to the scene's end at most
     std::optional<double> contact_end;
@@ -41,6 +39,7 @@ namespace PlateImpact
     bool                  is_bound = false; ///< whether the force is larger
 
     std::vector<std::string> warnings; ///< as model_warnings()
+    std::string              contact;  ///< as Warnings::contact
   };
 
 

@@ -2,7 +2,7 @@
 #define plate_impact_contact_make_contact_h
 
 #include "plate_impact/base/parameters.h"
-#include "plate_impact/contact/contact.h"
+#include "plate_impact/contact/zener.h"
 
 namespace PlateImpact
 {
@@ -26,10 +26,11 @@ namespace PlateImpact
   layer_constant(const PlateParameters   &plate,
                  const ContactParameters &contact);
 
-  /// The contact without the layer, for Zener's equation: the point load on a
-  /// thin plate, which has no thickness, needs none.
-  Contact
-  make_half_space_contact(const Parameters &parameters);
+  /// The impact of a scene on an infinite plate. Its contact is that without
+  /// the layer: a point load on a thin plate, which has no thickness, needs
+  /// none.
+  ZenerImpact
+  make_zener_impact(const Parameters &parameters);
 } // namespace PlateImpact
 
 #endif

@@ -4,10 +4,12 @@
 #include "plate_impact/contact/contact.h"
 #include "plate_impact/contact/contact_history.h"
 #include "plate_impact/contact/impactor.h"
+#include "plate_impact/plate/plate_section.h"
+
+#include <optional>
 
 namespace PlateImpact
 {
-  struct PlateSection;
   struct TimeParameters;
 
   /// Peak of the impact on an infinite thin plate.
@@ -18,81 +20,85 @@ namespace PlateImpact
     double time;        ///< [s]
   };
 
-  /// Zener's equation for the impact on an infinite thin plate, whose response
-  /// to a force at a point is the velocity F / (8 sqrt(D rho t)):
-  ///   d(alpha)/dt = v - F(alpha) / (8 sqrt(D rho t)),  dv/dt = -F(alpha) / m
-  /// (Zener, Phys. Rev. 59, 1941, doi:10.1103/PhysRev.59.669). It holds until
-  /// waves return from the edges, for loads that spread over more than the
-  /// thickness only approximately. Integrated up to the peak by the
-  /// energy-conserving contact step, for any law, to about 1e-5.
-  ExpectedPeak
-  zener_peak(const Contact      &contact,
-             const Impactor     &impactor,
-             const PlateSection &section);
-
-
-  /// The same with steps of a given length, as a scene takes them. [s]
-  ExpectedPeak
-  zener_peak(const Contact      &contact,
-             const Impactor     &impactor,
-             const PlateSection &section,
-             double              time_step);
-
-  /// The same on a plate that does not move.
-  ExpectedPeak
-  rigid_plate_peak(const Contact      &contact,
-                   const Impactor     &impactor,
-                   const PlateSection &section);
-
-  /// The whole solution: up to the end of the contact, or to a time when that
-  /// comes first; a plate that gives way at once is never left. The plate's
-  /// displacement is that of the point; energies are left out.
-  ContactHistory
-  zener_history(const Contact      &contact,
-                const Impactor     &impactor,
-                const PlateSection &section,
-                double              end_time);
-
-  /// Rebound speed over impact speed by the same equation, from its solution up
-  /// to the end of the contact; 0 where less than a thousandth of the speed is
-  /// left.
-  double
-  zener_restitution(const Contact      &contact,
-                    const Impactor     &impactor,
-                    const PlateSection &section);
-
-  /// Zener's dimensionless loss factor for a sphere under Hertz's law,
-  ///   lambda = m / (8 T sqrt(D rho t)),  T = (m / (k sqrt(v)))^{2/5},
-  /// on which alone the restitution of the infinite plate depends; empty for
-  /// other laws than F = k alpha^{3/2}.
-  std::optional<double>
-  zener_loss_factor(const Contact      &contact,
-                    const Impactor     &impactor,
-                    const PlateSection &section);
-
-
-  /// The step with which the peak force keeps to time.step_tolerance in
-  /// Zener's equation: the inverse frequency of the plate's thickness shear
-  /// times a power of two, so that impactors share their steps. [s]
-  double
-  chosen_time_step(const TimeParameters &time,
-                   const Contact        &contact,
-                   const Impactor       &impactor,
-                   const PlateSection   &section);
-
-
-  /// The bending wave that a contact sends out.
+  /// The bending wave of a thin plate that a contact sends out.
   struct BendingWave
   {
     double length;      ///< [m]
     double group_speed; ///< [m/s]
   };
 
-  /// The bending wave of a thin plate whose half period is the contact time:
-  /// omega = pi / contact time, phase speed sqrt(omega) (D / rho t)^{1/4},
-  /// group speed twice that (Graff, Wave Motion in Elastic Solids, sec. 4.2).
-  BendingWave
-  contact_wave(const PlateSection &section, double contact_time);
+  /// What theory expects of an impact: Zener's equation on an infinite thin
+  /// plate, whose response to a force at a point is the velocity
+  /// F / (8 sqrt(D rho t)),
+  ///   d(alpha)/dt = v - F(alpha) / (8 sqrt(D rho t)),  dv/dt = -F(alpha) / m
+  /// (Zener, Phys. Rev. 59, 1941, doi:10.1103/PhysRev.59.669). It holds until
+  /// waves return from the edges, for loads that spread over more than the
+  /// thickness only approximately. Integrated by the energy-conserving contact
+  /// step, for any law, to about 1e-5.
+  class ZenerImpact
+  {
+  public:
+    ZenerImpact(const Contact      &contact,
+                const Impactor     &impactor,
+                const PlateSection &section);
+
+    Contact      contact; ///< before first touch
+    Impactor     impactor;
+    PlateSection section;
+    ExpectedPeak peak;
+
+    /// Twice the time to the peak. [s]
+    double
+    contact_time() const
+    {
+      return 2. * peak.time;
+    }
+
+    /// The peak with steps of a given length, as a scene takes them. [s]
+    ExpectedPeak
+    peak_in_steps(double time_step) const;
+
+    /// The peak on a plate that does not move.
+    ExpectedPeak
+    peak_on_rigid_plate() const;
+
+    /// The whole solution: up to the end of the contact, or to a time when that
+    /// comes first; a plate that gives way at once is never left. The plate's
+    /// displacement is that of the point; energies are left out.
+    ContactHistory
+    history(double end_time) const;
+
+    /// Rebound speed over impact speed, from the solution up to the end of the
+    /// contact; 0 where less than a thousandth of the speed is left.
+    double
+    restitution() const;
+
+    /// Zener's dimensionless loss factor for a sphere under Hertz's law,
+    ///   lambda = m / (8 T sqrt(D rho t)),  T = (m / (k sqrt(v)))^{2/5},
+    /// on which alone the restitution depends; empty for other laws than
+    /// F = k alpha^{3/2}.
+    std::optional<double>
+    loss_factor() const;
+
+    /// The step with which the peak force keeps to time.step_tolerance: the
+    /// inverse frequency of the plate's thickness shear times a power of two,
+    /// so that impactors share their steps. [s]
+    double
+    chosen_time_step(const TimeParameters &time) const;
+
+    /// The wave whose half period is the contact time: omega = pi / contact
+    /// time, phase speed sqrt(omega) (D / rho t)^{1/4}, group speed twice that
+    /// (Graff, Wave Motion in Elastic Solids, sec. 4.2).
+    BendingWave
+    wave() const
+    {
+      return wave_of(contact_time());
+    }
+
+    /// The same for another contact time. [s]
+    BendingWave
+    wave_of(double contact_time) const;
+  };
 } // namespace PlateImpact
 
 #endif

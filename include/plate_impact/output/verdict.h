@@ -33,7 +33,13 @@ namespace PlateImpact
       std::vector<std::string> reasons; ///< why not better, sentences
     };
 
-    std::string text; ///< force, error, and whether the target is met
+    std::string text; ///< force, errors, and whether the target is met
+
+    std::string force;   ///< with its errors
+    std::string contact; ///< as Warnings::contact
+
+    /// What the model leaves of the force.
+    std::vector<ModelError> model_errors;
 
     /// Whether mesh and time step leave the force as it is: the bar.
     Part convergence;
@@ -41,6 +47,7 @@ namespace PlateImpact
     /// Whether the impact stays inside of the model; none where it passes a
     /// limit more than three times over.
     Part model;
+    bool assumes_elastic_contact = false;
 
     /// The worse of both.
     Trust

@@ -2,6 +2,7 @@
 #define plate_impact_scene_scene_h
 
 #include "plate_impact/base/parameters.h"
+#include "plate_impact/contact/zener.h"
 
 #include <iosfwd>
 #include <optional>
@@ -17,6 +18,7 @@ namespace PlateImpact
     Parameters  parameters;
     std::string text;  ///< every value used, as a scene that repeats the run
     Parameters  given; ///< with the zeros that let the program choose
+    std::optional<ZenerImpact> expected; ///< of an impactor
   };
 
   /// Reads a scene file, the overrides "Section/Entry=value" and the output

@@ -18,12 +18,8 @@ namespace PlateImpact
   public:
     /// @param entries  must outlive the checker; what involves one that is not
     ///                 known is not judged
-    /// @param expected_peak  where it is known already
-    SceneChecker(Entries                           &entries,
-                 const Parameters                  &parameters,
-                 const std::optional<ExpectedPeak> &expected_peak = {})
+    SceneChecker(Entries &entries, const Parameters &parameters)
       : parameters(parameters)
-      , expected_peak(expected_peak)
       , entries(entries)
     {}
 
@@ -41,8 +37,8 @@ namespace PlateImpact
 
     Parameters parameters; ///< with what has been chosen
 
-    /// By Zener's equation; empty without an impactor or before complete().
-    std::optional<ExpectedPeak> expected_peak;
+    /// Empty without an impactor or before complete().
+    std::optional<ZenerImpact> expected;
 
     std::vector<std::string> mistakes; ///< a sentence each
 
@@ -102,12 +98,12 @@ namespace PlateImpact
     void
     complete_impactor();
     void
-    complete_time(const ExpectedPeak &peak);
+    complete_time();
     void
-    complete_contact(const ExpectedPeak &peak);
+    complete_contact();
     /// Refuses a force that the local response of a layer does not hold.
     void
-    check_layer(const ExpectedPeak &peak, bool radius_is_given);
+    check_layer(bool radius_is_given);
     void
     complete_mesh();
 

@@ -7,7 +7,6 @@
 #include "plate_impact/scene/sweep_plan.h"
 
 #include <cstddef>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,8 +16,8 @@ namespace PlateImpact
   /// A point of a sweep that has passed every check.
   struct SweepPoint
   {
-    Parameters   parameters;
-    ExpectedPeak expected; ///< by Zener's equation
+    Parameters  parameters;
+    ZenerImpact expected;
   };
 
 
@@ -67,8 +66,6 @@ namespace PlateImpact
   private:
     std::string base_text;
     Parameters  base;
-    /// of the points that were valid
-    std::map<std::size_t, ExpectedPeak> expected_peaks;
   };
 } // namespace PlateImpact
 

@@ -1,0 +1,77 @@
+#ifndef plate_impact_contact_contact_bodies_h
+#define plate_impact_contact_contact_bodies_h
+
+#include <optional>
+
+namespace PlateImpact
+{
+  struct ImpactorParameters;
+  struct Parameters;
+
+  /// Coefficient of Hertz's law for a sphere and a half-space,
+  /// k = 4/3 sqrt(r) / (compliance of the impactor + compliance of the target),
+  /// both compliances [1/Pa], radius [m]. [N/m^{3/2}]
+  double
+  hertz_coefficient(double radius,
+                    double impactor_compliance,
+                    double target_compliance);
+
+  /// A body in contact that may yield.
+  struct YieldingBody
+  {
+    double yield_strength; ///< Y [Pa]
+    double poissons_ratio;
+    double share_of_compliance; ///< E* (1 - nu^2) / E
+  };
+
+
+  /// Impactor and plate where they touch: how wide the contact is, what
+  /// pressure it is under, and what yields.
+  class ContactBodies
+  {
+  public:
+    explicit ContactBodies(const Parameters &parameters);
+
+    /// E*, 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2. [Pa]
+    double modulus;
+
+    /// The body that yields first; empty where the scene gives no yield
+    /// strength.
+    std::optional<YieldingBody> weaker;
+
+    /// Indentation from which on the contact of a sphere yields; empty for
+    /// cylinders and where no yield strength is given. [m]
+    std::optional<double> yield_indentation;
+
+    /// Radius of Hertz's contact of a sphere, sqrt(r alpha) (Johnson, Contact
+    /// Mechanics, eqs. 4.22 and 4.23), 0 for negative indentations; half-width
+    /// of that of a cylinder, sqrt(4 F r / (pi E* l)). Of one that yields, from
+    /// w = alpha / alpha_y = 1.9 on, sqrt(r alpha (w / 1.9)^B),
+    /// B = 0.14 exp(23 Y / E*) (Jackson & Green 2005, doi:10.1115/1.1866166).
+    /// [m]
+    /// @param force        [N]
+    /// @param indentation  under that force [m]
+    double
+    radius(double force, double indentation) const;
+
+    /// Largest pressure of Hertz's contact, of a sphere or a cylinder that
+    /// stays elastic. [Pa]
+    /// @param force        [N]
+    /// @param indentation  under that force, above 0 [m]
+    double
+    pressure(double force, double indentation) const;
+
+    /// The yield strength that both bodies need to stay elastic under a
+    /// pressure: that of a sphere by yield_pressure_ratio(), that of a cylinder
+    /// 0.6 of it (Johnson, Contact Mechanics, sec. 6.1). [Pa]
+    double
+    elastic_strength(double pressure) const;
+
+  private:
+    double radius_of_impactor;
+    double length; ///< of a cylinder; 0: a sphere [m]
+    double least_poissons_ratio;
+  };
+} // namespace PlateImpact
+
+#endif
