@@ -89,17 +89,12 @@ namespace PlateImpact
     const ContactParameters &contact = parameters.contact;
     if (contact.local_response == LocalResponse::layer)
       return "layer, as three-dimensional elasticity has it";
-    if (parameters.plate.is_laminate())
-      return "half-space, as a laminate has no other; how far it is right is "
-             "not known";
     // the shear of a homogeneous plate has a factor of 5/6
     if (parameters.plate.shear_correction_factor > 10.)
       return "half-space, beside a plate without shear";
     std::string text = "half-space, beside the plate's own shear: the shortest "
                        "waves count twice and the force is too small";
-    if (contact.unloading != UnloadingLaw::elastic)
-      text += "; a contact that leaves a dent has no other";
-    else if (contact.law == ForceLaw::Sun)
+    if (contact.law == ForceLaw::Sun)
       text += "; the law Sun has no other";
     else if (!contact.has_patch())
       text +=
