@@ -264,5 +264,47 @@ namespace PlateImpact
         << err;
       EXPECT_EQ(summary()["local_response"], "layer");
     }
+
+
+
+    TEST_F(LaminateLayer, SaysWhetherItDelaminates)
+    {
+      const std::string scene = SCENES "/laminate-quasi-isotropic.prm";
+      ASSERT_EQ(run(scene), 0) << err;
+      // 24 plies of IM7/8552, 788 J/m^2; D* is nearly E t^3 / (12 (1 - nu^2)),
+      // and waves are not back from an edge at the peak
+      const double threshold = last_cycle()["delamination_threshold"];
+      EXPECT_NEAR(threshold /
+                    (1.213 * std::acos(-1.) *
+                     std::sqrt(32. / 3. * 180. * 788.)),
+                  1.,
+                  0.05);
+      expect_near(last_cycle()["peak_force_over_delamination_threshold"],
+                  last_cycle()["peak_force"].get<double>() / threshold,
+                  1e-12);
+      EXPECT_NE(out.find("Delamination none expected"), std::string::npos)
+        << out;
+      EXPECT_NE(text(results() / "report.html").find("none expected"),
+                std::string::npos);
+      // as the root of the toughness
+      const std::string toughness = "--set 'Ply/Mode II toughness=";
+      ASSERT_EQ(run(scene, toughness + "7.88'"), 0) << err;
+      expect_near(last_cycle()["delamination_threshold"],
+                  0.1 * threshold,
+                  1e-12);
+      EXPECT_NE(out.find("Delamination expected"), std::string::npos) << out;
+      // a heavy ball pushes the plate until waves have come back many times
+      ASSERT_EQ(run(scene,
+                    "--set Impactor/Mass=5 --set Impactor/Velocity=0.2 --set "
+                    "Adaptivity/Strategy=none"),
+                0)
+        << err;
+      expect_near(last_cycle()["delamination_threshold"],
+                  threshold / 1.213,
+                  1e-9);
+      ASSERT_EQ(run(scene, toughness + "0' --set Adaptivity/Strategy=none"), 0);
+      EXPECT_FALSE(last_cycle().contains("delamination"));
+      EXPECT_EQ(out.find("Delamination"), std::string::npos) << out;
+    }
   } // namespace
 } // namespace PlateImpact

@@ -196,6 +196,11 @@ namespace PlateImpact
         text += line("Contact",
                      "local response of a " +
                        in_ascii(local_response_in_words(scene.parameters)));
+      if (last.history)
+        if (const auto limit =
+              delamination(scene.parameters, last.history->peak()))
+          text +=
+            line("Delamination", in_ascii(delamination_in_words(*limit, last)));
       return text + line("Results", results);
     }
 

@@ -8,6 +8,7 @@
 #include "plate_impact/contact/impactor.h"
 #include "plate_impact/contact/make_contact.h"
 #include "plate_impact/contact/zener.h"
+#include "plate_impact/output/run_in_words.h"
 #include "plate_impact/plate/plate_section.h"
 
 #include <sstream>
@@ -165,6 +166,13 @@ namespace PlateImpact
           cycle["mean_pressure_over_yield_strength"] = 2. / 3. *
             contact_pressure(parameters, peak.force, peak.indentation) /
             weaker->yield_strength;
+        if (const auto limit = delamination(parameters, peak))
+          {
+            cycle["delamination_threshold"] = limit->threshold;
+            cycle["peak_force_over_delamination_threshold"] =
+              peak.force / limit->threshold;
+            cycle["delamination"] = delamination_in_words(*limit, result);
+          }
         cycle["relative_energy_drift"] = history.relative_energy_drift();
         cycle["steps"]                 = result.steps;
         cycle["end_time"]              = history.states().back().time;

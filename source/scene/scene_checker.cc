@@ -3,6 +3,7 @@
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/contact/contact_area.h"
+#include "plate_impact/contact/impact_estimate.h"
 #include "plate_impact/contact/impactor.h"
 #include "plate_impact/contact/make_contact.h"
 #include "plate_impact/plate/layer_response.h"

@@ -48,6 +48,7 @@ namespace PlateImpact
     double through_thickness_modulus        = 0.; ///< E_3
     double through_thickness_poissons_ratio = 0.; ///< nu_13
     double transverse_poissons_ratio        = 0.; ///< nu_23
+    double mode_2_toughness                 = 0.; ///< G_IIc; 0: not given
   };
 
 
