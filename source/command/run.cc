@@ -199,8 +199,7 @@ namespace PlateImpact
       if (last.history)
         if (const auto limit =
               delamination(scene.parameters, last.history->peak()))
-          text +=
-            line("Delamination", in_ascii(delamination_in_words(*limit, last)));
+          text += line("Damage", in_ascii(delamination_in_words(*limit, last)));
       return text + line("Results", results);
     }
 

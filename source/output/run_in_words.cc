@@ -118,13 +118,13 @@ namespace PlateImpact
          ", of an impact as slow as the plate") +
       (result.peak_force_bar ? "" : "; the error of the force is not known");
     if (ratio + bar < 1.)
-      return "none expected: the peak force, with its bar, stays " +
+      return "no delamination expected: the peak force, with its bar, stays " +
         percentage(1. - ratio - bar) + " below" + of_threshold;
     if (ratio - bar > 1.)
-      return "expected: the peak force, less its bar, is " +
+      return "delamination expected: the peak force, less its bar, is " +
         percentage(ratio - bar - 1.) + " above" + of_threshold +
         "; it is that of a plate which stays whole";
-    return "cannot be told: the bar of the peak force reaches over" +
+    return "delamination cannot be told: the bar of the peak force reaches over" +
       of_threshold;
   }
 

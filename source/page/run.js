@@ -67,7 +67,7 @@ function evidenceOfRun({ summary, words, safety }) {
     (last.first_contact_end ? `; ${Math.round(last.first_contact_end / last.time_step)} of the steps in the first contact` : '')],
   ['Local response under the contact',
     `${words.localResponse}; contact radius ${formatted(last.contact_radius_over_thickness)} of the thickness`],
-  ...(last.delamination ? [['Delamination', last.delamination]] : []),
+  ...(last.delamination ? [['Damage', last.delamination]] : []),
   ['Load', `${words.load}; smallest cell ${withUnit(last.min_cell_size, 'm')}`]);
   return table(['What the peak force depends on', 'Evidence'], rows, 'words');
 }
