@@ -256,7 +256,8 @@ def laminate_case(case):
                "Impactor/Radius": ball["radius"], "Impactor/Young's modulus": ball["E"],
                "Impactor/Poisson's ratio": ball["nu"], "Impactor/Density": ball["rho"],
                "Impactor/Velocity": case["velocity"], "Time/End time": end_time,
-               "Time/Time step": 0, "Adaptivity/Goal": "peak force",
+               "Time/Time step": 0, "Contact/Finite ball": "false",
+               "Adaptivity/Goal": "peak force",
                "Adaptivity/Target peak force error": 5e-4, "Adaptivity/Maximum cycles": 12}
     return tuple(f"{path}={value}" for path, value in changes.items())
 
