@@ -3,6 +3,7 @@
 // elastodynamics.
 #include "plate_impact/contact/contact_law.h"
 #include "plate_impact/plate/layer_response.h"
+#include "plate_impact/plate/plate_section.h"
 #include "program_fixture.h"
 #include "test_plate.h"
 
@@ -20,10 +21,10 @@ namespace PlateImpact
           const double    shear_correction,
           const LoadShape load)
     {
-      PlateParameters plate         = {};
+      PlateParameters plate         = unit_plate(EdgeSupport::clamped, 1.);
       plate.poissons_ratio          = poissons_ratio;
       plate.shear_correction_factor = shear_correction;
-      return LayerResponse(plate, load);
+      return LayerResponse(PlateSection(plate), load);
     }
 
 

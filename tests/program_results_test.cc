@@ -104,6 +104,7 @@ namespace PlateImpact
       for (const std::string sets :
            {"'" SCENES
             "/laminate-sun-chen.prm' --set Contact/Unloading=Yang-Sun "
+            "--set 'Ply/Mode II toughness=500' "
             "--set Adaptivity/Verify=true --set 'Output/Natural frequencies=1'",
             "'" SCENES "/paper-sphere.prm'",
             "'" SCENES "/sphere-on-steel-plate.prm'"})

@@ -108,8 +108,28 @@ class Scene:
             "Output/Field samples": str(choose.choice([0, 0, 1, 3])),
             "Output/Write report": choose.choice(["true", "false"]),
         }
-        if not is_cylinder and choose.random() < 0.4:
+        if choose.random() < 0.25:
+            self.make_laminate(choose, plate["modulus"])
+        elif not is_cylinder and choose.random() < 0.4:
             self.entries["Plate/Yield strength"] = f"{plate['modulus'] * power(-3.3, -2):.6g}"
+
+    def make_laminate(self, choose, modulus):
+        """Of plies with the plate's modulus across their fibres."""
+        load = self.entries["Contact/Load distribution"]
+        layups = ["0/90/0/90s", "0_2/90/0_2", "90"] + ([] if load == "line" else
+                                                   ["0/45/-45/90s", "30/-30/30"])
+        for entry in ("Young's modulus", "Poisson's ratio"):
+            del self.entries["Plate/" + entry]
+        shear = modulus * choose.uniform(0.4, 0.8)
+        self.entries.update({
+            "Plate/Layup": choose.choice(layups),
+            "Ply/Longitudinal modulus": f"{modulus * choose.uniform(1.0, 20.0):.6g}",
+            "Ply/Transverse modulus": f"{modulus:.6g}",
+            "Ply/Poisson's ratio": f"{choose.uniform(0.2, 0.35):.6g}",
+            "Ply/In-plane shear modulus": f"{shear:.6g}",
+            "Ply/Longitudinal shear modulus": f"{shear:.6g}",
+            "Ply/Transverse shear modulus": f"{modulus / choose.uniform(2.2, 3.0):.6g}",
+        })
 
 
 class Result:

@@ -22,6 +22,12 @@ SCENE = os.path.join(os.path.dirname(__file__), "..", "..", "prm", "sphere-on-st
 MATERIALS = {"steel": (2.1e11, 0.30, 7800), "aluminium": (7.0e10, 0.33, 2700),
              "glass": (6.4e10, 0.20, 2500), "acrylic": (3.3e9, 0.37, 1190),
              "alumina": (3.7e11, 0.22, 3900), "polyamide": (2.5e9, 0.40, 1140)}
+# E1, E2 [Pa], nu12, G12, G23 [Pa], density [kg/m^3]
+PLIES = {"carbon": (141.2e9, 9.72e9, 0.30, 5.53e9, 3.74e9, 1536),
+         "glass": (38.6e9, 8.27e9, 0.26, 4.14e9, 3.0e9, 1900),
+         "aramid": (76e9, 5.5e9, 0.34, 2.3e9, 1.8e9, 1380)}
+LAYUPS = ["0/90/0/90s", "0/45/-45/90s", "45/-45/-45/45", "0/90_2/0", "0", "30/-30s"]
+FIRST_LAMINATE = 200
 TRUE_TARGETS = ["3e-6", "3e-5"]
 SECONDS = 60
 SMALLER = 30.0
@@ -37,7 +43,8 @@ def contact_time(plate, ball, radius, mass, velocity, length):
 
 
 def random_scene(number):
-    """Entries by path: from thin to thick, soft to hard, short to long."""
+    """Entries by path: from thin to thick, soft to hard, short to long; laminates from
+    FIRST_LAMINATE on."""
     choose = random.Random(number)
 
     def between(low, high):
@@ -86,6 +93,15 @@ def random_scene(number):
         if choose.random() < 0.2:
             entries["Contact/Local response"] = "half-space"
             entries["Contact/Law"] = choose.choice(["Sun", "Hertz"])
+    if number >= FIRST_LAMINATE:
+        E1, E2, nu12, G12, G23, density = PLIES[choose.choice(sorted(PLIES))]
+        for name in ("Young's modulus", "Poisson's ratio"):
+            del entries[f"Plate/{name}"]
+        entries.update({
+            "Plate/Layup": choose.choice(LAYUPS), "Plate/Density": density,
+            "Ply/Longitudinal modulus": E1, "Ply/Transverse modulus": E2,
+            "Ply/Poisson's ratio": nu12, "Ply/In-plane shear modulus": G12,
+            "Ply/Longitudinal shear modulus": G12, "Ply/Transverse shear modulus": G23})
     return entries
 
 

@@ -238,6 +238,31 @@ def layer_case(case):
     return tuple(f"{path}={value}" for path, value in changes.items())
 
 
+PLY = {"E1": "Longitudinal modulus", "E2": "Transverse modulus", "E3": "Through-thickness modulus",
+       "nu12": "Poisson's ratio", "nu13": "Through-thickness Poisson's ratio",
+       "nu23": "Transverse Poisson's ratio", "G12": "In-plane shear modulus",
+       "G13": "Longitudinal shear modulus", "G23": "Transverse shear modulus"}
+
+
+def laminate_case(case):
+    """What makes the main scene a case of tests/reference/laminate3d_cases.json, past its peak,
+    on a plate from whose edges no wave is back by then."""
+    plate, ball = case["plate"], case["impactor"]
+    end_time = 1.5 * case["time_of_peak"]
+    side = max(24 * plate["thickness"], (plate["ply"]["E1"] / plate["rho"])**0.5 * end_time)
+    changes = {"Plate/Layup": "/".join(map(str, plate["plies_from_struck_face_deg"])),
+               "Plate/Side lengths": f"{side:.3g}, {side:.3g}",
+               "Plate/Thickness": plate["thickness"], "Plate/Density": plate["rho"],
+               **{f"Ply/{PLY[name]}": value for name, value in plate["ply"].items()},
+               "Impactor/Radius": ball["radius"], "Impactor/Young's modulus": ball["E"],
+               "Impactor/Poisson's ratio": ball["nu"], "Impactor/Density": ball["rho"],
+               "Impactor/Velocity": case["velocity"], "Time/End time": end_time,
+               "Time/Time step": 0, "Contact/Finite ball": "false",
+               "Adaptivity/Goal": "peak force",
+               "Adaptivity/Target peak force error": 5e-4, "Adaptivity/Maximum cycles": 12}
+    return tuple(f"{path}={value}" for path, value in changes.items())
+
+
 def scenes(folder):
     """The paths of the scenes of a folder."""
     return sorted(str(path.relative_to(root)) for path in (root / folder).glob("*.prm"))

@@ -123,6 +123,9 @@ namespace PlateImpact
                                 emphasis_of(verdict.model)));
         if (!verdict.contact.empty())
           text += line("Contact", in_ascii(verdict.contact));
+        if (const auto limit =
+              delamination(scene.parameters, last.history->peak()))
+          text += line("Damage", in_ascii(delamination_in_words(*limit, last)));
         text += line("Response",
                      "local, of a " +
                        in_ascii(local_response_in_words(scene.parameters)));

@@ -161,7 +161,7 @@ namespace PlateImpact
   {
     if (contact.local_response == LocalResponse::half_space)
       return 0.;
-    const LayerResponse layer(plate, contact.load_distribution);
+    const LayerResponse layer(PlateSection(plate), contact.load_distribution);
     const double        radius = contact.patch_radius / plate.thickness;
     return contact.law == ForceLaw::line ? layer.line_constant(radius) :
                                            layer.sphere_constant(radius);
@@ -215,7 +215,8 @@ namespace PlateImpact
     const auto entry = entries.section("Contact");
     entry("Law", "Hertz", one_of<ForceLaw>(), law)
       .means("Hertz: F = k alpha^1.5 with the compliance (1 - nu^2)/E of both "
-             "bodies. Sun: with 1/E for the plate, the paper's eq. 17. line: "
+             "bodies, for a laminate with that of a half-space of its plies. "
+             "Sun: with 1/E for the plate, the paper's eq. 17, or 1/E_2. line: "
              "of a cylinder, and what one has where no law is given; on a "
              "half-space the paper's eq. 32.");
     entry("Local response", "layer", one_of<LocalResponse>(), local_response)
@@ -223,8 +224,7 @@ namespace PlateImpact
              "layer: what an elastic layer of the plate's thickness does. "
              "half-space: what Hertz's law says, as usual and in the paper, "
              "which counts the shortest waves twice; where no response is "
-             "given, that of the law Sun, of point and line loads, of "
-             "laminates and of unloading by Yang-Sun.");
+             "given, that of the law Sun and of point and line loads.");
     entry("Finite ball", "true", truth(), finite_ball)
       .means("With a layer, a sphere as the elastic body that it is, held by "
              "its inertia; false: as Hertz's half-space. With a half-space it "
@@ -233,7 +233,7 @@ namespace PlateImpact
       .means("elastic: along the curve of loading, or down to the dent of a "
              "contact that yields. Yang-Sun: steeper, down to "
              "a dent, and back by another curve, as measured on laminates; of "
-             "spheres on a half-space.");
+             "spheres.");
     entry("Critical indentation", "8e-5", number_above(0), critical_indentation)
       .means("From which on Yang-Sun leaves a dent; 8e-5 for graphite/epoxy, "
              "1.65e-4 for glass/epoxy. [m]");

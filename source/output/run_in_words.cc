@@ -89,22 +89,43 @@ namespace PlateImpact
     const ContactParameters &contact = parameters.contact;
     if (contact.local_response == LocalResponse::layer)
       return "layer, as three-dimensional elasticity has it";
-    if (parameters.plate.is_laminate())
-      return "half-space, as a laminate has no other; how far it is right is "
-             "not known";
     // the shear of a homogeneous plate has a factor of 5/6
     if (parameters.plate.shear_correction_factor > 10.)
       return "half-space, beside a plate without shear";
     std::string text = "half-space, beside the plate's own shear: the shortest "
                        "waves count twice and the force is too small";
-    if (contact.unloading != UnloadingLaw::elastic)
-      text += "; a contact that leaves a dent has no other";
-    else if (contact.law == ForceLaw::Sun)
+    if (contact.law == ForceLaw::Sun)
       text += "; the law Sun has no other";
     else if (!contact.has_patch())
       text +=
         "; a " + word_for(contact.load_distribution) + " load has no other";
     return text;
+  }
+
+
+
+  std::string
+  delamination_in_words(const Delamination &delamination,
+                        const CycleResult  &result)
+  {
+    const double ratio = result.history->peak().force / delamination.threshold;
+    const double bar =
+      result.peak_force_bar ? ratio * result.peak_force_bar->total() : 0.;
+    const std::string of_threshold = " the threshold, " +
+      number(delamination.threshold, "N") +
+      (delamination.is_of_small_mass ?
+         ", of an impact whose waves are not back at its peak" :
+         ", of an impact as slow as the plate") +
+      (result.peak_force_bar ? "" : "; the error of the force is not known");
+    if (ratio + bar < 1.)
+      return "no delamination expected: the peak force, with its bar, stays " +
+        percentage(1. - ratio - bar) + " below" + of_threshold;
+    if (ratio - bar > 1.)
+      return "delamination expected: the peak force, less its bar, is " +
+        percentage(ratio - bar - 1.) + " above" + of_threshold +
+        "; it is that of a plate which stays whole";
+    return "delamination cannot be told: the bar of the peak force reaches over" +
+      of_threshold;
   }
 
 

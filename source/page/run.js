@@ -70,7 +70,8 @@ function evidenceOfRun({ summary, words, safety }) {
   ['Load', `${words.load}; smallest cell ${withUnit(last.min_cell_size, 'm')}`],
   ['Model, as far as compared', (summary.verdict.model.errors ?? []).map(({ of, relative }) =>
     `${of} ${relative === undefined ? 'not known' : percentage(relative, 2)}`).join('; ')],
-  ['Contact', summary.verdict.contact]);
+  ['Contact', summary.verdict.contact],
+  ...(last.delamination ? [['Damage', last.delamination]] : []));
   return table(['What the peak force depends on', 'Evidence'], rows, 'words');
 }
 

@@ -1,5 +1,7 @@
 #include "plate_impact/plate/layer_response.h"
 
+#include "plate_impact/plate/plate_section.h"
+
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/quadrature/gauss.hpp>
 
@@ -71,10 +73,10 @@ namespace PlateImpact
 
 
 
-  LayerResponse::LayerResponse(const PlateParameters &plate,
-                               const LoadShape        load)
-    : poissons_ratio(plate.poissons_ratio)
-    , shear_correction(plate.shear_correction_factor)
+  LayerResponse::LayerResponse(const PlateSection &section,
+                               const LoadShape     load)
+    : poissons_ratio(section.poissons_ratio)
+    , shear_correction(section.shear_correction_factor)
     , load(load)
     , spread(load == LoadShape::Hertz_disc ? 5. : 4.)
   {}
@@ -167,9 +169,10 @@ namespace PlateImpact
   {
     if (contact.local_response != LocalResponse::layer)
       return 0.;
-    const double h    = plate.thickness;
-    const double beta = LayerResponse(plate, contact.load_distribution)
-                          .rotation_factor(contact.patch_radius / h);
+    const double h = plate.thickness;
+    const double beta =
+      LayerResponse(PlateSection(plate), contact.load_distribution)
+        .rotation_factor(contact.patch_radius / h);
     return std::abs(beta) > 1e-9 ? beta * h * h : 0.;
   }
 } // namespace PlateImpact

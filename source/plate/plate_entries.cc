@@ -118,10 +118,12 @@ namespace PlateImpact
              "dent. 0 where it is not given. [Pa]");
     entry("Shear correction factor",
           "0.8333333333333333",
-          positive,
+          number_from(0),
           shear_correction_factor)
       .means("Factor of the transverse shear stiffness; 5/6 for a parabolic "
-             "shear stress (Reissner). [-]");
+             "shear stress (Reissner). 0: the shear stiffness by equilibrium, "
+             "which a laminate has where the factor is not given and the law "
+             "is not Sun. [-]");
     entry("Support", "clamped", edge_supports(), supports)
       .means("One word for all four edges, or two: for the edges x = +-a/2 and "
              "for the edges y = +-b/2. 'simply supported' also stops the "
@@ -144,26 +146,50 @@ namespace PlateImpact
              "Empty: homogeneous and isotropic. [degrees]");
 
     const auto of_ply = entries.section("Ply");
-    of_ply("Longitudinal modulus", "120e9", positive, ply.longitudinal_modulus)
-      .means("E_1 of a ply of the lay-up, along its fibres. [Pa]");
-    of_ply("Transverse modulus", "7.9e9", positive, ply.transverse_modulus)
+    of_ply("Longitudinal modulus",
+           "141.2e9",
+           positive,
+           ply.longitudinal_modulus)
+      .means("E_1 of a ply of the lay-up, along its fibres; the defaults "
+             "are those of T300/934. [Pa]");
+    of_ply("Transverse modulus", "9.72e9", positive, ply.transverse_modulus)
       .means("E_2, across them. [Pa]");
     of_ply("Poisson's ratio", "0.3", any_number(), ply.poissons_ratio)
       .means("nu_12, below the root of E_1/E_2. [-]");
     of_ply("In-plane shear modulus",
-           "5.5e9",
+           "5.53e9",
            positive,
            ply.in_plane_shear_modulus)
       .means("G_12. [Pa]");
     of_ply("Longitudinal shear modulus",
-           "5.5e9",
+           "5.53e9",
            positive,
            ply.longitudinal_shear_modulus)
       .means("G_13. [Pa]");
     of_ply("Transverse shear modulus",
-           "5.5e9",
+           "3.74e9",
            positive,
            ply.transverse_shear_modulus)
       .means("G_23. [Pa]");
+    of_ply("Through-thickness modulus",
+           "0",
+           number_from(0),
+           ply.through_thickness_modulus)
+      .means("E_3; 0: that across the fibres. [Pa]");
+    of_ply("Through-thickness Poisson's ratio",
+           "0",
+           any_number(),
+           ply.through_thickness_poissons_ratio)
+      .means("nu_13; 0: nu_12. [-]");
+    of_ply("Transverse Poisson's ratio",
+           "0",
+           any_number(),
+           ply.transverse_poissons_ratio)
+      .means("nu_23; 0: E_2 / (2 G_23) - 1, that of a ply which is the same in "
+             "all directions across its fibres. [-]");
+    of_ply("Mode II toughness", "0", number_from(0), ply.mode_2_toughness)
+      .means("G_IIc between plies: with it a run says how far the force stays "
+             "below that from which a laminate delaminates. 0: not given. "
+             "[J/m^2]");
   }
 } // namespace PlateImpact

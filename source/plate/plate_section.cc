@@ -1,5 +1,7 @@
 #include "plate_impact/plate/plate_section.h"
 
+#include "plate_impact/plate/ply.h"
+
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
@@ -28,26 +30,15 @@ namespace PlateImpact
       return T;
     }
 
-
-
-    /// Plane stress, in the axes of the ply.
-    Eigen::Matrix3d
-    plane_stiffness(const PlyParameters &ply)
-    {
-      const double E1 = ply.longitudinal_modulus, E2 = ply.transverse_modulus,
-                   nu12 = ply.poissons_ratio, nu21 = nu12 * E2 / E1;
-      Eigen::Matrix3d Q;
-      Q << E1, nu12 * E2, 0., //
-        nu21 * E1, E2, 0.,    //
-        0., 0., ply.in_plane_shear_modulus * (1. - nu12 * nu21);
-      return Q / (1. - nu12 * nu21);
-    }
   } // namespace
 
 
 
   PlateSection::PlateSection(const PlateParameters &plate)
-    : thickness(plate.thickness)
+    : shear_correction_factor(plate.shear_correction_factor > 0. ?
+                                plate.shear_correction_factor :
+                                5. / 6.)
+    , thickness(plate.thickness)
   {
     const double t = thickness;
     coupling_stiffness.setZero();
@@ -75,8 +66,9 @@ namespace PlateImpact
       D * nu, D, 0.,                    //
       0., 0., D * (1. - nu) / 2.;
     shear_modulus   = E / (2. * (1. + nu));
-    shear_stiffness = plate.shear_correction_factor * E / (2. * (1. + nu)) * t *
+    shear_stiffness = shear_correction_factor * E / (2. * (1. + nu)) * t *
       Eigen::Matrix2d::Identity();
+    poissons_ratio        = nu;
     contact_modulus       = E;
     half_space_compliance = (1. - nu * nu) / E;
   }
@@ -86,10 +78,14 @@ namespace PlateImpact
   void
   PlateSection::set_laminate(const PlateParameters &plate)
   {
-    const PlyParameters  &ply    = plate.ply;
-    const auto           &angles = plate.layup.angles;
-    const Eigen::Matrix3d Q      = plane_stiffness(ply);
-    const double          t      = thickness / angles.size();
+    const Ply             ply(plate.ply);
+    const PlyParameters  &constants = ply.constants();
+    const auto           &angles    = plate.layup.angles;
+    const Eigen::Matrix3d Q         = ply.plane_stiffness();
+    const double          t         = thickness / angles.size();
+
+    std::vector<Eigen::Matrix3d> plane_stiffness;
+    std::vector<Eigen::Matrix2d> shear_moduli;
     bending_stiffness.setZero();
     shear_stiffness.setZero();
     for (std::size_t k = 0; k < angles.size(); ++k)
@@ -98,26 +94,33 @@ namespace PlateImpact
                      c = std::cos(angle), s = std::sin(angle);
         // faces of the ply from the middle surface
         const double          near = -0.5 * thickness + k * t, far = near + t;
-        const Eigen::Matrix3d T       = turned_strains(angle);
-        const Eigen::Matrix3d in_axes = T.transpose() * Q * T;
+        const Eigen::Matrix3d T = turned_strains(angle);
+        plane_stiffness.push_back(T.transpose() * Q * T);
         bending_stiffness +=
-          (far * far * far - near * near * near) / 3. * in_axes;
-        coupling_stiffness += (far * far - near * near) / 2. * in_axes;
+          (far * far * far - near * near * near) / 3. * plane_stiffness.back();
+        coupling_stiffness +=
+          (far * far - near * near) / 2. * plane_stiffness.back();
         Eigen::Matrix2d turn;
         turn << c, s, -s, c;
-        shear_stiffness += plate.shear_correction_factor * t *
+        shear_moduli.push_back(
           turn.transpose() *
-          Eigen::Vector2d(ply.longitudinal_shear_modulus,
-                          ply.transverse_shear_modulus)
+          Eigen::Vector2d(constants.longitudinal_shear_modulus,
+                          constants.transverse_shear_modulus)
             .asDiagonal() *
-          turn;
+          turn);
+        shear_stiffness += shear_correction_factor * t * shear_moduli.back();
         // the farther face; sigma = Q T z kappa
         stress_of_ply.push_back(std::max(std::abs(near), std::abs(far)) * Q *
                                 T);
       }
-    contact_modulus       = ply.transverse_modulus;
-    half_space_compliance = 1. / ply.transverse_modulus;
-    shear_modulus         = ply.in_plane_shear_modulus;
+    if (plate.shear_correction_factor == 0.)
+      shear_stiffness = thickness *
+        shear_stiffness_of_equilibrium(plane_stiffness, shear_moduli);
+
+    half_space_compliance = 1. / ply.half_space_modulus();
+    poissons_ratio        = ply.layer_poissons_ratio();
+    shear_modulus   = 0.5 * (1. - poissons_ratio) * ply.half_space_modulus();
+    contact_modulus = constants.transverse_modulus;
   }
 
 

@@ -4,6 +4,7 @@
 #include "plate_impact/plate/plate_file.h"
 #include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_section.h"
+#include "plate_impact/plate/ply.h"
 #include "plate_impact/scene/scene_checker.h"
 
 #include <algorithm>
@@ -65,6 +66,15 @@ namespace PlateImpact
                     "is not that of an elastic ply; expected a magnitude below "
                     "the root of Longitudinal over Transverse modulus, " +
                       number(largest));
+    // the law Sun takes nothing from across the plate, not even by equilibrium
+    if (contact.law != ForceLaw::Sun)
+      {
+        if (!is_given("Plate/Shear correction factor"))
+          choose("Plate/Shear correction factor",
+                 plate.shear_correction_factor,
+                 0.);
+        check_ply();
+      }
     const PlateSection section(plate);
     if (section.is_unsymmetric())
       refuse({"Plate/Layup"},
@@ -72,6 +82,35 @@ namespace PlateImpact
              "for which the plate has no unknowns; expected a symmetric "
              "lay-up, as with an s at the end");
     plate.twists_when_bent = section.twists_when_bent();
+  }
+
+
+
+  void
+  SceneChecker::check_ply()
+  {
+    const Ply    ply(plate.ply);
+    const double derived = ply.constants().transverse_poissons_ratio;
+    if (plate.ply.transverse_poissons_ratio == 0. &&
+        !(derived >= 0. && derived <= 0.6))
+      return refuse({"Ply/Transverse Poisson's ratio",
+                     "Ply/Transverse modulus",
+                     "Ply/Transverse shear modulus"},
+                    "is derived as Transverse modulus / (2 Transverse shear "
+                    "modulus) - 1 = " +
+                      number(derived) +
+                      ", which no fibre composite has; expected the ratio "
+                      "nu_23 itself, for most 0.2 to 0.5, or moduli from which "
+                      "0 to 0.6 follows");
+    if (!ply.is_elastic())
+      refuse({"Ply/Transverse Poisson's ratio",
+              "Ply/Through-thickness Poisson's ratio",
+              "Ply/Poisson's ratio",
+              "Ply/Through-thickness modulus",
+              "Ply/Longitudinal modulus",
+              "Ply/Transverse modulus"},
+             "makes a ply that gives energy away when it is strained; expected "
+             "Poisson's ratios with a stiffness that is positive definite");
   }
 
 

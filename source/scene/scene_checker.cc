@@ -78,10 +78,7 @@ namespace PlateImpact
                             contact.load_distribution,
                             LoadShape::strip);
       }
-    else if (plate.is_laminate())
-      choose_unless_given("Contact/Law", contact.law, ForceLaw::Sun);
-    if (contact.law == ForceLaw::Sun || !contact.has_patch() ||
-        plate.is_laminate() || contact.unloading != UnloadingLaw::elastic)
+    if (contact.law == ForceLaw::Sun || !contact.has_patch())
       choose_unless_given("Contact/Local response",
                           contact.local_response,
                           LocalResponse::half_space);
@@ -93,8 +90,8 @@ namespace PlateImpact
   SceneChecker::check_together()
   {
     const bool has_outline = read_plate();
-    check_section();
     choose_contact();
+    check_section();
     if (has_outline)
       check_shape();
     check_contact();
@@ -125,14 +122,7 @@ namespace PlateImpact
                "does not fit a cylinder; expected line or strip" :
                "does not fit a sphere; expected Hertz disc, uniform "
                "disc or point");
-    if (plate.is_laminate() && contact.law == ForceLaw::Hertz)
-      refuse({"Contact/Law", "Plate/Layup"},
-             "takes the plate for isotropic; expected Sun on a laminate");
-    if (plate.is_laminate() && contact.local_response == LocalResponse::layer)
-      refuse({"Contact/Local response", "Plate/Layup"},
-             "is that of an isotropic plate; expected half-space on a "
-             "laminate, whose local error is not known");
-    else if (contact.local_response == LocalResponse::layer)
+    if (contact.local_response == LocalResponse::layer)
       {
         if (contact.law == ForceLaw::Sun)
           refuse({"Contact/Local response", "Contact/Law"},
@@ -173,10 +163,6 @@ namespace PlateImpact
     if (is_cylinder)
       refuse({"Contact/Unloading", "Impactor/Shape"},
              "is a law of spheres; expected elastic for a cylinder");
-    if (contact.local_response == LocalResponse::layer)
-      refuse({"Contact/Unloading", "Contact/Local response"},
-             "is a law of half-spaces; expected elastic, or Local response = "
-             "half-space");
   }
 
 
@@ -351,7 +337,8 @@ namespace PlateImpact
              "up to " +
                forces + "0, a larger radius, or Local response = half-space");
     else
-      refuse({"Plate/Young's modulus",
+      refuse({plate.is_laminate() ? "Ply/Transverse modulus" :
+                                    "Plate/Young's modulus",
               "Impactor/Velocity",
               "Impactor/Radius",
               "Impactor/Young's modulus",
@@ -382,11 +369,10 @@ namespace PlateImpact
     if (is_layer)
       {
         // the functional with div theta stands in for radii that are too small
-        const double of_layer =
-          thickness *
-          std::max(
-            0.2,
-            LayerResponse(plate, contact.load_distribution).patch_radius());
+        const double of_layer = thickness *
+          std::max(0.2,
+                   LayerResponse(PlateSection(plate), contact.load_distribution)
+                     .patch_radius());
         if (of_layer > to_edge)
           return refuse({"Plate/Impact point",
                          "Plate/Side lengths",

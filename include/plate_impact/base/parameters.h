@@ -44,6 +44,11 @@ namespace PlateImpact
     double in_plane_shear_modulus;     ///< G_12
     double longitudinal_shear_modulus; ///< G_13
     double transverse_shear_modulus;   ///< G_23
+    // 0: derived (Ply)
+    double through_thickness_modulus        = 0.; ///< E_3
+    double through_thickness_poissons_ratio = 0.; ///< nu_13
+    double transverse_poissons_ratio        = 0.; ///< nu_23
+    double mode_2_toughness                 = 0.; ///< G_IIc; 0: not given
   };
 
 
@@ -63,8 +68,8 @@ namespace PlateImpact
     double                youngs_modulus;
     double                poissons_ratio;
     double                density;
-    double                yield_strength; ///< 0: not given
-    double                shear_correction_factor;
+    double                yield_strength;          ///< 0: not given
+    double                shear_correction_factor; ///< 0: by equilibrium
     /// one, x edges and y edges, or those of a file by their names
     std::vector<EdgeSupports> supports;
     std::array<double, 2>     impact_point = {{0., 0.}}; ///< from the centre

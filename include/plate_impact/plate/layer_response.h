@@ -5,6 +5,8 @@
 
 namespace PlateImpact
 {
+  struct PlateSection;
+
   /// What the struck face of an elastic layer does beyond plate theory and a
   /// half-space.
   ///
@@ -20,9 +22,10 @@ namespace PlateImpact
   class LayerResponse
   {
   public:
-    /// @param plate  isotropic
-    /// @param load   Hertz disc, uniform disc or strip
-    LayerResponse(const PlateParameters &plate, LoadShape load);
+    /// @param section  of which the isotropic layer counts that answers a
+    ///                 contact as it does
+    /// @param load     Hertz disc, uniform disc or strip
+    LayerResponse(const PlateSection &section, LoadShape load);
 
     /// Radius of the patch, c/h, with which plate and layer answer alike to all
     /// waves longer than the thickness; 0 where there is none.

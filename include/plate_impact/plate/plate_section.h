@@ -18,11 +18,12 @@ namespace PlateImpact
   /// The section of a Reissner-Mindlin plate, homogeneous and isotropic or a
   /// symmetric laminate (classical lamination theory with first-order shear,
   /// Reddy, Mechanics of Laminated Composite Plates and Shells, 2nd ed., secs.
-  /// 2.4 and 3.4): what its strains cost and what it weighs. The only place of
-  /// the material. A flat plate under transverse load has no membrane response,
-  /// so the paper's in-plane unknowns are left out; stresses are linear through
-  /// the thickness, or through each ply, so that resultants give the energies
-  /// of its through-thickness Gauss points.
+  /// 2.4 and 3.4): what its strains cost, what it weighs, and which isotropic
+  /// layer answers a contact as it does. The only place of the material. A flat
+  /// plate under transverse load has no membrane response, so the paper's
+  /// in-plane unknowns are left out; stresses are linear through the thickness,
+  /// or through each ply, so that resultants give the energies of its
+  /// through-thickness Gauss points.
   struct PlateSection
   {
     explicit PlateSection(const PlateParameters &plate);
@@ -31,8 +32,8 @@ namespace PlateImpact
     /// nu^2)) times the plane stress matrix. [N m]
     Eigen::Matrix3d bending_stiffness;
 
-    /// Shear forces per shear strains, kappa times the integral of the shear
-    /// moduli. [N/m]
+    /// Shear forces per shear strains: kappa times the integral of the shear
+    /// moduli, or what equilibrium asks for (Ply). [N/m]
     Eigen::Matrix2d shear_stiffness;
 
     /// Membrane forces per curvature, which a symmetric section does not have.
@@ -45,16 +46,22 @@ namespace PlateImpact
     /// rho t^3 / 12. [kg]
     double rotary_inertia;
 
-    /// Of what the impactor touches, across the thickness: E, of a laminate
-    /// E_2. [Pa]
+    /// Of the law Sun: E, of a laminate E_2 (Yang & Sun, NASA CR-165460,
+    /// 1981). [Pa]
     double contact_modulus;
 
     /// Of a half-space of the same in Hertz's law: (1 - nu^2) / E, of a
-    /// laminate 1 / E_2 (Yang & Sun, NASA CR-165460, 1981). [1/Pa]
+    /// laminate 1 / E* (Ply). [1/Pa]
     double half_space_compliance;
 
-    /// Shear modulus of an isotropic plate. [Pa]
+    /// nu of the isotropic layer that answers a contact as this plate.
+    double poissons_ratio;
+
+    /// G of that layer, (1 - nu) E* / 2. [Pa]
     double shear_modulus;
+
+    /// kappa of the scene; 5/6 where it leaves that to equilibrium.
+    double shear_correction_factor;
 
     /// D of the isotropic plate that resists a point load as this one:
     /// sqrt(D_11 D_22 (1 + eta) / 2), eta = (D_12 + 2 D_66) / sqrt(D_11 D_22)

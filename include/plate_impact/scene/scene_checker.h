@@ -75,9 +75,12 @@ namespace PlateImpact
     /// @return whether it can be read
     bool
     read_plate();
-    /// Lay-up or isotropic material.
+    /// Lay-up or isotropic material; needs the law.
     void
     check_section();
+    /// A ply in three dimensions.
+    void
+    check_ply();
     /// Outline, supports and what must lie within; needs the load's shape.
     void
     check_shape();
