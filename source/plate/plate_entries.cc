@@ -188,9 +188,8 @@ namespace PlateImpact
       .means("nu_23; 0: E_2 / (2 G_23) - 1, that of a ply which is the same in "
              "all directions across its fibres. [-]");
     of_ply("Mode II toughness", "0", number_from(0), ply.mode_2_toughness)
-      .means(
-        "G_IIc between plies: with it a run says how far the force stays "
-        "below that from which a laminate delaminates. 0 where it is not given. "
-        "[J/m^2]");
+      .means("G_IIc between plies: with it a run says how far the force stays "
+             "below that from which a laminate delaminates. 0 where it is not "
+             "given. [J/m^2]");
   }
 } // namespace PlateImpact
