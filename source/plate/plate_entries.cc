@@ -189,7 +189,7 @@ namespace PlateImpact
              "all directions across its fibres. [-]");
     of_ply("Mode II toughness", "0", number_from(0), ply.mode_2_toughness)
       .means("G_IIc between plies: with it a run says how far the force stays "
-             "below that from which a laminate delaminates. 0: not given. "
-             "[J/m^2]");
+             "below that from which a laminate delaminates. 0 where it is not "
+             "given. [J/m^2]");
   }
 } // namespace PlateImpact

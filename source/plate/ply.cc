@@ -138,7 +138,7 @@ namespace PlateImpact
       {{0.5 - std::sqrt(0.15), 5. / 18.},
        {0.5, 8. / 18.},
        {0.5 + std::sqrt(0.15), 5. / 18.}}};
-    const unsigned int           n_directions = 36;
+    const unsigned int           n_directions = 24;
     const std::size_t            n_plies      = plane_stiffness.size();
     Eigen::Matrix<double, -1, 3> products(n_directions, 3);
     Eigen::VectorXd              energies = Eigen::VectorXd::Zero(n_directions);
