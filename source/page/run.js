@@ -9,6 +9,9 @@ const quantitiesOfCycles = [
   ['First contact ends', 'first_contact_end', 's'], ['Contacts', 'number_of_contacts', ''],
   ['Impulse', 'impulse', 'N s'], ['Impactor at the end', 'final_impactor_velocity', 'm/s'],
   ['Largest displacement', 'max_plate_displacement', 'm'],
+  ['Contact radius over the thickness', 'contact_radius_over_thickness', ''], ['Contact pressure', 'contact_pressure', 'Pa'],
+  ['Mean contact pressure over the yield strength', 'mean_pressure_over_yield_strength', ''],
+  ['Dent', 'permanent_indentation', 'm'], ['Energy dissipated by the contact', 'dissipated_energy', 'J'],
   ['Largest stress of the plate', 'max_effective_stress', 'Pa'], ['Energy drift', 'relative_energy_drift', '']];
 
 /** What a reader looks for first: peak force, Zener's beside it, contact, rebound, error, outcome. */
@@ -16,7 +19,7 @@ function factsOfRun({ summary, expected }) {
   const last = summary.cycles.at(-1), { inputs } = summary, bar = last.peak_force_error_bar;
   const ofForce = last.peak_force === undefined ? [] : [
     ['Peak force', withError(last.peak_force, (bar ?? 0) * last.peak_force, 'N'), `at ${withUnit(last.time_of_peak_force, 's')}` +
-      (bar ? '; by mesh and time step, not by what the model leaves out' : '')],
+      (bar ? '; by mesh and time step; what the model may leave is below' : '')],
     ["Zener's infinite thin plate", withUnit(expected.force, 'N'), `at ${withUnit(expected.time, 's')}` +
       (inputs['Impactor/Shape'] === 'cylinder' ? ', struck at a point: a lower bound for a cylinder' : '') +
       `; ours: ${deviation(last.peak_force, expected.force)}`],
