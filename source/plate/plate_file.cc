@@ -327,7 +327,7 @@ namespace PlateImpact
                     face->vertex(1),
                     double(i) / n);
                 plate.outline.push_back({{last, next}});
-                ends.push_back(next);
+                ends.insert(ends.end(), {last, next});
                 last = next;
               }
           }
