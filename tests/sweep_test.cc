@@ -175,8 +175,10 @@ namespace PlateImpact
         write_scene(on_one_mesh +
                     swept("set Entry 1 = Impactor/Velocity\n"
                           "set Values 1 = 0.5, 1"));
+      // Zener's ball is Hertz's half-space
       ASSERT_EQ(sweep(scene,
                       "--set 'Contact/Patch radius=0' "
+                      "--set 'Contact/Finite ball=false' "
                       "--set 'Time/End time=90e-6' --set 'Plate/Side "
                       "lengths=0.4, 0.4' --set 'Discretization/Initial "
                       "cells=10, 10'"),
@@ -354,7 +356,7 @@ namespace PlateImpact
       // with a contact that has a memory, whose states have more to tell
       const std::string dented =
         "--set Contact/Unloading=Yang-Sun --set 'Contact/Critical "
-        "indentation=1e-6' ";
+        "indentation=1e-6' --set 'Contact/Local response=half-space' ";
       ASSERT_EQ(sweep(scene, dented), 0) << err;
       const std::string alone = sweep_table();
       const std::string history =
