@@ -354,7 +354,7 @@ namespace PlateImpact
       // with a contact that has a memory, whose states have more to tell
       const std::string dented =
         "--set Contact/Unloading=Yang-Sun --set 'Contact/Critical "
-        "indentation=1e-6' ";
+        "indentation=1e-6' --set 'Contact/Local response=half-space' ";
       ASSERT_EQ(sweep(scene, dented), 0) << err;
       const std::string alone = sweep_table();
       const std::string history =

@@ -40,6 +40,13 @@ namespace PlateImpact
         sweep_plan.sweeps("Adaptivity/Strategy");
     }
 
+    /// Whether its plate is a laminate where no lay-up is swept.
+    bool
+    is_laminate() const
+    {
+      return base.plate.is_laminate();
+    }
+
     std::string
     name() const
     {
