@@ -272,6 +272,34 @@ namespace PlateImpact
 
 
 
+    TEST_F(LaminateLayer, SweptLawsHaveTheShearThatIsTheirs)
+    {
+      const std::string scene = SCENES "/laminate-quasi-isotropic.prm";
+      const std::string on_one_mesh =
+        "--set Adaptivity/Strategy=none --set Plate/Layup=0/90s";
+      ASSERT_EQ(sweep(scene,
+                      on_one_mesh +
+                        " --set 'Sweep/Entry 1=Contact/Law' --set "
+                        "'Sweep/Values 1=Sun, Hertz'"),
+                0)
+        << err;
+      const std::vector<Row> swept = rows();
+      ASSERT_EQ(swept.size(), 2u);
+      for (const Row &row : swept)
+        {
+          ASSERT_EQ(run(scene,
+                        on_one_mesh +
+                          " --set Contact/Law=" + row.at("Contact/Law")),
+                    0)
+            << err;
+          EXPECT_NEAR(std::stod(row.at("peak_force")) / peak(summary()),
+                      1.,
+                      1e-6);
+        }
+    }
+
+
+
     TEST_F(LaminateLayer, SaysWhetherItDelaminates)
     {
       const std::string scene = SCENES "/laminate-quasi-isotropic.prm";

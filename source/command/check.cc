@@ -220,7 +220,7 @@ namespace PlateImpact
         given.adaptivity.is_adaptive() || plan.sweeps("Adaptivity/Strategy");
       const bool has_own_meshes =
         is_adaptive && given.sweep.adapt == SweepAdaptation::each_point;
-      const SweepGroups groups(plan, is_adaptive);
+      const SweepGroups groups(plan, is_adaptive, given.plate.is_laminate());
       const std::string reason = what_keeps_loads_apart(given, plan);
       const std::size_t n_plates =
         has_own_meshes ? n_points : groups.groups.size();

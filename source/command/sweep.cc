@@ -311,7 +311,9 @@ namespace PlateImpact
     if (failure)
       std::rethrow_exception(failure);
 
-    const SweepGroups groups(scene.plan, scene.may_adapt());
+    const SweepGroups groups(scene.plan,
+                             scene.may_adapt(),
+                             scene.is_laminate());
     std::vector<bool> is_to_do(scene.plan.n_points, false);
     for (const std::size_t point : to_do)
       is_to_do[point] = true;

@@ -29,8 +29,11 @@ namespace PlateImpact
 
 
 
-  SweepGroups::SweepGroups(const SweepPlan &plan, const bool is_adaptive)
+  SweepGroups::SweepGroups(const SweepPlan &plan,
+                           const bool       is_adaptive,
+                           const bool       is_laminate)
   {
+    const bool law_changes_plate = is_laminate || plan.sweeps("Plate/Layup");
     // numbers in the order in which their first points come
     std::map<std::string, std::size_t> number_of_group, number_of_load;
     std::vector<std::size_t>           load_of(plan.n_points);
@@ -40,8 +43,11 @@ namespace PlateImpact
         std::string                    plate_key, load_key;
         for (std::size_t i = 0; i < values.size(); ++i)
           {
-            const Level changes = level(plan.entries[i].path);
-            if (changes == plate || (is_adaptive && changes == load))
+            const std::string &path    = plan.entries[i].path;
+            const Level        changes = level(path);
+            if (changes == plate ||
+                (law_changes_plate && path == "Contact/Law") ||
+                (is_adaptive && changes == load))
               plate_key += values[i] + '\n';
             else if (changes == load)
               load_key += values[i] + '\n';

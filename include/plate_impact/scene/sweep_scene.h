@@ -41,6 +41,13 @@ namespace PlateImpact
         plan.sweeps("Adaptivity/Strategy");
     }
 
+    /// Whether its plate is a laminate where no lay-up is swept.
+    bool
+    is_laminate() const
+    {
+      return base.plate.is_laminate();
+    }
+
     /// The scene with the points' values left out.
     const Parameters &
     parameters() const

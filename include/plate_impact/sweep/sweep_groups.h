@@ -12,7 +12,8 @@ namespace PlateImpact
   /// Points of a sweep that share a plate on one mesh, those with the same load
   /// and time steps next to each other. What a point is made for follows from
   /// the names of the swept entries:
-  /// - the impactor and the contact law: nothing else changes;
+  /// - the impactor and the contact law: nothing else changes; but the shear
+  ///   stiffness of a laminate follows the law;
   /// - other entries of the contact and the time: the load or the response;
   /// - everything else: the plate, its mesh or what the mesh adapts to.
   ///
@@ -21,7 +22,8 @@ namespace PlateImpact
   struct SweepGroups
   {
     /// @param is_adaptive  whether points of the sweep may adapt their mesh
-    SweepGroups(const SweepPlan &plan, bool is_adaptive);
+    /// @param is_laminate  whether the plate that is not swept is one
+    SweepGroups(const SweepPlan &plan, bool is_adaptive, bool is_laminate);
 
     /// Parts of groups to compute one after another: points that are still to
     /// be computed, at most so many.
