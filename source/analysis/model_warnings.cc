@@ -273,38 +273,33 @@ namespace PlateImpact
       check_yielding()
       {
         const YieldingBody &weaker = *bodies.weaker;
-        if (impactor.is_cylinder())
-          {
-            // Johnson, Contact Mechanics, sec. 6.1
-            warnings.contact = fmt::format(
-              "pressure {}; it yields from {} on, for which a line contact has "
-              "no law",
-              about(pressure, "Pa"),
-              about(1.67 * weaker.yield_strength, "Pa"));
-            return limit(
-              pressure,
-              1.67 * weaker.yield_strength,
-              "the contact pressure reaches {}: a line contact yields from 1.67 "
-              "of the yield strength on, for which there is no law here; the "
-              "force is an upper bound",
-              about(pressure, "Pa"));
-          }
-        const double w = peak.indentation / *bodies.yield_indentation;
-        if (w <= 1.)
+        const double        first  = bodies.first_yield_pressure();
+        if (pressure <= first)
           {
             warnings.contact =
               fmt::format("elastic: pressure {}, first yield at {}",
                           about(pressure, "Pa"),
-                          about(yield_pressure_ratio(weaker.poissons_ratio) *
-                                  weaker.yield_strength,
-                                "Pa"));
+                          about(first, "Pa"));
             return;
+          }
+        if (impactor.is_cylinder())
+          {
+            warnings.contact = "pressure " + about(pressure, "Pa") +
+              "; it yields, for which a line contact has no law";
+            return limit(pressure,
+                         first,
+                         "the contact pressure reaches {}, and the contact "
+                         "yields from {} on, for which a line contact has no "
+                         "law; the force is an upper bound",
+                         about(pressure, "Pa"),
+                         about(first, "Pa"));
           }
         warnings.contact = fmt::format(
           "yields: mean pressure {} times the yield strength, dent {}",
           about(2. / 3. * pressure / weaker.yield_strength),
           about(history.states().back().permanent_indentation, "m"));
         leaves("contact that yields", 0.04);
+        const double w = peak.indentation / *bodies.yield_indentation;
         limit(w,
               100.,
               "the indentation is {} times that at first yield: the law of "

@@ -86,9 +86,25 @@ namespace PlateImpact
 
 
   double
+  ContactBodies::pressure_over_strength(const double poissons_ratio) const
+  {
+    return length > 0. ? 1.67 : yield_pressure_ratio(poissons_ratio);
+  }
+
+
+
+  double
+  ContactBodies::first_yield_pressure() const
+  {
+    return weaker->yield_strength *
+      pressure_over_strength(weaker->poissons_ratio);
+  }
+
+
+
+  double
   ContactBodies::elastic_strength(const double pressure) const
   {
-    return pressure /
-      (length > 0. ? 1.67 : yield_pressure_ratio(least_poissons_ratio));
+    return pressure / pressure_over_strength(least_poissons_ratio);
   }
 } // namespace PlateImpact

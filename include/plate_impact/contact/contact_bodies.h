@@ -61,13 +61,21 @@ namespace PlateImpact
     double
     pressure(double force, double indentation) const;
 
+    /// Pressure from which on the weaker body yields, where there is one: its
+    /// strength times yield_pressure_ratio(), under a cylinder times 1.67
+    /// (Johnson, Contact Mechanics, sec. 6.1). [Pa]
+    double
+    first_yield_pressure() const;
+
     /// The yield strength that both bodies need to stay elastic under a
-    /// pressure: that of a sphere by yield_pressure_ratio(), that of a cylinder
-    /// 0.6 of it (Johnson, Contact Mechanics, sec. 6.1). [Pa]
+    /// pressure. [Pa]
     double
     elastic_strength(double pressure) const;
 
   private:
+    double
+    pressure_over_strength(double poissons_ratio) const;
+
     double radius_of_impactor;
     double length; ///< of a cylinder; 0: a sphere [m]
     double least_poissons_ratio;
