@@ -39,18 +39,18 @@ namespace PlateImpact
         std::vector<std::vector<std::string>> result;
         std::string                           line, cell;
         std::getline(lines, line);
-        EXPECT_EQ(
-          line,
-          "strategy,element,cycle,cells,degrees_of_freedom,"
-          "discretization_error,peak_force,peak_force_error,"
-          "peak_force_error_bar,contact_end_error,seconds,cumulative_seconds");
+        EXPECT_EQ(line,
+                  "strategy,element,cycle,cells,degrees_of_freedom,"
+                  "discretization_error,peak_force,peak_force_error,"
+                  "peak_force_error_bar,contact_end_error,seconds,cumulative_"
+                  "seconds,cells_at_minimum_size");
         while (std::getline(lines, line))
           {
             result.emplace_back();
             std::istringstream cells(line);
             while (std::getline(cells, cell, ','))
               result.back().push_back(cell);
-            EXPECT_EQ(result.back().size(), 12u) << line;
+            EXPECT_EQ(result.back().size(), 13u) << line;
           }
         return result;
       }
@@ -321,6 +321,51 @@ namespace PlateImpact
     TEST(ComparisonScenes, Cylinder)
     {
       expect_comparison("compare-cylinder", 9095.4, 1e-3, 200);
+    }
+
+
+
+    /// Cells and eta of the meshes of a strategy with the best element.
+    std::vector<ComparedMesh>
+    meshes_of(StrategyComparison &comparison, const AdaptationStrategy strategy)
+    {
+      return comparison
+        .compute_curve({strategy, AdaptationGoal::energy_norm},
+                       ElementType::MITC9)
+        .meshes;
+    }
+
+
+
+    TEST(ComparisonScenes, AdaptedCellsAreFewerDownToTheLastEta)
+    {
+      const Scene        scene = read_scene(SCENES "/compare-sphere.prm",
+                                     {"Comparison/Time budget=1000"});
+      StrategyComparison comparison(scene);
+      comparison.compute_reference();
+      const auto adapted =
+        meshes_of(comparison, AdaptationStrategy::hanging_nodes);
+      const auto equal = meshes_of(comparison, AdaptationStrategy::uniform);
+      EXPECT_LT(adapted.back().eta, 0.0025);
+      for (const ComparedMesh &mesh : adapted)
+        for (const ComparedMesh &of_equal : equal)
+          if (of_equal.eta <= mesh.eta)
+            {
+              EXPECT_LE(mesh.cells, of_equal.cells) << mesh.eta;
+            }
+      // at a minimum that the scene gives, a curve ends where it gains nothing
+      const Scene        limited = read_scene(SCENES "/compare-sphere.prm",
+                                       {"Comparison/Time budget=1000",
+                                               "Adaptivity/Minimum cell size=1.3e-3"});
+      StrategyComparison coarse(limited);
+      coarse.compute_reference();
+      coarse.compute_curve({AdaptationStrategy::hanging_nodes,
+                            AdaptationGoal::energy_norm},
+                           ElementType::MITC9);
+      const ComparisonCurve &curve = coarse.curves().back();
+      EXPECT_EQ(curve.end, "minimum cell size");
+      EXPECT_GT(curve.meshes.back().cells_at_minimum_size, 0u);
+      EXPECT_LT(curve.meshes.size(), 10u);
     }
 
 

@@ -11,6 +11,7 @@ namespace PlateImpact
     {Outcome::mesh_unchanged, "mesh unchanged"},
     {Outcome::time_step_too_coarse, "time step too coarse"},
     {Outcome::time_budget, "time budget"},
+    {Outcome::minimum_cell_size, "minimum cell size"},
     {Outcome::nearly_as_fine_as_the_reference,
      "nearly as fine as the reference"}};
 } // namespace PlateImpact

@@ -15,16 +15,18 @@ namespace PlateImpact
     constexpr std::size_t most_plotted_states = 600;
 
     /// Columns of comparison.csv after strategy and element.
-    const std::vector<std::string> columns_of_meshes = {"cycle",
-                                                        "cells",
-                                                        "degrees_of_freedom",
-                                                        "discretization_error",
-                                                        "peak_force",
-                                                        "peak_force_error",
-                                                        "peak_force_error_bar",
-                                                        "contact_end_error",
-                                                        "seconds",
-                                                        "cumulative_seconds"};
+    const std::vector<std::string> columns_of_meshes = {
+      "cycle",
+      "cells",
+      "degrees_of_freedom",
+      "discretization_error",
+      "peak_force",
+      "peak_force_error",
+      "peak_force_error_bar",
+      "contact_end_error",
+      "seconds",
+      "cumulative_seconds",
+      "cells_at_minimum_size"};
 
 
 
@@ -61,6 +63,7 @@ namespace PlateImpact
       Json json = {{"cycle", mesh.cycle},
                    {"cells", mesh.cells},
                    {"degrees_of_freedom", mesh.degrees_of_freedom},
+                   {"cells_at_minimum_size", mesh.cells_at_minimum_size},
                    {"discretization_error", mesh.eta},
                    {"peak_force", mesh.peak_force},
                    {"peak_force_error", mesh.peak_force_error},

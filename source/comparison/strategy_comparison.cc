@@ -75,6 +75,17 @@ namespace PlateImpact
 
 
 
+    /// The smallest cells of curves are smaller by this than those of a run
+    /// that ends at the scene's target: targets are halved some five times, and
+    /// at the edge of a load patch eta falls more slowly than the size.
+    constexpr double size_at_smaller_targets = 8.;
+
+    /// Eta over that of the mesh before, above which cells at the minimum size
+    /// keep a curve from going on.
+    constexpr double least_progress = 0.95;
+
+
+
     /// Thrown out of a cycle that would exceed the time budget.
     struct BudgetSpent
     {};
@@ -141,6 +152,11 @@ namespace PlateImpact
     parameters.discretization.element = element;
     parameters.output.field_samples   = n_compared_states;
     parameters.output.write_report    = false;
+    // meshes graded to the load take the size that they end with from it
+    if (scene.given.adaptivity.minimum_cell_size == 0. &&
+        !parameters.contact.load_is_singular() &&
+        strategy.strategy != AdaptationStrategy::graded)
+      parameters.adaptivity.minimum_cell_size /= size_at_smaller_targets;
     return parameters;
   }
 
@@ -254,6 +270,9 @@ namespace PlateImpact
         return Outcome::time_budget;
       if (is_close_to_reference(result, parameters.adaptivity))
         return Outcome::nearly_as_fine_as_the_reference;
+      if (result.cells_at_minimum_size > 0 && !curve.meshes.empty() &&
+          result.error->eta > least_progress * curve.meshes.back().eta)
+        return Outcome::minimum_cell_size;
       if (result.cycle == parameters.comparison.maximum_cycles)
         return Outcome::maximum_cycles;
       return {};
@@ -287,7 +306,7 @@ namespace PlateImpact
                                 const Cycle     &cycle) const
   {
     const CycleResult &result  = cycle.result;
-    const bool         was_met = curve.meshes.size() > 1 &&
+    const bool         was_met = !curve.meshes.empty() &&
       (&curve.meshes.back())[-1].eta <=
         scene.parameters.adaptivity.target_error;
     if (was_met || result.cells > most_drawn_cells)
@@ -310,6 +329,7 @@ namespace PlateImpact
     ComparedMesh mesh  = {result.cycle,
                           result.cells,
                           result.degrees_of_freedom,
+                          result.cells_at_minimum_size,
                           result.error->eta,
                           peak_force,
                           error,

@@ -43,6 +43,13 @@ function showCosts({ curves, reference }, colourOf) {
     title, x, moreX, y: { title, logarithmic: true },
     series: curves.map((curve) => ({ name: curve.strategy, marker: curve.element, colour: colourOf(curve), style: 'line and points',
       x: column(curve, costs[0][1]), moreX: costs.slice(1).map(([, cost]) => column(curve, cost)), y: column(curve, key, 100) })) }));
+  const limited = curves.map((curve) => ({ ...curve, meshes: curve.meshes.filter((mesh) => mesh.cells_at_minimum_size > 0) }));
+  if (limited.some((curve) => curve.meshes.length > 0)) {
+    const all = (key, factor) => limited.flatMap((curve) => column(curve, key, factor));
+    [['peak_force_error', 0], ['discretization_error', 1]].forEach(([key, i]) => list[i].series.push({
+      name: 'cells at the minimum size', colour: colourOf({}), style: 'points', x: all(costs[0][1]),
+      moreX: costs.slice(1).map(([, cost]) => all(cost)), y: all(key, 100) }));
+  }
   if (reference.uncertainty > 0) {
     const [first, ...others] = costs.map(([, cost]) => {
       const values = curves.flatMap((curve) => column(curve, cost));
@@ -111,11 +118,13 @@ function showFairness(comparison) {
 
 function showNumbers({ curves }) {
   const percent = (value) => value === undefined ? '–' : formatted(100 * value);
-  const rows = curves.flatMap((curve) => curve.meshes.map((mesh) => [nameOf(curve), mesh.cycle, mesh.cells, mesh.degrees_of_freedom,
+  const rows = curves.flatMap((curve) => curve.meshes.map((mesh) => [nameOf(curve), mesh.cycle,
+    `${mesh.cells}${mesh.cells_at_minimum_size > 0 ? '*' : ''}`, mesh.degrees_of_freedom,
     percent(mesh.discretization_error), formatted(mesh.peak_force, 6),
     mesh.comparable ? percent(mesh.peak_force_error) : `(${percent(mesh.peak_force_error)})`, percent(mesh.peak_force_error_bar),
     percent(mesh.contact_end_error), formatted(mesh.effectivity), formatted(mesh.seconds), formatted(mesh.cumulative_seconds)]));
-  section('All meshes', paragraph('Errors in parentheses are not above the uncertainty of the reference. The effectivity is η over the ' +
+  section('All meshes', paragraph('Errors in parentheses are not above the uncertainty of the reference. A star marks meshes with cells that would be ' +
+    'refined if they were not at the minimum size. The effectivity is η over the ' +
     'error in energy against the reference, where that is three times better. comparison.csv has all digits.'),
   table(['Strategy and element', 'Cycle', 'Cells', 'Unknowns', 'η [%]', 'Peak force [N]', 'Error [%]', 'Error bar [%]',
     'Error of contact end [%]', 'Effectivity', 'Seconds', 'So far [s]'], rows, 'sortable'),

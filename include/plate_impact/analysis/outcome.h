@@ -15,6 +15,7 @@ namespace PlateImpact
     mesh_unchanged,
     time_step_too_coarse,
     time_budget,
+    minimum_cell_size,
     nearly_as_fine_as_the_reference
   };
 

@@ -44,7 +44,8 @@ namespace PlateImpact
   struct ComparedMesh
   {
     unsigned int          cycle, cells, degrees_of_freedom;
-    double                eta, peak_force; ///< [N]
+    unsigned int          cells_at_minimum_size; ///< that would be refined
+    double                eta, peak_force;       ///< [N]
     double                peak_force_error;
     std::optional<double> peak_force_bar; ///< none on blind meshes
     bool                  is_comparable;  ///< above the reference's uncertainty
@@ -123,8 +124,10 @@ namespace PlateImpact
   /// Whenever eta meets the target, the target is halved, so that curves go on
   /// to smaller errors; a mesh costs its own cycle and all before it. A curve
   /// ends at the comparison's maximum of cycles, with an eta of less than three
-  /// times that of the reference, when its strategy keeps the mesh, or when the
-  /// time budget is spent, which breaks off the cycle that spends it.
+  /// times that of the reference, when its strategy keeps the mesh or gains
+  /// nothing at the minimum cell size, or when the time budget is spent, which
+  /// breaks off the cycle that spends it. A minimum cell size that the scene
+  /// leaves to the program follows the smaller targets.
   class StrategyComparison
   {
   public:
