@@ -43,12 +43,12 @@ function showCosts({ curves, reference }, colourOf) {
     title, x, moreX, y: { title, logarithmic: true },
     series: curves.map((curve) => ({ name: curve.strategy, marker: curve.element, colour: colourOf(curve), style: 'line and points',
       x: column(curve, costs[0][1]), moreX: costs.slice(1).map(([, cost]) => column(curve, cost)), y: column(curve, key, 100) })) }));
-  const limited = curves.map((curve) => ({ ...curve, meshes: curve.meshes.filter((mesh) => mesh.cells_at_minimum_size > 0) }));
-  if (limited.some((curve) => curve.meshes.length > 0)) {
-    const all = (key, factor) => limited.flatMap((curve) => column(curve, key, factor));
-    [['peak_force_error', 0], ['discretization_error', 1]].forEach(([key, i]) => list[i].series.push({
-      name: 'cells at the minimum size', colour: colourOf({}), style: 'points', x: all(costs[0][1]),
-      moreX: costs.slice(1).map(([, cost]) => all(cost)), y: all(key, 100) }));
+  for (const curve of curves) {
+    const limited = { ...curve, meshes: curve.meshes.filter((mesh) => mesh.cells_at_minimum_size > 0) };
+    if (limited.meshes.length > 0)
+      [['peak_force_error', 0], ['discretization_error', 1]].forEach(([key, i]) => list[i].series.unshift({
+        name: 'cells at the minimum size', marker: curve.element, colour: colourOf({}), style: 'points',
+        x: column(limited, costs[0][1]), moreX: costs.slice(1).map(([, cost]) => column(limited, cost)), y: column(limited, key, 100) }));
   }
   if (reference.uncertainty > 0) {
     const [first, ...others] = costs.map(([, cost]) => {
