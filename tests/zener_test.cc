@@ -61,6 +61,27 @@ namespace PlateImpact
 
 
 
+    TEST(ZenerPeak, WhatGivesWayInSeriesTakesForce)
+    {
+      // a spring in series on a plate that does not move: the ball's energy is
+      // in both, m v^2 / 2 = 2/5 F alpha + C F^2 / 2
+      const Impactor impactor{0.03, 0., 1.};
+      for (const double compliance : {-2e-9, 3e-9, 1e-7})
+        {
+          const Contact      contact = hertz.in_series(compliance);
+          const ExpectedPeak peak =
+            ZenerImpact(contact, impactor, steel_section(100.)).peak;
+          EXPECT_NEAR((0.4 * peak.force * peak.indentation +
+                       0.5 * compliance * peak.force * peak.force) /
+                        0.015,
+                      1.,
+                      1e-3)
+            << compliance;
+        }
+    }
+
+
+
     TEST(ZenerPeak, SteelCaseOfThePaper)
     {
       // the Kirchhoff plate under a point force of impact_cases.json, 1370.835

@@ -112,6 +112,17 @@ namespace PlateImpact
 
 
 
+    /// To about five digits.
+    double
+    rounded_to_sixteen_bits(const double value)
+    {
+      int          exponent;
+      const double mantissa = std::frexp(value, &exponent);
+      return std::ldexp(std::round(std::ldexp(mantissa, 16)), exponent - 16);
+    }
+
+
+
     /// Refines the cells with the largest errors and coarsens those with the
     /// smallest, one level a cycle: those that together hold a share of the
     /// squared error (Doerfler 1996, doi:10.1137/0733054), or a share of the
@@ -131,6 +142,9 @@ namespace PlateImpact
       };
       const std::vector<CellId> before = sorted_cells(mesh);
       Vector<double> criteria(error.elements.begin(), error.elements.end());
+      // of cells that mirror each other all or none: round-off ranks no one
+      for (double &criterion : criteria)
+        criterion = rounded_to_sixteen_bits(criterion);
       for (const auto &cell : mesh.active_cell_iterators())
         if (is_settled(cell))
           criteria[cell->active_cell_index()] = 0.;

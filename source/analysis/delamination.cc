@@ -1,6 +1,5 @@
 #include "plate_impact/analysis/delamination.h"
 
-#include "plate_impact/contact/make_contact.h"
 #include "plate_impact/plate/plate_geometry.h"
 
 #include <cmath>
@@ -8,14 +7,15 @@
 namespace PlateImpact
 {
   std::optional<Delamination>
-  delamination(const Parameters &parameters, const ContactState &peak)
+  delamination(const Parameters   &parameters,
+               const ZenerImpact  &expected,
+               const ContactState &peak)
   {
     const PlateParameters &plate = parameters.plate;
     if (!plate.is_laminate() || plate.ply.mode_2_toughness == 0. ||
         peak.force <= 0.)
       return {};
-    const ZenerImpact expected = make_zener_impact(parameters);
-    const double      slow     = std::acos(-1.) *
+    const double slow = std::acos(-1.) *
       std::sqrt(32. / 3. * expected.section.mean_bending_stiffness() *
                 plate.ply.mode_2_toughness);
     const double there_and_back = 2. * geometry_of(plate)->distance_to_edge() /

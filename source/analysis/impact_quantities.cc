@@ -1,5 +1,7 @@
 #include "plate_impact/analysis/impact_quantities.h"
 
+#include "plate_impact/analysis/delamination.h"
+
 namespace PlateImpact
 {
   namespace
@@ -30,22 +32,36 @@ namespace PlateImpact
 
 
 
-    double
-    contact_radius(const ComputedImpact &impact)
+    bool
+    has_yielded(const ComputedImpact &impact)
     {
-      return ContactBodies(impact.parameters)
-        .radius(peak(impact).force, peak(impact).indentation);
+      const Value &first = impact.bodies.yield_indentation;
+      return first && peak(impact).indentation > *first;
+    }
+
+
+
+    /// Of a contact that stays elastic.
+    Value
+    contact_pressure(const ComputedImpact &impact)
+    {
+      if (peak(impact).force == 0. || has_yielded(impact))
+        return {};
+      return impact.bodies.elastic_pressure(peak(impact).force,
+                                            peak(impact).indentation);
     }
 
 
 
     Value
-    contact_pressure(const ComputedImpact &impact)
+    pressure_over_strength(const ComputedImpact &impact)
     {
-      if (peak(impact).force == 0.)
+      const auto &weaker = impact.bodies.weaker;
+      if (!weaker || peak(impact).force == 0.)
         return {};
-      return ContactBodies(impact.parameters)
-        .pressure(peak(impact).force, peak(impact).indentation);
+      return impact.bodies.mean_pressure(peak(impact).force,
+                                         peak(impact).indentation) /
+        weaker->yield_strength;
     }
 
 
@@ -55,7 +71,7 @@ namespace PlateImpact
     if_dented(const ComputedImpact &impact, const double value)
     {
       if (impact.parameters.contact.unloading == UnloadingLaw::elastic &&
-          !ContactBodies(impact.parameters).yield_indentation)
+          !impact.bodies.yield_indentation)
         return {};
       return value;
     }
@@ -63,13 +79,11 @@ namespace PlateImpact
 
 
     Value
-    pressure_over_strength(const ComputedImpact &impact)
+    delamination_threshold(const ComputedImpact &impact)
     {
-      const auto  weaker   = ContactBodies(impact.parameters).weaker;
-      const Value pressure = contact_pressure(impact);
-      if (!weaker || !pressure)
-        return {};
-      return 2. / 3. * *pressure / weaker->yield_strength;
+      const auto crack =
+        delamination(impact.parameters, impact.expected, peak(impact));
+      return crack ? Value(crack->threshold) : Value();
     }
 
 
@@ -143,7 +157,8 @@ namespace PlateImpact
        "Largest contact radius over the thickness",
        "",
        [](Impact i) -> Value {
-         return contact_radius(i) / i.parameters.plate.thickness;
+         return i.bodies.radius(peak(i).force, peak(i).indentation) /
+           i.parameters.plate.thickness;
        }},
       {"relative_energy_drift",
        "Relative drift of the energy",
@@ -195,7 +210,18 @@ namespace PlateImpact
       {"dissipated_energy",
        "Energy dissipated by the contact",
        "J",
-       [](Impact i) { return if_dented(i, last(i).dissipated_energy); }}};
+       [](Impact i) { return if_dented(i, last(i).dissipated_energy); }},
+      {"delamination_threshold",
+       "Force from which on a laminate delaminates",
+       "N",
+       delamination_threshold},
+      {"peak_force_over_delamination_threshold",
+       "Peak force over that of delamination",
+       "",
+       [](Impact i) -> Value {
+         const Value threshold = delamination_threshold(i);
+         return threshold ? Value(peak(i).force / *threshold) : Value();
+       }}};
     return quantities;
   }
 } // namespace PlateImpact

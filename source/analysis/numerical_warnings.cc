@@ -197,7 +197,7 @@ namespace PlateImpact
                   const CycleResult &result,
                   const ZenerImpact &expected)
   {
-    Warnings warnings  = model_warnings(parameters, result);
+    Warnings warnings  = model_warnings(parameters, result, expected);
     warnings.numerical = joined({warn_of_step(parameters.time,
                                               parameters.adaptivity,
                                               result,

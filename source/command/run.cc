@@ -104,28 +104,25 @@ namespace PlateImpact
           line("Outcome",
                emphasized(word_for(outcome), emphasis_of(verdict.convergence)) +
                  outcome_of(outcome, last));
-        if (last.history)
-          {
-            text += line("Peak force",
-                         emphasized(in_ascii(verdict.force), Emphasis::bold));
-            if (last.verification)
-              text += line("Verified",
-                           number(last.verification->peak_force) + " N on " +
-                             counted(last.verification->cells, "cell") + ", " +
-                             deviation(last.verification->peak_force,
-                                       last.history->peak().force) +
-                             " away");
-          }
         if (!last.history)
           return text + line("Results", results);
+        text += line("Peak force",
+                     emphasized(in_ascii(verdict.force), Emphasis::bold));
+        if (last.verification)
+          text += line("Verified",
+                       number(last.verification->peak_force) + " N on " +
+                         counted(last.verification->cells, "cell") + ", " +
+                         deviation(last.verification->peak_force,
+                                   last.history->peak().force) +
+                         " away");
         text += line("Model",
                      emphasized(in_ascii(model_in_words(verdict)),
                                 emphasis_of(verdict.model)));
-        if (!verdict.contact.empty())
-          text += line("Contact", in_ascii(verdict.contact));
-        if (const auto limit =
-              delamination(scene.parameters, last.history->peak()))
-          text += line("Damage", in_ascii(delamination_in_words(*limit, last)));
+        for (const auto &[name, sentence] :
+             {std::make_pair("Contact", verdict.warnings.contact),
+              std::make_pair("Damage", verdict.warnings.damage)})
+          if (!sentence.empty())
+            text += line(name, in_ascii(sentence));
         text += line("Response",
                      "local, of a " +
                        in_ascii(local_response_in_words(scene.parameters)));
@@ -176,6 +173,10 @@ namespace PlateImpact
         text = "peak_force=" + shortest(last.history->peak().force) + " bar=" +
           (last.peak_force_bar ? shortest(last.peak_force_bar->total()) :
                                  "none") +
+          " model_error=" +
+          (verdict.warnings.model_error() ?
+             shortest(*verdict.warnings.model_error()) :
+             "none") +
           ' ';
       return text + "outcome=\"" + word_for(outcome) +
         "\" trust=" + word_for(verdict.trust()) +

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <new>
 #include <optional>
 
@@ -33,6 +34,12 @@ namespace PlateImpact
 
 
 
+    /// The error that meshes are made for over that of the mesh before, above
+    /// which cells at the minimum size keep a curve from going on.
+    constexpr double least_progress = 0.95;
+
+
+
     /// Goes on to smaller errors: whenever that of the goal meets the target,
     /// or the target gives no other mesh, it is halved, up to eight times from
     /// one mesh to the next.
@@ -52,7 +59,13 @@ namespace PlateImpact
       {
         if (const auto outcome = end(result))
           return outcome;
-        n_halvings = 0;
+        const double error      = goal->error(result);
+        const bool   is_in_vain = result.cells_at_minimum_size > 0 &&
+          error > least_progress * error_before;
+        if (is_in_vain)
+          return Outcome::minimum_cell_size;
+        error_before = error;
+        n_halvings   = 0;
         while (goal->error(result) <= target && tighten())
           ;
         return {};
@@ -70,7 +83,8 @@ namespace PlateImpact
 
     private:
       const End    end;
-      unsigned int n_halvings = 0; ///< since the last cycle
+      unsigned int n_halvings   = 0; ///< since the last cycle
+      double       error_before = std::numeric_limits<double>::infinity();
     };
 
 
@@ -79,12 +93,6 @@ namespace PlateImpact
     /// that ends at the scene's target: targets are halved some five times, and
     /// at the edge of a load patch eta falls more slowly than the size.
     constexpr double size_at_smaller_targets = 8.;
-
-    /// Eta over that of the mesh before, above which cells at the minimum size
-    /// keep a curve from going on.
-    constexpr double least_progress = 0.95;
-
-
 
     /// Thrown out of a cycle that would exceed the time budget.
     struct BudgetSpent
@@ -270,9 +278,6 @@ namespace PlateImpact
         return Outcome::time_budget;
       if (is_close_to_reference(result, parameters.adaptivity))
         return Outcome::nearly_as_fine_as_the_reference;
-      if (result.cells_at_minimum_size > 0 && !curve.meshes.empty() &&
-          result.error->eta > least_progress * curve.meshes.back().eta)
-        return Outcome::minimum_cell_size;
       if (result.cycle == parameters.comparison.maximum_cycles)
         return Outcome::maximum_cycles;
       return {};

@@ -25,29 +25,32 @@ namespace PlateImpact
 
 
 
-  ContactBodies::ContactBodies(const Parameters &parameters)
+  ContactBodies::ContactBodies(const Parameters   &parameters,
+                               const PlateSection &section)
     : radius_of_impactor(parameters.impactor.radius)
     , length(parameters.impactor.is_cylinder() ? parameters.impactor.length :
                                                  0.)
-    , least_poissons_ratio(std::min(parameters.impactor.poissons_ratio,
-                                    parameters.plate.poissons_ratio))
+    , least_poissons_ratio(0.5)
   {
     const ImpactorParameters &impactor = parameters.impactor;
     modulus                            = 1. /
       ((1. - impactor.poissons_ratio * impactor.poissons_ratio) /
          impactor.youngs_modulus +
-       PlateSection(parameters.plate).half_space_compliance);
+       section.half_space_compliance);
 
     double     least_pressure = std::numeric_limits<double>::infinity();
     const auto consider       = [&](const auto &body) {
       const double Y = body.yield_strength, nu = body.poissons_ratio;
       const double first_pressure = Y * yield_pressure_ratio(nu);
+      if (Y == 0.)
+        least_poissons_ratio = std::min(least_poissons_ratio, nu);
       if (Y == 0. || first_pressure >= least_pressure)
         return;
       least_pressure = first_pressure;
       weaker         = {Y, nu, modulus * (1. - nu * nu) / body.youngs_modulus};
     };
-    consider(parameters.plate);
+    if (!parameters.plate.is_laminate())
+      consider(parameters.plate);
     consider(impactor);
     if (weaker && length == 0.)
       yield_indentation =
@@ -76,11 +79,21 @@ namespace PlateImpact
 
 
   double
-  ContactBodies::pressure(const double force, const double indentation) const
+  ContactBodies::mean_pressure(const double force,
+                               const double indentation) const
   {
     const double a = radius(force, indentation);
-    return length > 0. ? 2. * force / (constants::pi * a * length) :
-                         1.5 * force / (constants::pi * a * a);
+    return force / (length > 0. ? 2. * a * length : constants::pi * a * a);
+  }
+
+
+
+  double
+  ContactBodies::elastic_pressure(const double force,
+                                  const double indentation) const
+  {
+    return (length > 0. ? 4. / constants::pi : 1.5) *
+      mean_pressure(force, indentation);
   }
 
 

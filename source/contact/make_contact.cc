@@ -27,33 +27,20 @@ namespace PlateImpact
 
 
 
-    /// k of Hertz's law for the compliance that the scene's law has for the
-    /// plate.
-    double
-    coefficient_of(const Parameters &parameters)
-    {
-      const PlateSection section(parameters.plate);
-      return hertz_coefficient(parameters.impactor.radius,
-                               compliance_of(parameters.impactor),
-                               parameters.contact.law == ForceLaw::Sun ?
-                                 1. / section.contact_modulus :
-                                 section.half_space_compliance);
-    }
-
-
-
     /// The constant beside ln(l/a) of a line contact on a layer: the plate's
     /// side of the approach is F' (1 - nu) / (pi G) (ln(h/a) + Lambda), the
     /// cylinder's F' (1 - nu^2) / (pi E) (2 ln(4r/a) - 1), to its axis
     /// (Johnson, sec. 5.6), F' the force per length.
     double
-    line_constant_of_layer(const Parameters &parameters, const double Lambda)
+    line_constant_of_layer(const Parameters   &parameters,
+                           const PlateSection &section,
+                           const double        modulus,
+                           const double        Lambda)
     {
-      const PlateParameters    &plate    = parameters.plate;
       const ImpactorParameters &impactor = parameters.impactor;
-      return ContactBodies(parameters).modulus *
-        (PlateSection(plate).half_space_compliance *
-           (std::log(plate.thickness) + Lambda) +
+      return modulus *
+        (section.half_space_compliance *
+           (std::log(parameters.plate.thickness) + Lambda) +
          compliance_of(impactor) * (std::log(4. * impactor.radius) - 0.5)) -
         std::log(0.5 * impactor.length);
     }
@@ -63,17 +50,23 @@ namespace PlateImpact
     /// Of the ball that the scene takes for one, at the contact radius of the
     /// expected peak: it depends on that by a logarithm. [m/N]
     double
-    compliance_of_ball(const Parameters &parameters)
+    compliance_of_ball(const Parameters    &parameters,
+                       const ContactBodies &bodies)
     {
       const ImpactorParameters &impactor = parameters.impactor;
       if (!parameters.contact.finite_ball)
         return 0.;
-      const ExpectedPeak peak = make_zener_impact(parameters).peak;
-      return ball_compliance(
-        impactor.radius,
-        0.5 * impactor.youngs_modulus / (1. + impactor.poissons_ratio),
-        impactor.poissons_ratio,
-        ContactBodies(parameters).radius(peak.force, peak.indentation));
+      double radius = impactor.contact_radius;
+      if (radius == 0.)
+        {
+          const ExpectedPeak peak = make_zener_impact(parameters).peak;
+          radius                  = bodies.radius(peak.force, peak.indentation);
+        }
+      return ball_compliance(impactor.radius,
+                             0.5 * impactor.youngs_modulus /
+                               (1. + impactor.poissons_ratio),
+                             impactor.poissons_ratio,
+                             radius);
     }
 
 
@@ -83,29 +76,32 @@ namespace PlateImpact
     make_sphere_contact(const Parameters            &parameters,
                         const std::optional<double> &layer_constant)
     {
-      const PlateParameters &plate      = parameters.plate;
-      const double           k          = coefficient_of(parameters);
-      double                 compliance = 0.; // in series
+      const PlateSection  section(parameters.plate);
+      const ContactBodies bodies(parameters, section);
+      // of the compliance that the scene's law has for the plate
+      const double k =
+        hertz_coefficient(parameters.impactor.radius,
+                          compliance_of(parameters.impactor),
+                          parameters.contact.law == ForceLaw::Sun ?
+                            1. / section.contact_modulus :
+                            section.half_space_compliance);
+      double compliance = 0.; // in series
       if (layer_constant)
         compliance = *layer_constant /
-            (PlateSection(plate).shear_modulus * plate.thickness) +
-          compliance_of_ball(parameters);
+            (section.shear_modulus * parameters.plate.thickness) +
+          compliance_of_ball(parameters, bodies);
       if (parameters.contact.unloading == UnloadingLaw::Yang_Sun)
         return Contact(std::make_shared<HertzLaw>(k),
                        compliance,
                        std::make_shared<YangSunUnloading>(
                          parameters.contact.critical_indentation));
-      if (const ContactBodies bodies(parameters); bodies.weaker)
-        {
-          const auto law =
-            std::make_shared<YieldingLaw>(k,
-                                          *bodies.yield_indentation,
-                                          bodies.weaker->share_of_compliance);
-          return Contact(law,
-                         compliance,
-                         std::make_shared<PlasticUnloading>(law));
-        }
-      return Contact(std::make_shared<HertzLaw>(k), compliance);
+      if (!bodies.weaker)
+        return Contact(std::make_shared<HertzLaw>(k), compliance);
+      const auto law =
+        std::make_shared<YieldingLaw>(k,
+                                      *bodies.yield_indentation,
+                                      bodies.weaker->share_of_compliance);
+      return Contact(law, compliance, std::make_shared<PlasticUnloading>(law));
     }
 
 
@@ -115,12 +111,18 @@ namespace PlateImpact
                       const std::optional<double> &layer_constant)
     {
       const ImpactorParameters &impactor = parameters.impactor;
-      return Contact(std::make_shared<LineLaw>(
-        impactor.radius,
-        0.5 * impactor.length,
-        ContactBodies(parameters).modulus,
-        layer_constant ? line_constant_of_layer(parameters, *layer_constant) :
-                         LineLaw::constant_of_half_space));
+      const PlateSection        section(parameters.plate);
+      const double modulus = ContactBodies(parameters, section).modulus;
+      return Contact(
+        std::make_shared<LineLaw>(impactor.radius,
+                                  0.5 * impactor.length,
+                                  modulus,
+                                  layer_constant ?
+                                    line_constant_of_layer(parameters,
+                                                           section,
+                                                           modulus,
+                                                           *layer_constant) :
+                                    LineLaw::constant_of_half_space));
     }
 
 

@@ -40,11 +40,12 @@ namespace PlateImpact
       advance(const double dt)
       {
         const double compliance = dt / impedance + dt * dt / (2. * mass);
-        const double free       = alpha + dt * velocity;
+        const double free       = approach + dt * velocity;
         const double force =
           solve_contact(step, contact, alpha, free, compliance);
         velocity -= dt / mass * force;
-        alpha = free - compliance * force;
+        approach = free - compliance * force;
+        alpha    = contact.indentation_under(approach);
         contact.follow(alpha);
         return alpha;
       }
@@ -65,7 +66,7 @@ namespace PlateImpact
       const EnergyConservingContact step;
       Contact                       contact;
       const double                  mass, impedance;
-      double                        alpha = 0., velocity;
+      double                        approach = 0., alpha = 0., velocity;
     };
 
 

@@ -129,16 +129,18 @@ namespace PlateImpact
     };
     summary["verdict"] = {{"trust", word_for(verdict.trust())},
                           {"text", verdict.text},
-                          {"contact", verdict.contact},
+                          {"contact", verdict.warnings.contact},
                           {"convergence", part(verdict.convergence)},
                           {"model", part(verdict.model)}};
-    for (const ModelError &error : verdict.model_errors)
+    for (const ModelError &error : verdict.warnings.model_errors)
       {
         Json &errors = summary["verdict"]["model"]["errors"];
         errors.push_back({{"of", error.of}});
         if (error.relative)
           errors.back()["relative"] = *error.relative;
       }
+    if (!verdict.warnings.damage.empty())
+      summary["verdict"]["damage"] = verdict.warnings.damage;
     if (scene.parameters.has_impactor())
       summary["local_response"] =
         word_for(scene.parameters.contact.local_response);

@@ -105,32 +105,6 @@ namespace PlateImpact
 
 
   std::string
-  delamination_in_words(const Delamination &delamination,
-                        const CycleResult  &result)
-  {
-    const double ratio = result.history->peak().force / delamination.threshold;
-    const double bar =
-      result.peak_force_bar ? ratio * result.peak_force_bar->total() : 0.;
-    const std::string of_threshold = " the threshold, " +
-      number(delamination.threshold, "N") +
-      (delamination.is_of_small_mass ?
-         ", of an impact whose waves are not back at its peak" :
-         ", of an impact as slow as the plate") +
-      (result.peak_force_bar ? "" : "; the error of the force is not known");
-    if (ratio + bar < 1.)
-      return "no delamination expected: the peak force, with its bar, stays " +
-        percentage(1. - ratio - bar) + " below" + of_threshold;
-    if (ratio - bar > 1.)
-      return "delamination expected: the peak force, less its bar, is " +
-        percentage(ratio - bar - 1.) + " above" + of_threshold +
-        "; it is that of a plate which stays whole";
-    return "delamination cannot be told: the bar of the peak force reaches over" +
-      of_threshold;
-  }
-
-
-
-  std::string
   load_in_words(const Parameters &parameters)
   {
     const ContactParameters &contact = parameters.contact;

@@ -4,7 +4,6 @@
 
 #include "plate_impact/analysis/impact_quantities.h"
 #include "plate_impact/base/text.h"
-#include "plate_impact/output/run_in_words.h"
 #include "plate_impact/plate/plate_section.h"
 
 #include <sstream>
@@ -137,13 +136,6 @@ namespace PlateImpact
         cycle["plate_displacement_at_peak"] = peak.plate_displacement;
         if (result.error)
           add_stresses(result.error->max_stresses, parameters.plate, cycle);
-        if (const auto limit = delamination(parameters, peak))
-          {
-            cycle["delamination_threshold"] = limit->threshold;
-            cycle["peak_force_over_delamination_threshold"] =
-              peak.force / limit->threshold;
-            cycle["delamination"] = delamination_in_words(*limit, result);
-          }
         cycle["steps"]     = result.steps;
         cycle["end_time"]  = history.states().back().time;
         cycle["time_step"] = history.states().back().time / result.steps;

@@ -141,11 +141,9 @@ namespace PlateImpact
         verdict.text = "nothing strikes the plate";
         return verdict;
       }
-    verdict.contact                 = warnings.contact;
-    verdict.assumes_elastic_contact = warnings.assumes_elastic_contact;
-    verdict.model_errors            = warnings.model_errors;
-    verdict.force = force_in_words(last, warnings.model_error());
-    verdict.text  = verdict.force + ": " + result_in_words(parameters, outcome);
+    verdict.warnings = warnings;
+    verdict.force    = force_in_words(last, warnings.model_error());
+    verdict.text = verdict.force + ": " + result_in_words(parameters, outcome);
     verdict.convergence =
       convergence_of(parameters, outcome, last, warnings.numerical);
     if (warnings.assumes_elastic_contact)
@@ -165,11 +163,11 @@ namespace PlateImpact
   std::string
   model_in_words(const Verdict &verdict)
   {
-    const bool only_assumes =
-      verdict.assumes_elastic_contact && verdict.model.reasons.size() == 1;
-    if (verdict.model.trust == Trust::good || only_assumes)
+    if (verdict.warnings.model.empty())
       return std::string("Inside of the model") +
-        (only_assumes ? ", elastic contact assumed" : "");
+        (verdict.warnings.assumes_elastic_contact ?
+           ", elastic contact assumed" :
+           "");
     return verdict.model.trust == Trust::doubtful ? "Outside of the model" :
                                                     "Far outside of the model";
   }

@@ -33,10 +33,10 @@ function factsOfRun({ summary, expected }) {
       'in shear, at the faces of the plies, of plate theory under the spread load'],
     last.dissipated_energy !== undefined && ['Energy dissipated by the contact', withUnit(last.dissipated_energy, 'J'),
       `which leaves a dent of ${withUnit(last.permanent_indentation, 'm')}`],
-    last.max_effective_stress !== undefined && last.contact_pressure !== undefined &&
+    last.max_effective_stress !== undefined &&
       ['Largest stress of the plate', withUnit(last.max_effective_stress, 'Pa'),
-        'von Mises, at the faces, of plate theory under the spread load; not that of the contact, whose pressure reaches ' +
-        withUnit(last.contact_pressure, 'Pa')]];
+        'von Mises, at the faces, of plate theory under the spread load; not that of the contact' +
+        (last.contact_pressure === undefined ? '' : `, whose pressure reaches ${withUnit(last.contact_pressure, 'Pa')}`)]];
   return facts([...ofForce,
     last.discretization_error !== undefined && ['Relative error in the energy norm η', percentage(last.discretization_error),
       `target ${percentage(Number(inputs['Adaptivity/Target error']))}; largest ξ′ ${formatted(last.max_element_error)}`],
@@ -74,7 +74,7 @@ function evidenceOfRun({ summary, words, safety }) {
   ['Model, as far as compared', (summary.verdict.model.errors ?? []).map(({ of, relative }) =>
     `${of} ${relative === undefined ? 'not known' : percentage(relative, 2)}`).join('; ')],
   ['Contact', summary.verdict.contact],
-  ...(last.delamination ? [['Damage', last.delamination]] : []));
+  ...(summary.verdict.damage ? [['Damage', summary.verdict.damage]] : []));
   return table(['What the peak force depends on', 'Evidence'], rows, 'words');
 }
 

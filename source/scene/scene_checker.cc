@@ -355,6 +355,9 @@ namespace PlateImpact
   void
   SceneChecker::complete_contact()
   {
+    impactor.contact_radius =
+      ContactBodies(parameters, expected->section)
+        .radius(expected->peak.force, expected->peak.indentation);
     if (!contact.has_patch())
       return;
     const bool is_layer = contact.local_response == LocalResponse::layer;
@@ -384,9 +387,7 @@ namespace PlateImpact
         choose("Contact/Patch radius", contact.patch_radius, of_layer);
         return check_layer(/*radius_is_given=*/false);
       }
-    const double radius =
-      ContactBodies(parameters)
-        .radius(expected->peak.force, expected->peak.indentation);
+    const double radius = impactor.contact_radius;
     if (radius > to_edge)
       return refuse({"Contact/Patch radius",
                      "Plate/Side lengths",

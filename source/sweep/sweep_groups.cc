@@ -21,7 +21,8 @@ namespace PlateImpact
       const std::string section = path.substr(0, path.find('/'));
       if (path == "Impactor/Length" || path == "Impactor/Shape")
         return load;
-      if (section == "Impactor" || path == "Contact/Law")
+      if (section == "Impactor" || path == "Contact/Law" ||
+          path == "Plate/Yield strength" || path == "Ply/Mode II toughness")
         return impactor;
       return section == "Contact" || section == "Time" ? load : plate;
     }

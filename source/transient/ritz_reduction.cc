@@ -165,13 +165,12 @@ namespace PlateImpact
       // best sigma, and the waves of a contact reach up to some 5 pi /
       // contact_time, where the mesh carries them: coarse ones have fewer
       // vectors. Zener's contact is that of a point.
-      const TimeParameters &time     = scene.time;
-      const ZenerImpact     expected = make_zener_impact(scene);
-      if (expected.contact.first_loading().hertz_coefficient() ==
-            std::nullopt ||
-          n_unknowns < 3. * time.end_time / time.time_step)
+      const TimeParameters &time = scene.time;
+      if (n_unknowns < 3. * time.end_time / time.time_step)
         return false;
-      return time.end_time > 2. * geometry_of(scene.plate)->distance_to_edge() /
+      const ZenerImpact expected = make_zener_impact(scene);
+      return expected.contact.first_loading().hertz_coefficient() &&
+        time.end_time > 2. * geometry_of(scene.plate)->distance_to_edge() /
           expected.wave().group_speed &&
         expected.contact_time() < 16. * time.time_step;
     }
@@ -203,6 +202,7 @@ namespace PlateImpact
       impactor.mass =
         round_down(make_impactor(impactor).mass, density * h * h * h);
       impactor.density        = 0.; // what counts is the mass
+      impactor.contact_radius = 0.; // it has one of its own
       impactor.radius         = round_up(impactor.radius, h);
       impactor.youngs_modulus = round_up(impactor.youngs_modulus, E);
       impactor.velocity = round_up(impactor.velocity, std::sqrt(E / density));
@@ -218,7 +218,9 @@ namespace PlateImpact
     Parameters rounded = parameters;
     rounded.time       = time;
     rounded.impactor   = nearby(parameters.impactor, parameters.plate);
-    const auto key     = std::make_pair(rounded.contact, rounded.impactor);
+    const auto key     = std::make_tuple(rounded.contact,
+                                     rounded.impactor,
+                                     rounded.plate.yield_strength);
     auto       found   = settled.find(key);
     if (found == settled.end())
       found = settled

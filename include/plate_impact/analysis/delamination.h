@@ -3,6 +3,7 @@
 
 #include "plate_impact/base/parameters.h"
 #include "plate_impact/contact/contact_history.h"
+#include "plate_impact/contact/zener.h"
 
 #include <optional>
 
@@ -23,7 +24,9 @@ namespace PlateImpact
 
   /// @return empty for an isotropic plate, and where no toughness is given
   std::optional<Delamination>
-  delamination(const Parameters &parameters, const ContactState &peak);
+  delamination(const Parameters   &parameters,
+               const ZenerImpact  &expected,
+               const ContactState &peak);
 } // namespace PlateImpact
 
 #endif

@@ -21,6 +21,7 @@ namespace PlateImpact
     double                impulse;                   ///< [N s]
     std::optional<double> discretization_error = {}; ///< eta
     std::optional<double> peak_force_bar       = {}; ///< PeakForceBar::total()
+    const ContactBodies   bodies{parameters, expected.section};
   };
 
 

@@ -38,7 +38,11 @@ namespace PlateImpact
     /// without a contact.
     std::string contact;
 
-    /// Whether nothing is said of the plate's strength.
+    /// Whether a laminate delaminates; empty where nothing is said of its
+    /// toughness.
+    std::string damage;
+
+    /// Whether nothing is said of the strength of a body that may yield.
     bool assumes_elastic_contact = false;
 
     /// Of all parts together, relative to the force; empty where one is not
@@ -54,7 +58,9 @@ namespace PlateImpact
   /// Where an impact leaves what the model can tell, on whatever mesh: the area
   /// of the load, deflection, yield, indentation.
   Warnings
-  model_warnings(const Parameters &parameters, const CycleResult &result);
+  model_warnings(const Parameters  &parameters,
+                 const CycleResult &result,
+                 const ZenerImpact &expected);
 
   /// The same, and where end time and time step leave the peak force open.
   Warnings

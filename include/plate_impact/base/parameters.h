@@ -115,6 +115,9 @@ namespace PlateImpact
     double        yield_strength; ///< 0: does not yield
     double        velocity;
 
+    // what follows from the entries
+    double contact_radius = 0.; ///< at the expected peak [m]; 0: not known
+
     void
     declare_entries(Entries &entries);
 

@@ -90,6 +90,14 @@ namespace PlateImpact
     double
     largest_force() const;
 
+    /// The same, before first touch, with more that gives way in series.
+    /// @param more  [m/N]
+    Contact
+    in_series(double more) const
+    {
+      return Contact(law, compliance + more, unloading);
+    }
+
     /// The law without memory and series.
     const ContactLaw &
     first_loading() const;

@@ -5,8 +5,8 @@
 
 namespace PlateImpact
 {
-  struct ImpactorParameters;
   struct Parameters;
+  struct PlateSection;
 
   /// Coefficient of Hertz's law for a sphere and a half-space,
   /// k = 4/3 sqrt(r) / (compliance of the impactor + compliance of the target),
@@ -30,7 +30,7 @@ namespace PlateImpact
   class ContactBodies
   {
   public:
-    explicit ContactBodies(const Parameters &parameters);
+    ContactBodies(const Parameters &parameters, const PlateSection &section);
 
     /// E*, 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2. [Pa]
     double modulus;
@@ -54,12 +54,16 @@ namespace PlateImpact
     double
     radius(double force, double indentation) const;
 
-    /// Largest pressure of Hertz's contact, of a sphere or a cylinder that
-    /// stays elastic. [Pa]
+    /// Force over the area of the contact. [Pa]
     /// @param force        [N]
     /// @param indentation  under that force, above 0 [m]
     double
-    pressure(double force, double indentation) const;
+    mean_pressure(double force, double indentation) const;
+
+    /// Largest pressure of Hertz's contact, of a sphere 3/2 and of a cylinder 4
+    /// / pi of the mean; of one that stays elastic. [Pa]
+    double
+    elastic_pressure(double force, double indentation) const;
 
     /// Pressure from which on the weaker body yields, where there is one: its
     /// strength times yield_pressure_ratio(), under a cylinder times 1.67
@@ -67,8 +71,8 @@ namespace PlateImpact
     double
     first_yield_pressure() const;
 
-    /// The yield strength that both bodies need to stay elastic under a
-    /// pressure. [Pa]
+    /// The yield strength that those bodies need to stay elastic under a
+    /// pressure whose strength is not given. [Pa]
     double
     elastic_strength(double pressure) const;
 

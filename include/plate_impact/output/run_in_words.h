@@ -1,8 +1,7 @@
 #ifndef plate_impact_output_run_in_words_h
 #define plate_impact_output_run_in_words_h
 
-#include "plate_impact/analysis/cycle_result.h"
-#include "plate_impact/analysis/delamination.h"
+#include "plate_impact/base/parameters.h"
 
 #include <string>
 
@@ -16,12 +15,6 @@ namespace PlateImpact
   /// that fits. For scenes with an impactor.
   std::string
   local_response_in_words(const Parameters &parameters);
-
-  /// Whether a laminate delaminates, and by how much the peak force, with its
-  /// bar, stays below the threshold.
-  std::string
-  delamination_in_words(const Delamination &delamination,
-                        const CycleResult  &result);
 
   /// How the contact force is spread, and what that means for its limit.
   std::string

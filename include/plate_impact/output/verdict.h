@@ -35,11 +35,8 @@ namespace PlateImpact
 
     std::string text; ///< force, errors, and whether the target is met
 
-    std::string force;   ///< with its errors
-    std::string contact; ///< as Warnings::contact
-
-    /// What the model leaves of the force.
-    std::vector<ModelError> model_errors;
+    std::string force;    ///< with its errors
+    Warnings    warnings; ///< that it rests on
 
     /// Whether mesh and time step leave the force as it is: the bar.
     Part convergence;
@@ -47,7 +44,6 @@ namespace PlateImpact
     /// Whether the impact stays inside of the model; none where it passes a
     /// limit more than three times over.
     Part model;
-    bool assumes_elastic_contact = false;
 
     /// The worse of both.
     Trust

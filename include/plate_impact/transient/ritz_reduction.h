@@ -7,6 +7,7 @@
 #include "plate_impact/transient/ritz_basis.h"
 
 #include <map>
+#include <tuple>
 #include <utility>
 
 namespace PlateImpact
@@ -54,8 +55,9 @@ namespace PlateImpact
     FullSystem &full;
     const bool  needs_fields;
 
-    /// By the law's section and the impactor in round numbers.
-    std::map<std::pair<ContactParameters, ImpactorParameters>,
+    /// By the law's section, the impactor in round numbers and the plate's
+    /// yield strength.
+    std::map<std::tuple<ContactParameters, ImpactorParameters, double>,
              SemidiscreteSystem *>
       settled;
     /// By the half octave of the shift, and by the number of vectors.
