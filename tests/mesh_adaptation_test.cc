@@ -221,6 +221,23 @@ namespace PlateImpact
 
 
 
+    TEST(MeshAdaptation, RoundOffRanksNoCellThatMirrorsAnother)
+    {
+      const auto mesh       = unit_square(10);
+      auto       parameters = adaptivity(AdaptationStrategy::fixed_number);
+      parameters.refined_share_of_cells = 0.01;
+      // the first two of a hundred, which mirror each other
+      const auto estimate = errors(*mesh, [](const Point<2> &p) {
+        const double round_off = p[0] > p[1] ? 1e-12 : 0.;
+        return 1. / (0.01 + std::abs(p[0] + p[1] - 0.2)) *
+          (p[0] == p[1] ? 0.1 : 1. + round_off);
+      });
+      EXPECT_TRUE(adapt(parameters, *mesh, estimate));
+      EXPECT_EQ(mesh->n_active_cells(), 100u + 3u * 2u);
+    }
+
+
+
     TEST(MeshAdaptation, RanksLeaveOutCellsThatMayNotBeRefined)
     {
       for (const AdaptationStrategy strategy :

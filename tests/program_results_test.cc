@@ -63,9 +63,14 @@ namespace PlateImpact
     {
       ASSERT_EQ(run(main_scene, "--quiet --set 'Time/Time step=1e-6'"), 0);
       // one line for scripts
+      double     of_model = 0.;
+      const auto parts    = summary()["verdict"]["model"]["errors"];
+      for (const auto &part : parts)
+        of_model += part["relative"].get<double>();
       EXPECT_EQ(out,
                 "peak_force=" + last_cycle()["peak_force"].dump() +
                   " bar=" + last_cycle()["peak_force_error_bar"].dump() +
+                  " model_error=" + nlohmann::json(of_model).dump() +
                   " outcome=\"target reached\" trust=doubtful "
                   "convergence=good model=doubtful\n");
       EXPECT_EQ(summary()["verdict"]["trust"], "doubtful");

@@ -211,6 +211,33 @@ namespace PlateImpact
 
 
 
+    TEST_F(Sweep, StrengthsShareThePlate)
+    {
+      const std::string scene = SCENES "/steel-that-yields.prm",
+                        sets  = "--set 'Adaptivity/Maximum cycles=1' ";
+      ASSERT_EQ(sweep(scene,
+                      sets +
+                        "--set 'Sweep/Entry 1=Plate/Yield strength' --set "
+                        "'Sweep/Values 1=0, 2.5e8, 5e8'"),
+                0)
+        << err;
+      EXPECT_NE(out.find("1 plate model"), std::string::npos) << out;
+      const auto points = rows();
+      for (const std::size_t i : {0, 1, 2})
+        {
+          ASSERT_EQ(run(scene,
+                        sets + "--set 'Plate/Yield strength=" +
+                          points[i].at("Plate/Yield strength") + "'"),
+                    0)
+            << err;
+          expect_near(last_cycle()["peak_force"],
+                      std::stod(points[i].at("peak_force")),
+                      1e-9);
+        }
+    }
+
+
+
     TEST_F(Sweep, InvalidPointsHaveTheirReasonsInTheirRows)
     {
       const std::string scene =

@@ -37,6 +37,13 @@ namespace PlateImpact
                          "yield strength is above 2.05 GPa\n"),
                 std::string::npos)
         << out;
+      // nor where only the ball has one
+      ASSERT_EQ(run(main_scene, "--set 'Impactor/Yield strength=5e9'"), 0);
+      EXPECT_EQ(trust("model"), "doubtful");
+      EXPECT_NE(out.find("the yield strength of the plate is above 2.05 GPa"),
+                std::string::npos)
+        << out;
+      // without one of its own a ball does not yield
       ASSERT_EQ(run(main_scene, "--set 'Plate/Yield strength=2.2e9'"), 0)
         << err;
       EXPECT_EQ(trust("model"), "good");

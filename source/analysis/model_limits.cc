@@ -84,7 +84,9 @@ namespace PlateImpact
   double
   ModelLimits::drop_by(const double halvings) const
   {
-    const double give = halvings * std::log(2.) /
+    // under the force of this impact, in proportion
+    const double give = halvings * std::log(2.) * peak.force /
+      expected.peak.force /
       (2. * std::acos(-1.) * section.mean_shear_stiffness());
     const ZenerImpact softer(expected.contact.in_series(give),
                              expected.impactor,
