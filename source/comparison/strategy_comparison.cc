@@ -310,10 +310,11 @@ namespace PlateImpact
   StrategyComparison::show_mesh(ComparisonCurve &curve,
                                 const Cycle     &cycle) const
   {
+    // of the mesh that met the scene's target, or the last that is drawn
     const CycleResult &result  = cycle.result;
-    const bool         was_met = !curve.meshes.empty() &&
-      (&curve.meshes.back())[-1].eta <=
-        scene.parameters.adaptivity.target_error;
+    const std::size_t  n       = curve.meshes.size();
+    const bool         was_met = n > 1 &&
+      curve.meshes[n - 2].eta <= scene.parameters.adaptivity.target_error;
     if (was_met || result.cells > most_drawn_cells)
       return;
     curve.picture = mesh_on_page(cycle.mesh(),
