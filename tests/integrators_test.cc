@@ -284,5 +284,33 @@ namespace PlateImpact
         std::stod(err.substr(err.find(advice) + advice.size()));
       EXPECT_NEAR(step / (4e-7 * 1e-3 / error), 1., 0.2);
     }
+
+
+
+    TEST_F(Integrators, ErrorOfTheStepIsToldWhereThePeakSitsOnRipples)
+    {
+      // a heavy ball: waves cross the plate dozens of times before the peak
+      const auto result = [this](const std::string &step) {
+        EXPECT_EQ(run(main_scene,
+                      "--set Plate/Thickness=0.004 --set Impactor/Radius=0.02 "
+                      "--set Impactor/Mass=6.24 --set Impactor/Velocity=0.3 "
+                      "--set 'Time/End time=2.2e-3' --set Adaptivity/Strategy="
+                      "none --set 'Discretization/Initial cells=12, 12' --set "
+                      "'Time/Time step=" +
+                        step + "'"),
+                  0)
+          << err;
+        return last_cycle();
+      };
+      const double exact = result("2e-7")["peak_force"];
+      for (const std::string step : {"6.4e-6", "3.2e-6", "1.6e-6", "8e-7"})
+        {
+          const auto   coarse = result(step);
+          const double error =
+            std::abs(coarse["peak_force"].get<double>() / exact - 1.);
+          EXPECT_GT(coarse["time_error"].get<double>() / error, 0.8) << step;
+          EXPECT_LT(coarse["time_error"].get<double>() / error, 5.) << step;
+        }
+    }
   } // namespace
 } // namespace PlateImpact

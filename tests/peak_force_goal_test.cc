@@ -218,6 +218,31 @@ namespace PlateImpact
 
 
 
+    TEST_F(PeakForceGoal, ChoosesStepsForAPeakThatComesLate)
+    {
+      // 30 kg on a circular plate, the peak after dozens of crossings
+      const std::string heavy = goal +
+        "--set Plate/Outline=circle --set 'Plate/Side lengths=0.29, 0.29' "
+        "--set Plate/Thickness=0.0103 --set \"Plate/Young's modulus=7e10\" "
+        "--set \"Plate/Poisson's ratio=0.33\" --set Plate/Density=2700 --set "
+        "'Plate/Support=soft simply supported' --set Impactor/Radius=0.0208 "
+        "--set Impactor/Mass=30 --set Impactor/Velocity=0.14 --set 'Time/End "
+        "time=0' --set 'Time/Time step=0' --set 'Adaptivity/Target peak force "
+        "error=";
+      ASSERT_EQ(run(main_scene, heavy + "2e-3'"), 0) << err;
+      const auto fine = last_cycle();
+      ASSERT_EQ(run(main_scene, heavy + "2e-2'"), 0) << err;
+      const auto   last  = last_cycle();
+      const double error = std::abs(last["peak_force"].get<double>() /
+                                      fine["peak_force"].get<double>() -
+                                    1.);
+      EXPECT_LT(error,
+                last["peak_force_error_bar"].get<double>() +
+                  fine["peak_force_error_bar"].get<double>());
+    }
+
+
+
     TEST_F(PeakForceGoal, VerifiesOnTheMeshRefinedOnce)
     {
       ASSERT_EQ(run(main_scene, goal + "--set Adaptivity/Verify=true"), 0)

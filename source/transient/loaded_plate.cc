@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 namespace PlateImpact
@@ -17,8 +18,50 @@ namespace PlateImpact
     /// their square.
     constexpr double most_steps_to_peak = 20000.;
 
+    /// The neighbourhood of a peak, on both sides of it, over its time.
+    constexpr double neighbourhood = 0.1;
+
     /// Of the force by Ritz vectors that serve its error alone.
     constexpr double tolerance_of_estimate = 1e-2;
+
+
+
+    /// Whether the force falls on the way to its peak: other humps lead there.
+    bool
+    peak_is_on_ripples(const ContactHistory &history)
+    {
+      const auto  &states = history.states();
+      const double peak   = history.peak().time;
+      for (std::size_t n = 1; n < states.size() && states[n].time <= peak; ++n)
+        if (states[n].force < states[n - 1].force)
+          return true;
+      return false;
+    }
+
+
+
+    /// Root of the mean square of what the doubled step changes of the force in
+    /// the neighbourhood of the peak. [N]
+    double
+    change_around_peak(const ContactHistory &history,
+                       const ContactHistory &doubled)
+    {
+      const double  peak     = history.peak().time;
+      double        squares  = 0.;
+      std::uint64_t n_states = 0;
+      for (std::size_t n = 1;
+           n < doubled.states().size() && 2 * n < history.states().size();
+           ++n)
+        {
+          const ContactState &state = history.states()[2 * n];
+          if (std::abs(state.time - peak) > neighbourhood * peak)
+            continue;
+          const double change = doubled.states()[n].force - state.force;
+          squares += change * change;
+          ++n_states;
+        }
+      return n_states > 0 ? std::sqrt(squares / n_states) : 0.;
+    }
 
 
 
@@ -99,7 +142,10 @@ namespace PlateImpact
     TimeStepper           stepper = steps(coarse, system);
     const ContactHistory &doubled = stepper.impact().history;
     // three states make a peak
-    const double past_peak = history.peak().time + 1.5 * coarse.time_step;
+    const bool   is_on_ripples = peak_is_on_ripples(history);
+    const double past_peak =
+      std::max(history.peak().time + 1.5 * coarse.time_step,
+               is_on_ripples ? (1. + neighbourhood) * history.peak().time : 0.);
     while (doubled.states().size() <= stepper.n_steps() &&
            stepper.state().time < past_peak)
       stepper.advance();
@@ -109,6 +155,9 @@ namespace PlateImpact
       // a force that grows to the end is compared where both have a state
       change = doubled.states()[last / 2].force -
         history.states()[last - last % 2].force;
+    // such a peak may change little by accident where the ripples change much
+    if (is_on_ripples)
+      change = std::max(std::abs(change), change_around_peak(history, doubled));
     const double by_step = std::abs(change) / (std::exp2(scheme.order()) - 1.),
                  missed  = peak - history.peak().force;
     return (by_step + missed) / peak;
