@@ -76,6 +76,12 @@ namespace PlateImpact
                    uncertainty = json["reference"]["uncertainty"];
       expect_near(reference, elastic_peak, 2e-3);
       EXPECT_LT(uncertainty, 1e-3);
+      // the step is coarse, and its error no part of that of the mesh
+      const double of_the_step = json["reference"]["time_step_error"];
+      EXPECT_GT(of_the_step, 10. * uncertainty);
+      EXPECT_NE(out.find("Time step   the same on all meshes, leaves "),
+                std::string::npos)
+        << out;
 
       const auto table = rows();
       ASSERT_EQ(table.size(), 3u * 2u * 3u);

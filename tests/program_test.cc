@@ -179,5 +179,20 @@ namespace PlateImpact
         << err;
       EXPECT_NE(err.find("contact pressure"), std::string::npos) << err;
     }
+
+
+
+    TEST_F(Program, WarnsOfAWideDiscUnderAHeavyBall)
+    {
+      // whose force hardly knows of the contact, by Zener's equation
+      const std::string heavy = half_space +
+        "--set Impactor/Mass=50 --set Impactor/Velocity=0.2 --set "
+        "Plate/Thickness=0.005 --set Adaptivity/Strategy=none --set "
+        "'Output/Write report=false' --set 'Contact/Patch radius=";
+      ASSERT_EQ(run(main_scene, heavy + "0.05'"), 0) << err;
+      EXPECT_NE(err.find("it blurs the waves"), std::string::npos) << err;
+      ASSERT_EQ(run(main_scene, heavy + "0.005'"), 0) << err;
+      EXPECT_EQ(err.find("it blurs the waves"), std::string::npos) << err;
+    }
   } // namespace
 } // namespace PlateImpact

@@ -1,8 +1,8 @@
 """Holds the error bars of peak forces against forces known far better.
 
-    doc/make/error_bars.py PROGRAM [--scenes FIRST:LAST] [--output FILE]
+    doc/make/error_bars.py PROGRAM [--scenes CLASS FIRST LAST] [--output FILE]
 
-Every scene, which its number determines, is run to several targets; every mesh on the way
+Every scene, which its class and number determine, is run to several targets; every mesh on the way
 gives a bar. The true force is that of a run with the goal `peak force` to a far smaller
 target, confirmed on its mesh with every cell halved. Bars count that are at least 30 times
 the bar of the true force, and at most 10 %.
@@ -27,7 +27,6 @@ PLIES = {"carbon": (141.2e9, 9.72e9, 0.30, 5.53e9, 3.74e9, 1536),
          "glass": (38.6e9, 8.27e9, 0.26, 4.14e9, 3.0e9, 1900),
          "aramid": (76e9, 5.5e9, 0.34, 2.3e9, 1.8e9, 1380)}
 LAYUPS = ["0/90/0/90s", "0/45/-45/90s", "45/-45/-45/45", "0/90_2/0", "0", "30/-30s"]
-FIRST_LAMINATE = 200
 TRUE_TARGETS = ["3e-6", "3e-5"]
 SECONDS = 60
 SMALLER = 30.0
@@ -43,8 +42,7 @@ def contact_time(plate, ball, radius, mass, velocity, length):
 
 
 def random_scene(number):
-    """Entries by path: from thin to thick, soft to hard, short to long; laminates from
-    FIRST_LAMINATE on."""
+    """Entries by path: from thin to thick, soft to hard, short to long."""
     choose = random.Random(number)
 
     def between(low, high):
@@ -93,15 +91,28 @@ def random_scene(number):
         if choose.random() < 0.2:
             entries["Contact/Local response"] = "half-space"
             entries["Contact/Law"] = choose.choice(["Sun", "Hertz"])
-    if number >= FIRST_LAMINATE:
-        E1, E2, nu12, G12, G23, density = PLIES[choose.choice(sorted(PLIES))]
-        for name in ("Young's modulus", "Poisson's ratio"):
-            del entries[f"Plate/{name}"]
+    return entries
+
+
+def laminate_scene(number):
+    """The same of lay-ups, half of them with the memory of Yang & Sun."""
+    entries = random_scene(number)
+    choose = random.Random(-1 - number)
+    E1, E2, nu12, G12, G23, density = PLIES[choose.choice(sorted(PLIES))]
+    for name in ("Young's modulus", "Poisson's ratio"):
+        del entries[f"Plate/{name}"]
+    entries.update({
+        "Plate/Layup": choose.choice(LAYUPS), "Plate/Density": density,
+        "Ply/Longitudinal modulus": E1, "Ply/Transverse modulus": E2,
+        "Ply/Poisson's ratio": nu12, "Ply/In-plane shear modulus": G12,
+        "Ply/Longitudinal shear modulus": G12, "Ply/Transverse shear modulus": G23,
+        "Contact/Finite ball": "true"})
+    if "Impactor/Length" in entries:
+        entries["Contact/Finite ball"] = "false"
+    elif choose.random() < 0.5:
         entries.update({
-            "Plate/Layup": choose.choice(LAYUPS), "Plate/Density": density,
-            "Ply/Longitudinal modulus": E1, "Ply/Transverse modulus": E2,
-            "Ply/Poisson's ratio": nu12, "Ply/In-plane shear modulus": G12,
-            "Ply/Longitudinal shear modulus": G12, "Ply/Transverse shear modulus": G23})
+            "Contact/Unloading": "Yang-Sun", "Contact/Critical indentation":
+            f"{float(entries['Plate/Thickness']) * 10**choose.uniform(-3, -1.5):.4g}"})
     return entries
 
 

@@ -91,7 +91,7 @@ namespace PlateImpact
       if (last.force > 0.)
         return {"the contact has not ended at " +
                 (time.end_is_chosen ?
-                   about(last.time, "s") + ", where nobody waits any longer" :
+                   about(last.time, "s") + ", the latest time that is looked at" :
                    end)};
       if (last.impactor_velocity > 0.)
         return {"the impactor still moves towards the plate at " + end +

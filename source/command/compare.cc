@@ -56,13 +56,20 @@ namespace PlateImpact
     std::string
     text_of(const Reference &reference)
     {
-      return "Reference   " + number(reference.peak_force) + " N" +
-        (reference.history ?
-           ", uncertain by " + about_percentage(reference.uncertainty) + ": " +
-             std::to_string(reference.cells) +
-             " cells, eta = " + about_percentage(*reference.eta) + ", " +
-             wall_time(reference.seconds) :
-           ", given") +
+      std::string text = "Reference   " + number(reference.peak_force) + " N";
+      if (!reference.history)
+        text += ", given";
+      else
+        text += fmt::format(" +- {} for its mesh: {} cells, eta = {}, {}",
+                            about_percentage(reference.uncertainty),
+                            reference.cells,
+                            about_percentage(*reference.eta),
+                            wall_time(reference.seconds));
+      if (reference.time_step_error)
+        text += fmt::format("\nTime step   the same on all meshes, leaves {} "
+                            "of the peak force",
+                            about_percentage(*reference.time_step_error));
+      return text +
         "\n\ncycle  cells unknowns  eta % peak force N  error %  +- % seconds\n";
     }
 

@@ -47,6 +47,7 @@ namespace PlateImpact
       if (!reference.history)
         return json;
       json["uncertainty"] = reference.uncertainty;
+      add(json, "time_step_error", reference.time_step_error);
       add(json, "first_contact_end", reference.contact_end);
       json["cells"]                = reference.cells;
       json["degrees_of_freedom"]   = reference.degrees_of_freedom;

@@ -215,6 +215,7 @@ namespace PlateImpact
       std::max(std::abs(coarse_peak / the_reference.peak_force - 1.),
                fine.work.ritz_vectors > 0 ? parameters.time.ritz_tolerance :
                                             0.);
+    the_reference.time_step_error    = fine.time_error;
     the_reference.contact_end        = fine.history->first_contact_end();
     the_reference.eta                = fine.error->eta;
     the_reference.history            = fine.history;

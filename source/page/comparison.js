@@ -19,7 +19,9 @@ function showOutcome({ warnings, reference, thresholds }) {
   const first = thresholds.filter((row) => !isOfEta(row) && row.reached.length > 0 && [0.01, 0.001].includes(row.threshold));
   section('Outcome', warnings.map((warning) => notice(`Warning: ${warning}`)), facts([
     ['Reference peak force', prefixed('N', [reference.peak_force]).text(reference.peak_force, 6), reference.origin === 'given' ? 'given by the scene' :
-      `uncertain by ${percentage(reference.uncertainty, 3)}: ${reference.cells} cells, η = ${percentage(reference.discretization_error, 3)}`],
+      `uncertain by ${percentage(reference.uncertainty, 3)} for its mesh: ${reference.cells} cells, η = ${percentage(reference.discretization_error, 3)}`],
+    ...(reference.time_step_error === undefined ? [] : [['Time step', percentage(reference.time_step_error, 3),
+      'of the peak force, left by the step, which all meshes share']]),
     ...first.map(({ threshold, reached }) => [`First at ${percentage(threshold, 3)}`,
       reached.filter((one) => one.as_fast_as_the_first).map(nameOf).join(' and '),
       `${wallTime(reached[0].cumulative_seconds)}, ${reached[0].cells} cells`])]));

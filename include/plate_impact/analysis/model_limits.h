@@ -76,6 +76,8 @@ namespace PlateImpact
     void
     check_disc();
     void
+    check_patch();
+    void
     check_plate();
     void
     check_contact();

@@ -22,9 +22,13 @@ namespace PlateImpact
     double peak_force = 0.; ///< [N]
 
     /// Of the peak force, a fraction: its change by halving every cell once
-    /// more, which bounds the error that is left, and no less than the
+    /// more, which bounds the error that the mesh leaves, and no less than the
     /// tolerance of Ritz vectors. 0 where the scene gives the peak force.
     double uncertainty = 0.;
+
+    /// Of the peak force, a fraction: what the time step leaves, which all
+    /// meshes share. None where it was not estimated.
+    std::optional<double> time_step_error;
 
     std::optional<double> contact_end; ///< of the first contact [s]
 
