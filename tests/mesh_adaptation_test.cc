@@ -15,7 +15,7 @@ namespace PlateImpact
     adaptivity(const AdaptationStrategy strategy,
                const double             minimum_size = 1e-6)
     {
-      AdaptivityParameters parameters;
+      AdaptivityParameters parameters{};
       parameters.strategy                 = strategy;
       parameters.size_exponent            = 0.5;
       parameters.minimum_cell_size        = minimum_size;

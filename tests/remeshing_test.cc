@@ -182,7 +182,7 @@ namespace PlateImpact
     AdaptivityParameters
     adaptivity()
     {
-      AdaptivityParameters parameters;
+      AdaptivityParameters parameters{};
       parameters.strategy          = AdaptationStrategy::remeshing;
       parameters.target_error      = 0.05;
       parameters.size_exponent     = 0.5;

@@ -84,7 +84,7 @@ namespace PlateImpact
   void
   remesh(Triangulation<2> &mesh, const double fine, const double growth)
   {
-    AdaptivityParameters adaptivity;
+    AdaptivityParameters adaptivity{};
     adaptivity.strategy          = AdaptationStrategy::remeshing;
     adaptivity.target_error      = 0.05;
     adaptivity.size_exponent     = 1.;

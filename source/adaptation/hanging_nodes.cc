@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace PlateImpact
 {
@@ -43,7 +44,7 @@ namespace PlateImpact
       const double coarsening = std::min(0., levels(margin * h / target_size));
       const double most =
         std::max(0.,
-                 std::floor(std::log2(h / adaptivity.minimum_cell_size) +
+                 std::floor(std::log2(h / minimum_cell_size(cell, adaptivity)) +
                             rounding));
       const double least = levels(h / adaptivity.maximum_cell_size);
       const double change =
@@ -55,13 +56,27 @@ namespace PlateImpact
 
 
     /// The wanted level, kept in the user index of the cell or of the ancestor
-    /// that it was refined from.
+    /// that it was refined from; away from a singular point that the ancestor
+    /// touches cells may be larger.
     int
-    inherited_level(Triangulation<2>::cell_iterator cell)
+    inherited_level(const Triangulation<2>::cell_iterator &cell,
+                    const AdaptivityParameters            &adaptivity)
     {
-      while (cell->user_index() == 0 && cell->level() > 0)
-        cell = cell->parent();
-      return static_cast<int>(cell->user_index()) - 1;
+      auto ancestor = cell;
+      while (ancestor->user_index() == 0 && ancestor->level() > 0)
+        ancestor = ancestor->parent();
+      const int wanted = static_cast<int>(ancestor->user_index()) - 1;
+      if (ancestor == cell || wanted <= cell->level())
+        return wanted;
+      const double size =
+        cell_size(ancestor) * std::exp2(ancestor->level() - wanted);
+      double here = std::numeric_limits<double>::infinity();
+      for (const unsigned int v : cell->vertex_indices())
+        here =
+          std::min(here, size_at(cell->vertex(v), size, ancestor, adaptivity));
+      const int larger =
+        static_cast<int>(std::floor(std::log2(here / size) + rounding));
+      return std::max(wanted - larger, cell->level());
     }
 
 
@@ -78,11 +93,11 @@ namespace PlateImpact
     /// its cells are too fine, to the finest of their levels.
     /// @return whether there are any
     bool
-    flag(Triangulation<2> &mesh)
+    flag(Triangulation<2> &mesh, const AdaptivityParameters &adaptivity)
     {
       for (const auto &cell : mesh.active_cell_iterators())
         {
-          const int wanted = inherited_level(cell);
+          const int wanted = inherited_level(cell, adaptivity);
           set_level(cell, wanted);
           if (wanted > cell->level())
             cell->set_refine_flag();
@@ -99,7 +114,7 @@ namespace PlateImpact
               const auto parent = cell->parent();
               int        wanted = 0;
               for (const auto &child : parent->child_iterators())
-                wanted = std::max(wanted, inherited_level(child));
+                wanted = std::max(wanted, inherited_level(child, adaptivity));
               set_level(parent, wanted);
             }
         }
@@ -129,7 +144,7 @@ namespace PlateImpact
     // flagged to be coarsened again; prepare_coarsening_and_refinement() takes
     // such flags back, which ends the loop. The bound is for meshes where it
     // does not.
-    for (unsigned int pass = 0; pass < 64 && flag(mesh); ++pass)
+    for (unsigned int pass = 0; pass < 64 && flag(mesh, adaptivity); ++pass)
       mesh.execute_coarsening_and_refinement();
     return sorted_cells(mesh) != before;
   }

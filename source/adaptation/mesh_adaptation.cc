@@ -1,5 +1,6 @@
 #include "plate_impact/adaptation/mesh_adaptation.h"
 
+#include <deal.II/base/numbers.h>
 #include <deal.II/grid/grid_refinement.h>
 #include <deal.II/lac/vector.h>
 
@@ -14,6 +15,30 @@ namespace PlateImpact
 {
   using namespace dealii;
 
+  namespace
+  {
+    /// Of a singularity; h_new / h is no better known than its fourth power.
+    constexpr double least_strength = 0.25;
+
+    /// Cells that touch a singular point may be smaller than the minimum size
+    /// by this, which the program has chosen for the load.
+    constexpr double share_at_singular_points = 1e-6;
+
+
+
+    /// q in h(r) ~ r^q, by which cells around a singular point have equal
+    /// errors: that of a cell at a distance r is as h^{p+1} r^{lambda-1-p}.
+    double
+    grading(const double strength)
+    {
+      const unsigned int p = 2;
+      return std::min(1.,
+                      (p + 1. - std::max(strength, least_strength)) / (p + 1.));
+    }
+  } // namespace
+
+
+
   std::vector<double>
   target_sizes(const Triangulation<2>     &mesh,
                const ErrorRatios          &error,
@@ -25,19 +50,79 @@ namespace PlateImpact
         const unsigned int c = cell->active_cell_index();
         // infinite without an error
         sizes[c] = cell_size(cell) /
-          std::pow(error.elements[c], adaptivity.size_exponent);
+          std::pow(error.elements[c], size_exponent(cell, adaptivity));
       }
     return sizes;
   }
 
 
 
+  const SingularPoint *
+  singular_point_of(const Triangulation<2>::cell_iterator &cell,
+                    const AdaptivityParameters            &adaptivity)
+  {
+    const SingularPoint *strongest = nullptr;
+    for (const SingularPoint &point : adaptivity.singular_points.points)
+      if ((strongest == nullptr || point.strength < strongest->strength) &&
+          touches_point(cell, point.position))
+        strongest = &point;
+    return strongest;
+  }
+
+
+
   double
-  allowed_size(const double size, const AdaptivityParameters &adaptivity)
+  size_exponent(const Triangulation<2>::cell_iterator &cell,
+                const AdaptivityParameters            &adaptivity)
+  {
+    const SingularPoint *point = singular_point_of(cell, adaptivity);
+    return point == nullptr ?
+      adaptivity.size_exponent :
+      std::max(adaptivity.size_exponent,
+               1. / std::max(point->strength, least_strength));
+  }
+
+
+
+  double
+  size_at(const Point<2>                        &position,
+          const double                           size,
+          const Triangulation<2>::cell_iterator &cell,
+          const AdaptivityParameters            &adaptivity)
+  {
+    const SingularPoint *point = singular_point_of(cell, adaptivity);
+    if (point == nullptr)
+      return size;
+    const double distance =
+      position.distance({point->position[0], point->position[1]});
+    return size *
+      std::pow(std::max(1., distance / size), grading(point->strength));
+  }
+
+
+
+  double
+  minimum_cell_size(const Triangulation<2>::cell_iterator &cell,
+                    const AdaptivityParameters            &adaptivity)
+  {
+    const SingularPoint *point = adaptivity.minimum_cell_size_is_chosen ?
+      singular_point_of(cell, adaptivity) :
+      nullptr;
+    return adaptivity.minimum_cell_size *
+      (point != nullptr && point->strength > 0. ? share_at_singular_points :
+                                                  1.);
+  }
+
+
+
+  double
+  allowed_size(const double                           size,
+               const Triangulation<2>::cell_iterator &cell,
+               const AdaptivityParameters            &adaptivity)
   {
     const double largest = adaptivity.maximum_cell_size;
     return std::clamp(size,
-                      std::min(adaptivity.minimum_cell_size, largest),
+                      std::min(minimum_cell_size(cell, adaptivity), largest),
                       largest);
   }
 
@@ -50,10 +135,20 @@ namespace PlateImpact
   {
     double n_cells = 0.;
     for (const auto &cell : mesh.active_cell_iterators())
-      n_cells +=
-        std::pow(cell_size(cell) /
-                   allowed_size(sizes[cell->active_cell_index()], adaptivity),
-                 2);
+      {
+        const double ratio = cell_size(cell) /
+          allowed_size(sizes[cell->active_cell_index()], cell, adaptivity);
+        const SingularPoint *point = singular_point_of(cell, adaptivity);
+        if (point == nullptr || ratio <= 1.)
+          n_cells += ratio * ratio;
+        else
+          {
+            // int dA / h(r)^2 over a quarter of a circle
+            const double exponent = 2. - 2. * grading(point->strength);
+            n_cells += 1. +
+              0.5 * numbers::PI * (std::pow(ratio, exponent) - 1.) / exponent;
+          }
+      }
     return n_cells;
   }
 
@@ -63,7 +158,8 @@ namespace PlateImpact
   is_smallest(const Triangulation<2>::cell_iterator &cell,
               const AdaptivityParameters            &adaptivity)
   {
-    return 0.5 * cell_size(cell) < adaptivity.minimum_cell_size * (1. - 1e-9);
+    return 0.5 * cell_size(cell) <
+      minimum_cell_size(cell, adaptivity) * (1. - 1e-9);
   }
 
 
@@ -209,6 +305,32 @@ namespace PlateImpact
 
 
 
+    /// automatic, none, or three numbers for each point.
+    Allowed<SingularPoints>
+    points_and_strengths()
+    {
+      return {"automatic | none | x, y, lambda of a point, with lambda from "
+              "0.25 to 4; further points after a semicolon",
+              [](const std::string &text, SingularPoints &singular) {
+                singular.are_found_automatically = text == "automatic";
+                singular.points.clear();
+                if (text == "automatic" || text == "none")
+                  return true;
+                for (const std::string &item : split_list(text, ';'))
+                  {
+                    std::vector<double> numbers;
+                    if (!list(any_number(), 3, 3).read(item, numbers) ||
+                        numbers[2] < 0.25 || numbers[2] > 4.)
+                      return false;
+                    singular.points.push_back(
+                      {{{numbers[0], numbers[1]}}, numbers[2]});
+                  }
+                return true;
+              }};
+    }
+
+
+
     /// All but none; those that follow the error of the peak force as well.
     std::vector<Word<ComparedStrategy>>
     compared_strategies()
@@ -307,6 +429,24 @@ namespace PlateImpact
     entry("Size exponent", "0.5", number_up_to(0, 4), size_exponent)
       .means("phi in h_new = h_old / xi'^phi: 1/p, or 1/lambda near a "
              "singularity of strength lambda. [-]");
+    entry("Singular points",
+          "automatic",
+          points_and_strengths(),
+          singular_points)
+      .means("Where phi is 1/lambda, for the cells that touch the point: x and "
+             "y from the centre of the plate and lambda of each, or automatic: "
+             "re-entrant corners and changes of support, whose lambda follows "
+             "from angle and supports, the ends of a line load and a point "
+             "load. [m, m, -]");
+    entry("Cells at singularities",
+          "left out",
+          one_of<SingularCells>(),
+          cells_at_singularities)
+      .means("Of eta, n and the limit xi' < 1 of the goal energy norm. left "
+             "out: eta and n leave out the cells at a point load, and the "
+             "target is reached with xi' above 1 in cells at the Minimum cell "
+             "size. counted, as the paper has it: all cells count, and xi' of "
+             "every cell must be below 1.");
     entry("Minimum cell size", "0", number_from(0), minimum_cell_size)
       .means("Of a cell's longer side; 0: a quarter of the patch radius, or of "
              "the thickness under a point or line load. [m]");

@@ -49,8 +49,9 @@ namespace PlateImpact
     /// Sizes at the vertices: the smallest that their cells need, nowhere
     /// growing faster than the gradation.
     std::vector<double>
-    sizes_at_vertices(const Triangulation<2>    &mesh,
-                      const std::vector<double> &cell_sizes)
+    sizes_at_vertices(const Triangulation<2>     &mesh,
+                      const std::vector<double>  &cell_sizes,
+                      const AdaptivityParameters &adaptivity)
     {
       std::vector<double> sizes(mesh.n_vertices(),
                                 std::numeric_limits<double>::infinity());
@@ -59,7 +60,11 @@ namespace PlateImpact
       for (unsigned int vertex = 0; vertex < cells.size(); ++vertex)
         for (const auto &cell : cells[vertex])
           sizes[vertex] =
-            std::min(sizes[vertex], cell_sizes[cell->active_cell_index()]);
+            std::min(sizes[vertex],
+                     size_at(mesh.get_vertices()[vertex],
+                             cell_sizes[cell->active_cell_index()],
+                             cell,
+                             adaptivity));
 
       for (bool is_changed = true; is_changed;)
         {
@@ -84,11 +89,13 @@ namespace PlateImpact
 
 
     SizeField
-    size_field(const Triangulation<2>    &mesh,
-               const std::vector<double> &cell_sizes)
+    size_field(const Triangulation<2>     &mesh,
+               const std::vector<double>  &cell_sizes,
+               const AdaptivityParameters &adaptivity)
     {
-      const std::vector<double> sizes = sizes_at_vertices(mesh, cell_sizes);
-      SizeField                 field;
+      const std::vector<double> sizes =
+        sizes_at_vertices(mesh, cell_sizes, adaptivity);
+      SizeField field;
       for (const auto &cell : mesh.active_cell_iterators())
         {
           field.patches.emplace_back();
@@ -213,9 +220,9 @@ namespace PlateImpact
         const double present = cell_size(cell);
         size                 = size < present ?
                           std::max(refinement_margin * size,
-                   std::min(adaptivity.minimum_cell_size, present)) :
+                   std::min(minimum_cell_size(cell, adaptivity), present)) :
                           std::max(size / growth_margin, present);
-        size                 = allowed_size(rounded_size(size), adaptivity);
+        size = allowed_size(rounded_size(size), cell, adaptivity);
       }
     return sizes;
   }
@@ -240,7 +247,10 @@ namespace PlateImpact
     const auto [corners, inside] =
       required_vertices(sides, contact_half_length);
     rebuild(mesh,
-            mesh_by_gmsh(corners, inside, size_field(mesh, sizes), warnings),
+            mesh_by_gmsh(corners,
+                         inside,
+                         size_field(mesh, sizes, adaptivity),
+                         warnings),
             sides);
     return true;
   }

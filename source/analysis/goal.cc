@@ -34,8 +34,11 @@ namespace PlateImpact
       std::optional<Outcome>
       outcome(const CycleResult &result) const override
       {
-        if (is_met(result) &&
-            result.cells_above_limit == result.cells_at_minimum_size)
+        const unsigned int n_exempt =
+          adaptivity.cells_at_singularities == SingularCells::left_out ?
+          result.cells_at_minimum_size :
+          0;
+        if (is_met(result) && result.cells_above_limit == n_exempt)
           return Outcome::target_reached;
         return {};
       }

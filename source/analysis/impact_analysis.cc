@@ -5,6 +5,7 @@
 #include "plate_impact/contact/make_contact.h"
 #include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
+#include "plate_impact/plate/singular_points.h"
 #include "plate_impact/transient/newmark_scheme.h"
 
 #include <algorithm>
@@ -22,7 +23,8 @@ namespace PlateImpact
     : parameters(parameters)
     , wanted(wanted.value_or(wanted_by(parameters)))
     , adaptation(parameters.adaptivity,
-                 parameters.impactor.contact_half_length())
+                 parameters.impactor.contact_half_length(),
+                 singular_points(parameters))
     , expected(parameters.has_impactor() ?
                  std::make_optional(make_zener_impact(parameters)) :
                  std::nullopt)

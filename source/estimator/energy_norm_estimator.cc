@@ -27,16 +27,19 @@ namespace PlateImpact
     const PlateDiscretization       &discretization,
     const StressRecovery            &recovery,
     const std::vector<unsigned int> &singular_cells,
+    const bool                       singular_cells_count,
     const unsigned int               kept_interval)
     : discretization(discretization)
     , recovery(recovery)
     , kept_interval(kept_interval)
-    , is_counted(Eigen::VectorXd::Ones(discretization.mesh().n_active_cells()))
+    , is_regular(Eigen::VectorXd::Ones(discretization.mesh().n_active_cells()))
     , norms(Norms::Zero())
-    , relative(Eigen::VectorXd::Zero(is_counted.size()))
+    , relative(Eigen::VectorXd::Zero(is_regular.size()))
   {
     for (const unsigned int cell : singular_cells)
-      is_counted[cell] = 0.;
+      is_regular[cell] = 0.;
+    samples.n_singular_cells     = singular_cells.size();
+    samples.singular_cells_count = singular_cells_count;
   }
 
 
@@ -75,9 +78,9 @@ namespace PlateImpact
     EnergyRoots             roots(discretization, recovery, fields);
     Eigen::MatrixXd         e2(mesh.n_active_cells(), times.size());
     // energies of pairs of fields
-    Eigen::MatrixXd counted_u2 =
+    Eigen::MatrixXd regular_u2 =
       Eigen::MatrixXd::Zero(fields.cols(), fields.cols());
-    Eigen::MatrixXd   u2 = counted_u2;
+    Eigen::MatrixXd   u2 = regular_u2;
     std::vector<bool> vertex_is_done(mesh.n_vertices());
     for (const auto &cell : mesh.active_cell_iterators())
       {
@@ -85,13 +88,13 @@ namespace PlateImpact
         roots.evaluate(cell);
         e2.row(c) =
           (by_resultant(roots.errors) * coordinates).colwise().squaredNorm();
-        (is_counted[c] == 0. ? u2 : counted_u2)
+        (is_regular[c] == 0. ? u2 : regular_u2)
           .selfadjointView<Eigen::Upper>()
           .rankUpdate(by_resultant(roots.resultants).transpose());
         update_max_stress(cell, roots.recovered, coordinates, vertex_is_done);
         roots.recovered.finish(cell);
       }
-    u2 += counted_u2;
+    u2 += regular_u2;
 
     for (std::size_t n = 0; n < times.size(); ++n)
       {
@@ -99,7 +102,7 @@ namespace PlateImpact
           const Eigen::VectorXd state = coordinates.col(n);
           return state.dot(energies.selfadjointView<Eigen::Upper>() * state);
         };
-        integrate(times[n], e2.col(n), energy(counted_u2), energy(u2));
+        integrate(times[n], e2.col(n), energy(regular_u2), energy(u2));
       }
   }
 
@@ -108,18 +111,19 @@ namespace PlateImpact
   void
   EnergyNormEstimator::integrate(const double           time,
                                  const Eigen::VectorXd &e2,
-                                 const double           counted_u2,
+                                 const double           regular_u2,
                                  const double           u2)
   {
-    const double counted_e2 = is_counted.dot(e2);
+    const double regular_e2 = is_regular.dot(e2);
     const Norms  now =
-      Norms(counted_e2, counted_e2 + counted_u2, e2.sum(), e2.sum() + u2)
+      Norms(regular_e2, regular_e2 + regular_u2, e2.sum(), e2.sum() + u2)
         .cwiseSqrt();
-    const double scale = now[1] > 0. ? 1. / now[1] : 0.;
+    const unsigned int first = first_norm();
+    const double       scale = now[first + 1] > 0. ? 1. / now[first + 1] : 0.;
     norms.add(time, now);
     relative.add(time, scale * e2.cwiseSqrt());
     samples.sample_times.push_back(time);
-    samples.sample_errors.push_back(scale * now[0]);
+    samples.sample_errors.push_back(scale * now[first]);
     if (kept_interval > 0 && samples.sample_times.size() % kept_interval == 0)
       samples.kept_element_errors.push_back(relative.last.cast<float>());
   }
@@ -166,12 +170,14 @@ namespace PlateImpact
   EnergyNormEstimator::estimate() const
   {
     ErrorEstimate result = samples;
-    if (norms.integral[1] > 0.)
-      {
-        result.eta              = norms.integral[0] / norms.integral[1];
-        result.eta_of_all_cells = norms.integral[2] / norms.integral[3];
-      }
-    result.n_singular_cells = std::lround(is_counted.size() - is_counted.sum());
+    const auto    eta    = [this](const unsigned int first) {
+      return norms.integral[first + 1] > 0. ?
+              norms.integral[first] / norms.integral[first + 1] :
+              0.;
+    };
+    result.eta                  = eta(first_norm());
+    result.eta_of_regular_cells = eta(0);
+    result.eta_of_all_cells     = eta(2);
     for (const double integral : relative.integral)
       result.element_errors.push_back(
         relative.time > 0. ? integral / relative.time : 0.);

@@ -10,8 +10,9 @@ namespace PlateImpact
   ErrorEstimate::ratios(const double target_error) const
   {
     // without cells that count the limit is that of one
-    const std::size_t n_counted = element_errors.size() - n_singular_cells;
-    ErrorRatios       result;
+    const std::size_t n_counted =
+      element_errors.size() - (singular_cells_count ? 0 : n_singular_cells);
+    ErrorRatios result;
     result.overall = eta / target_error;
     result.element_limit =
       target_error / std::sqrt(std::max<double>(1., n_counted));

@@ -83,6 +83,7 @@ namespace PlateImpact
       discretization,
       recovery,
       singular_cells(parameters, discretization.mesh()),
+      parameters.adaptivity.cells_at_singularities == SingularCells::counted,
       kept_interval);
     return row_of(parameters.adaptivity.indicator, indicators)
       .make(discretization, std::move(by_recovery));
@@ -93,6 +94,13 @@ namespace PlateImpact
   template <>
   const std::vector<Word<ErrorIndicator>>
     Choices<ErrorIndicator>::words = words_of(indicators);
+
+
+
+  template <>
+  const std::vector<Word<SingularCells>> Choices<SingularCells>::words = {
+    {SingularCells::left_out, "left out"},
+    {SingularCells::counted, "counted"}};
 
 
 

@@ -34,7 +34,7 @@ namespace PlateImpact
           const unsigned int c = cell->active_cell_index();
           out << c << ',' << cell->center()[0] << ',' << cell->center()[1]
               << ',' << cell_size(cell) << ',' << error.elements[c] << ','
-              << allowed_size(sizes[c], adaptivity) << '\n';
+              << allowed_size(sizes[c], cell, adaptivity) << '\n';
         }
     }
 

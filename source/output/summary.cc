@@ -104,6 +104,8 @@ namespace PlateImpact
             cycle["singular_cells"] = result.error->n_singular_cells;
             cycle["discretization_error_of_all_cells"] =
               result.error->eta_of_all_cells;
+            cycle["discretization_error_of_regular_cells"] =
+              result.error->eta_of_regular_cells;
           }
         cycle["max_element_error"]     = result.error_ratios->max_element();
         cycle["cells_above_limit"]     = result.cells_above_limit;

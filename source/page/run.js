@@ -50,8 +50,8 @@ function evidenceOfRun({ summary, words, safety }) {
   if (last.discretization_error !== undefined)
     rows.push(['Mesh: estimated error', `η = ${percentage(last.discretization_error)} in the energy norm, target ` +
       `${percentage(Number(summary.inputs['Adaptivity/Target error']))}; what that means for the peak force is the next row.` +
-      (last.singular_cells ? ` Without ${last.singular_cells} cells at the point load; with them ` +
-        `${percentage(last.discretization_error_of_all_cells)}.` : '')]);
+      (last.singular_cells ? ` ${last.singular_cells} cells are at the point load: ${percentage(last.discretization_error_of_all_cells)} ` +
+        `with them, ${percentage(last.discretization_error_of_regular_cells)} without.` : '')]);
   if (last.peak_force_error_bar !== undefined)
     rows.push(['Mesh: error of the peak force', `${percentage(last.peak_force_error_space, 3)} by the dual problem, ` +
       `with a factor of safety of ${formatted(safety, 3)}`]);

@@ -235,4 +235,37 @@ namespace PlateImpact
              "makes meshes of rectangles only; expected another strategy for "
              "another outline, as hanging nodes");
   }
+
+
+
+  void
+  SceneChecker::place_singular_points(const double turn)
+  {
+    std::vector<SingularPoint> &points = adaptivity.singular_points.points;
+    if (points.empty())
+      return;
+    const auto geometry = geometry_of(plate);
+    const auto mesh =
+      make_plate_mesh(plate, parameters.discretization.initial_cells);
+    for (SingularPoint &point : points)
+      {
+        const auto [x, y] = point.position;
+        point.position    = {{x * std::cos(turn) + y * std::sin(turn),
+                              y * std::cos(turn) - x * std::sin(turn)}};
+        for (const unsigned int d : {0, 1})
+          {
+            point.position[d] -= plate.impact_point[d];
+            if (geometry->is_symmetric(d))
+              point.position[d] = std::abs(point.position[d]);
+          }
+        bool is_on_plate = false;
+        for (const auto &cell : mesh->active_cell_iterators())
+          is_on_plate |= touches_point(cell, point.position);
+        if (!is_on_plate)
+          refuse({"Adaptivity/Singular points", "Plate/Outline"},
+                 "names the point " + number(x) + " m, " + number(y) +
+                   " m, which is not on the plate; expected coordinates from "
+                   "its centre");
+      }
+  }
 } // namespace PlateImpact

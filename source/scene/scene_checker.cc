@@ -412,14 +412,20 @@ namespace PlateImpact
   {
     // a round plate is the same wherever a sphere strikes at one radius, and
     // half of it is enough
+    double turn = 0.;
     if (auto &point = plate.impact_point;
         plate.is_circle() && !plate.is_laminate() && !impactor.is_cylinder())
-      point = {{std::hypot(point[0], point[1]), 0.}};
+      {
+        turn  = std::atan2(point[1], point[0]);
+        point = {{std::hypot(point[0], point[1]), 0.}};
+      }
+    place_singular_points(turn);
     if (adaptivity.maximum_cell_size == 0.)
       choose("Adaptivity/Maximum cell size",
              adaptivity.maximum_cell_size,
              initial_cell_size(parameters));
-    if (adaptivity.minimum_cell_size == 0.)
+    adaptivity.minimum_cell_size_is_chosen = adaptivity.minimum_cell_size == 0.;
+    if (adaptivity.minimum_cell_size_is_chosen)
       choose("Adaptivity/Minimum cell size",
              adaptivity.minimum_cell_size,
              0.25 *

@@ -132,6 +132,13 @@ namespace PlateImpact
     Kelly
   };
 
+  /// What becomes of cells at a point load, and of cells at the minimum size.
+  enum class SingularCells
+  {
+    left_out,
+    counted
+  };
+
   enum class RecoveryPatches
   {
     mirrored,
@@ -185,6 +192,8 @@ namespace PlateImpact
   const std::vector<Word<SolverType>> Choices<SolverType>::words;
   template <>
   const std::vector<Word<ErrorIndicator>> Choices<ErrorIndicator>::words;
+  template <>
+  const std::vector<Word<SingularCells>> Choices<SingularCells>::words;
   template <>
   const std::vector<Word<RecoveryPatches>> Choices<RecoveryPatches>::words;
   template <>

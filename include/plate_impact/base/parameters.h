@@ -246,6 +246,24 @@ namespace PlateImpact
     }
   };
 
+  /// A point at which the exact stress has no bound.
+  struct SingularPoint
+  {
+    std::array<double, 2> position; ///< in a mesh: from the impact [m]
+    double                strength; ///< lambda; 0 of a point load [-]
+  };
+
+
+  /// What the entry Adaptivity/Singular points says.
+  struct SingularPoints
+  {
+    bool are_found_automatically = true;
+    /// Named ones; from the centre of the plate until the scene is complete,
+    /// from then on in the part that is meshed, from the impact.
+    std::vector<SingularPoint> points;
+  };
+
+
   struct AdaptivityParameters
   {
     AdaptationStrategy strategy;
@@ -258,7 +276,10 @@ namespace PlateImpact
     unsigned int       maximum_cycles;
     unsigned int       maximum_cells;
     double             size_exponent;
+    SingularPoints     singular_points;
+    SingularCells      cells_at_singularities;
     double             minimum_cell_size;
+    bool               minimum_cell_size_is_chosen = false; ///< by the program
     double             maximum_cell_size;
     double             refined_share_of_error;
     double             coarsened_share_of_error;

@@ -27,8 +27,8 @@ namespace PlateImpact
   /// Under a point load the energy of the exact error is infinite around the
   /// load, on every mesh: there is nothing to estimate, and nearer than about
   /// half the thickness plate theory means nothing either. Cells in such a
-  /// singular zone are left out of eta, which then is the error in the rest of
-  /// the plate and converges; what they would add is told beside.
+  /// singular zone may be left out of eta, which then is the error in the rest
+  /// of the plate and converges; the paper counts them. Both are told.
   ///
   /// The estimate is no bound: it measures what the mesh resolves, and contains
   /// waves shorter than its cells only after refinement.
@@ -37,13 +37,15 @@ namespace PlateImpact
   public:
     /// @param discretization  must outlive the estimator; needs no K and M
     /// @param recovery        of its mesh; must outlive the estimator
-    /// @param singular_cells  active indices of cells to leave out
+    /// @param singular_cells  active indices
+    /// @param singular_cells_count  in eta and n
     /// @param kept_interval   keeps the errors of the elements at one sample of
     ///                        so many; 0: at none
     EnergyNormEstimator(const PlateDiscretization       &discretization,
                         const StressRecovery            &recovery,
                         const std::vector<unsigned int> &singular_cells = {},
-                        unsigned int                     kept_interval  = 0);
+                        bool         singular_cells_count               = false,
+                        unsigned int kept_interval                      = 0);
 
     /// Since estimates are linear in the states up to the norms of cells, they
     /// are made for as many vectors as the states span, which may be fewer than
@@ -62,6 +64,13 @@ namespace PlateImpact
     /// ||e||, (||u||^2 + ||e||^2)^{1/2} without singular cells, and with them.
     using Norms = Eigen::Vector4d;
 
+    /// Of the two that count.
+    unsigned int
+    first_norm() const
+    {
+      return samples.singular_cells_count ? 2 : 0;
+    }
+
     /// Takes states as combinations of fields.
     void
     evaluate(const std::vector<double> &times,
@@ -70,7 +79,7 @@ namespace PlateImpact
     void
     integrate(double                 time,
               const Eigen::VectorXd &e2,
-              double                 counted_u2,
+              double                 regular_u2,
               double                 u2);
     /// At the vertices of a cell, for states that are combinations of fields.
     void
@@ -82,7 +91,7 @@ namespace PlateImpact
     const PlateDiscretization &discretization;
     const StressRecovery      &recovery;
     const unsigned int         kept_interval;
-    Eigen::VectorXd            is_counted; ///< 0 for singular cells
+    Eigen::VectorXd            is_regular; ///< 0 for singular cells
 
     TimeIntegral<Norms>           norms;
     TimeIntegral<Eigen::VectorXd> relative; ///< ||e||_i by the norm

@@ -31,26 +31,27 @@ namespace PlateImpact
   /// Result of the estimator for one mesh; cells by active index.
   struct ErrorEstimate
   {
-    /// Relative error in the energy norm, eta, a fraction; without the singular
-    /// cells.
+    /// Relative error in the energy norm, eta, a fraction, over the cells that
+    /// count.
     double eta = 0.;
 
-    /// The same with them.
-    double eta_of_all_cells = 0.;
+    /// The same with the singular cells and without them.
+    double eta_of_all_cells = 0., eta_of_regular_cells = 0.;
 
-    unsigned int n_singular_cells = 0;
+    unsigned int n_singular_cells     = 0;
+    bool         singular_cells_count = false;
 
-    /// Errors of the cells relative to the whole, the mean over time of
-    /// ||e||_i / (||u||^2 + ||e||^2)^{1/2}; the denominator leaves out the
-    /// singular cells.
+    /// Errors of all cells relative to the whole, the mean over time of
+    /// ||e||_i / (||u||^2 + ||e||^2)^{1/2}, with the denominator over the cells
+    /// that count.
     std::vector<double> element_errors;
 
     /// Largest PlateSection::stresses() over vertices and samples, from
     /// recovered resultants. [Pa]
     Eigen::MatrixXd max_stresses;
 
-    /// Relative error ||e|| / (||u||^2 + ||e||^2)^{1/2} at the samples, without
-    /// singular cells; eta is its mean with the denominator as weight.
+    /// Relative error ||e|| / (||u||^2 + ||e||^2)^{1/2} at the samples; eta is
+    /// its mean with the denominator as weight.
     std::vector<double> sample_times, sample_errors;
 
     /// The same without the mean, at the samples that were to be kept.

@@ -4,6 +4,7 @@
 #include <deal.II/fe/mapping.h>
 #include <deal.II/grid/tria.h>
 
+#include <array>
 #include <memory>
 #include <utility>
 
@@ -32,6 +33,11 @@ namespace PlateImpact
   /// That of the smallest active cell. [m]
   double
   smallest_cell_size(const dealii::Triangulation<2> &mesh);
+
+  /// Whether a point is inside a cell or at one of its vertices.
+  bool
+  touches_point(const dealii::Triangulation<2>::cell_iterator &cell,
+                const std::array<double, 2>                   &position);
 
   /// Whether a cell is within a distance of the load, or touches it at
   /// distance 0.

@@ -88,6 +88,11 @@ namespace PlateImpact
     check_edges();
     void
     check_extent();
+    /// Moves the singular points that the scene names to where the mesh has
+    /// them.
+    /// @param turn  of the plate about its centre [rad]
+    void
+    place_singular_points(double turn);
 
     void
     check_contact();

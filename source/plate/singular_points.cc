@@ -1,0 +1,249 @@
+#include "plate_impact/plate/singular_points.h"
+
+#include <deal.II/base/numbers.h>
+#include <deal.II/grid/manifold.h>
+#include <deal.II/grid/tria.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <map>
+#include <optional>
+#include <tuple>
+
+namespace PlateImpact
+{
+  using namespace dealii;
+
+  namespace
+  {
+    using Exponent = std::complex<double>;
+
+    /// What an edge does to the rotations.
+    enum class Side
+    {
+      held,
+      rollers, ///< theta_s and M_n are 0
+      unloaded
+    };
+
+
+
+    Side
+    side_of(const EdgeSupport support)
+    {
+      switch (support)
+        {
+          case EdgeSupport::clamped:
+            return Side::held;
+          case EdgeSupport::simply_supported:
+            return Side::rollers;
+          default:
+            return Side::unloaded;
+        }
+    }
+
+
+
+    /// Zero at the exponents of a wedge in plane stress. A side on rollers is a
+    /// line in which a wedge of twice the angle mirrors with opposite signs.
+    Exponent
+    characteristic(const Exponent        x,
+                   const double          angle,
+                   std::pair<Side, Side> sides,
+                   const double          poissons_ratio)
+    {
+      const double kappa = (3. - poissons_ratio) / (1. + poissons_ratio);
+      if (sides.first > sides.second)
+        std::swap(sides.first, sides.second);
+      const Exponent square = std::pow(std::sin(x * angle), 2),
+                     twice  = std::sin(2. * x * angle),
+                     sine   = x * std::sin(angle);
+      if (sides == std::pair(Side::held, Side::held))
+        return square - std::pow(sine / kappa, 2);
+      if (sides == std::pair(Side::held, Side::rollers))
+        return twice + x / kappa * std::sin(2. * angle);
+      if (sides == std::pair(Side::held, Side::unloaded))
+        return square - (std::pow(1. + kappa, 2) / 4. - sine * sine) / kappa;
+      if (sides == std::pair(Side::rollers, Side::rollers))
+        return square - std::pow(std::sin(angle), 2);
+      if (sides == std::pair(Side::rollers, Side::unloaded))
+        return twice - x * std::sin(2. * angle);
+      return square - sine * sine;
+    }
+
+
+
+    /// The zero that Newton's method comes to from a point, if any.
+    template <typename Function>
+    std::optional<Exponent>
+    zero_from(Exponent x, const Function &function)
+    {
+      const double change = 1e-6;
+      for (unsigned int i = 0; i < 50; ++i)
+        {
+          const Exponent slope =
+            (function(x + change) - function(x - change)) / (2. * change);
+          if (slope == 0.)
+            return {};
+          const Exponent step = function(x) / slope;
+          x -= step;
+          if (!(std::abs(x) < 10.))
+            return {};
+          if (std::abs(step) < 1e-11)
+            return x;
+        }
+      return {};
+    }
+
+
+
+    double
+    angle_between(const Tensor<1, 2> &one, const Tensor<1, 2> &other)
+    {
+      return std::acos(
+        std::clamp(one * other / (one.norm() * other.norm()), -1., 1.));
+    }
+
+
+
+    /// Supports and angle of a boundary vertex of a mesh, in the making.
+    struct Corner
+    {
+      Point<2>                        position;
+      double                          cells_angle = 0.;
+      std::vector<Tensor<1, 2>>       tangents; ///< of edges, away from it
+      std::vector<types::boundary_id> edges;
+    };
+
+
+
+    std::map<unsigned int, Corner>
+    boundary_vertices(const Triangulation<2> &mesh)
+    {
+      std::map<unsigned int, Corner> corners;
+      for (const auto &face : mesh.active_face_iterators())
+        if (face->at_boundary())
+          for (const unsigned int v : {0, 1})
+            {
+              Corner &corner  = corners[face->vertex_index(v)];
+              corner.position = face->vertex(v);
+              corner.tangents.push_back(
+                face->get_manifold().get_tangent_vector(face->vertex(v),
+                                                        face->vertex(1 - v)));
+              corner.edges.push_back(face->boundary_id());
+            }
+      const unsigned int neighbours[4][2] = {{1, 2}, {0, 3}, {0, 3}, {1, 2}};
+      for (const auto &cell : mesh.active_cell_iterators())
+        for (const unsigned int v : cell->vertex_indices())
+          if (const auto corner = corners.find(cell->vertex_index(v));
+              corner != corners.end())
+            {
+              const auto &[one, other] = neighbours[v];
+              corner->second.cells_angle +=
+                angle_between(cell->vertex(one) - cell->vertex(v),
+                              cell->vertex(other) - cell->vertex(v));
+            }
+      return corners;
+    }
+
+
+
+    void
+    add_corners(const Parameters           &parameters,
+                std::vector<SingularPoint> &points)
+    {
+      const PlateParameters &plate    = parameters.plate;
+      const auto             geometry = geometry_of(plate);
+      const auto             supports = geometry->supports();
+      const double nu = plate.is_laminate() ? 0.3 : plate.poissons_ratio;
+      const auto   mesh =
+        make_plate_mesh(plate, parameters.discretization.initial_cells);
+      for (const auto &[index, corner] : boundary_vertices(*mesh))
+        {
+          if (corner.edges.size() != 2)
+            continue;
+          const double small =
+                         angle_between(corner.tangents[0], corner.tangents[1]),
+                       large = 2. * numbers::PI - small;
+          double angle       = std::abs(corner.cells_angle - small) <
+              std::abs(corner.cells_angle - large) ?
+                  small :
+                  large;
+          // the other side of a plane of symmetry is like this one
+          auto one   = supports.find(corner.edges[0]),
+               other = supports.find(corner.edges[1]);
+          if (one == supports.end() && other == supports.end())
+            continue;
+          if (one == supports.end() || other == supports.end())
+            {
+              angle *= 2.;
+              one = other = one == supports.end() ? other : one;
+            }
+          const double smooth = 10. / 180. * numbers::PI;
+          if (one->second == other->second &&
+              std::abs(angle - numbers::PI) < smooth)
+            continue;
+          if (const double strength =
+                corner_strength(angle, {{one->second, other->second}}, nu);
+              strength < 1. - 1e-6)
+            points.push_back(
+              {{{corner.position[0], corner.position[1]}}, strength});
+        }
+    }
+  } // namespace
+
+
+
+  double
+  corner_strength(const double                      angle,
+                  const std::array<EdgeSupport, 2> &supports,
+                  const double                      poissons_ratio)
+  {
+    const auto is_held = [&supports](const unsigned int side) {
+      return supports[side] != EdgeSupport::free;
+    };
+    double strength =
+      std::min(1., numbers::PI / angle * (is_held(0) == is_held(1) ? 1. : 0.5));
+    const auto function = [&](const Exponent x) {
+      return characteristic(x,
+                            angle,
+                            {side_of(supports[0]), side_of(supports[1])},
+                            poissons_ratio);
+    };
+    // a rotation of the whole wedge has the exponent 0
+    const double least = 1e-3;
+    for (double real = 0.02; real < 1.; real += 0.04)
+      for (const double imaginary : {0., 0.15, 0.35})
+        if (const auto zero = zero_from({real, imaginary}, function);
+            zero && zero->real() > least)
+          strength = std::min(strength, zero->real());
+    return strength;
+  }
+
+
+
+  std::vector<SingularPoint>
+  singular_points(const Parameters &parameters)
+  {
+    const AdaptivityParameters &adaptivity = parameters.adaptivity;
+    if (!adaptivity.is_adaptive())
+      return {};
+    if (!adaptivity.singular_points.are_found_automatically)
+      return adaptivity.singular_points.points;
+    std::vector<SingularPoint> points;
+    add_corners(parameters, points);
+    // Shear forces grow with log r at the end of a line load, and with 1 / r at
+    // a point load
+    if (parameters.contact.load_is_line())
+      {
+        const double end = 0.5 * parameters.impactor.length;
+        points.push_back({{{end, 0.}}, 1.});
+        if (!geometry_of(parameters.plate)->is_symmetric(0))
+          points.push_back({{{-end, 0.}}, 1.});
+      }
+    if (parameters.contact.load_is_singular())
+      points.push_back({{{0., 0.}}, 0.});
+    return points;
+  }
+} // namespace PlateImpact
