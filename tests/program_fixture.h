@@ -89,9 +89,12 @@ namespace PlateImpact
           EXPECT_LE(cycle.value("cells_above_limit", 0u), cells);
           EXPECT_LE(cycle.value("cells_at_minimum_size", 0u),
                     cycle.value("cells_above_limit", 0u));
-          // A first mesh may be finer. Neighbours within one level of a cell
-          // that is refined may be of shorter sides than it is.
-          if (follows_sizes)
+          // Corners of a file may be singular, and have cells as small as they
+          // need. A first mesh may be finer. Neighbours within one level of a
+          // cell that is refined may be of shorter sides than it is.
+          const bool is_from_file =
+            input("Plate/Outline").find(".msh") != std::string::npos;
+          if (follows_sizes && !is_from_file)
             {
               EXPECT_GE(
                 cycle["min_cell_size"].get<double>(),

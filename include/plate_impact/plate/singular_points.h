@@ -26,11 +26,11 @@ namespace PlateImpact
                   double                            poissons_ratio);
 
   /// The singular points that the mesh of a scene has, with the impact at the
-  /// origin: those that the scene names or else the corners and changes of
-  /// support of the outline, the ends of a line load and a point
-  /// load. Corners of less than ten degrees between edges with one support are
-  /// taken for a bend of a smooth edge. A laminate's exponents are those of an
-  /// isotropic plate with a Poisson's ratio of 0.3.
+  /// origin: those that the scene names or else, for the goal energy norm, the
+  /// corners and changes of support of the outline, the ends of a line load and
+  /// a point load. Corners of less than ten degrees between edges with one
+  /// support are taken for a bend of a smooth edge. A laminate's exponents are
+  /// those of an isotropic plate with a Poisson's ratio of 0.3.
   std::vector<SingularPoint>
   singular_points(const Parameters &parameters);
 } // namespace PlateImpact
