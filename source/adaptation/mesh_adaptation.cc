@@ -435,10 +435,10 @@ namespace PlateImpact
           singular_points)
       .means(
         "Where phi is 1/lambda, for the cells that touch the point: x and "
-        "y from the centre of the plate and lambda of each, or automatic: "
-        "for the goal energy norm, re-entrant corners and changes of support, whose lambda follows "
-        "from angle and supports, the ends of a line load and a point "
-        "load. [m, m, -]");
+        "y from the centre of the plate and lambda of each. automatic: for "
+        "the goal energy norm re-entrant corners and changes of support, "
+        "whose lambda follows from angle and supports, the ends of a line "
+        "load and a point load. [m, m, -]");
     entry("Cells at singularities",
           "left out",
           one_of<SingularCells>(),
