@@ -136,11 +136,13 @@ namespace PlateImpact
       // 1401 N and 40.9 % computed apart from the program, 40.77 % the paper's
       expect_near(cycles[0]["peak_force"], 1401.4, 1e-3);
       EXPECT_NEAR(cycles[0]["discretization_error"].get<double>(), 0.409, 1e-3);
-      EXPECT_LE(cycles.back()["discretization_error"], 0.0544);
-      EXPECT_NEAR(
-        cycles.back()["discretization_error_of_all_cells"].get<double>(),
-        0.0544,
-        0.01);
+      // of all cells, as the paper counts them
+      EXPECT_NEAR(cycles.back()["discretization_error"].get<double>(),
+                  0.0544,
+                  0.01);
+      EXPECT_LE(cycles.back()["discretization_error_of_regular_cells"], 0.0544);
+      EXPECT_GT(cycles.back()["cells_above_limit"], 0);
+      EXPECT_NE(summary()["outcome"], "target reached");
       EXPECT_LT(cycles.back()["cells"], 569);
       expect_near(cycles.back()["peak_force"], 1291., 0.005);
       EXPECT_NEAR(cycles.back()["time_of_peak_force"].get<double>(),

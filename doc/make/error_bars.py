@@ -1,6 +1,6 @@
 """Holds the error bars of peak forces against forces known far better.
 
-    doc/make/error_bars.py PROGRAM [--scenes CLASS FIRST LAST] [--output FILE]
+    doc/make/error_bars.py PROGRAM [--class CLASS] [--scenes FIRST:LAST]
 
 Every scene, which its class and number determine, is run to several targets; every mesh on the way
 gives a bar. The true force is that of a run with the goal `peak force` to a far smaller
@@ -8,7 +8,6 @@ target, confirmed on its mesh with every cell halved. Bars count that are at lea
 the bar of the true force, and at most 10 %.
 """
 import argparse
-import concurrent.futures
 import json
 import math
 import os
@@ -135,6 +134,11 @@ def yielding_scene(number):
     return entries
 
 
+# what makes the scenes of a class, and how many of them are measured
+CLASSES = {"elastic": (random_scene, 200), "laminates": (laminate_scene, 60),
+           "yielding": (yielding_scene, 100)}
+
+
 def run(program, entries, seconds=SECONDS):
     """The summary of a run; None where it fails or takes too long."""
     with tempfile.TemporaryDirectory() as directory:
@@ -239,37 +243,18 @@ def summary(scenes):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("program")
-    parser.add_argument("--scenes", default="0:100")
-    parser.add_argument("--output")
-    parser.add_argument("--known", help="an earlier output, whose true forces are taken")
-    parser.add_argument("--yielding", action="store_true", help="plates and balls that yield")
-    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--class", dest="of_class", choices=CLASSES, default="elastic")
+    parser.add_argument("--scenes", default="0:20", metavar="FIRST:LAST")
     arguments = parser.parse_args()
-    first, last = (int(part) for part in arguments.scenes.split(":"))
-    known = {}
-    if arguments.known:
-        with open(arguments.known) as file:
-            known = {scene["scene"]: scene for scene in json.load(file)}
+    make, _ = CLASSES[arguments.of_class]
     scenes = []
-    with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
-        for scene in pool.map(lambda number: bars_of_scene(arguments.program, number,
-                                                             known.get(number),
-                                                             yielding_scene if
-                                                             arguments.yielding
-                                                             else random_scene),
-                              range(first, last)):
-            scenes.append(scene)
-            if arguments.output:
-                with open(arguments.output, "w") as file:
-                    json.dump(scenes, file, indent=1)
-            print(scene["scene"], scene["force"], scene["why"],
-                  [f"{mesh['run']} {mesh.get('cells')} bar {mesh.get('bar')} "
-                   f"error {mesh.get('error')} {mesh.get('failure', '')}"
-                   for mesh in scene["meshes"]
-                   if "failure" in mesh or mesh["bar"] and mesh["error"] > mesh["bar"]],
-                  flush=True)
+    for number in range(*(int(part) for part in arguments.scenes.split(":"))):
+        scene = bars_of_scene(arguments.program, number, scene=make)
+        scenes.append(scene)
+        print(number, scene["force"], scene["why"],
+              [mesh for mesh in scene["meshes"]
+               if "failure" in mesh or mesh["bar"] and mesh["error"] > mesh["bar"]], flush=True)
     print(summary(scenes))
-    return scenes
 
 
 if __name__ == "__main__":

@@ -1,4 +1,5 @@
-"""Error bars of the peak force on random scenes, for theory.md."""
+"""Error bars of the peak force on random scenes, by class, for theory.md: of the classes
+whose true forces are kept."""
 
 import concurrent.futures
 
@@ -7,11 +8,18 @@ import measured
 
 
 def measure(program):
-    forces = measured.stored("true_forces")["forces"]
+    true_forces = measured.stored("true_forces")
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
-        scenes = list(pool.map(error_bars.bars_of_scene, [program.program] * len(forces),
-                               range(len(forces)), forces))
-    half = len(scenes) // 2
-    return {**error_bars.summary(scenes),
+        def scenes(name):
+            make, _ = error_bars.CLASSES[name]
+            return list(pool.map(
+                lambda numbered: error_bars.bars_of_scene(program.program, *numbered, make),
+                enumerate(true_forces[name])))
+
+        by_class = {name: scenes(name) for name in error_bars.CLASSES if name in true_forces}
+    elastic = by_class["elastic"]
+    half = len(elastic) // 2
+    return {**error_bars.summary(elastic),
             "halves": [error_bars.summary(part)["all"]
-                       for part in (scenes[:half], scenes[half:])]}
+                       for part in (elastic[:half], elastic[half:])],
+            "classes": {name: error_bars.summary(found) for name, found in by_class.items()}}

@@ -38,7 +38,7 @@ function showThresholds({ thresholds, curves }) {
 }
 
 function showCosts({ curves, reference }, colourOf) {
-  const costs = [['seconds, cycles before included [s]', 'cumulative_seconds'], ['unknowns', 'degrees_of_freedom'], ['cells', 'cells']];
+  const costs = [['seconds, cycles before included, without the start of the program [s]', 'cumulative_seconds'], ['unknowns', 'degrees_of_freedom'], ['cells', 'cells']];
   const column = (curve, key, factor = 1) => curve.meshes.map((mesh) => factor * mesh[key]);
   const [x, ...moreX] = costs.map(([title]) => ({ title, logarithmic: true }));
   const list = [['error of the peak force [%]', 'peak_force_error'], ['η [%]', 'discretization_error']].map(([title, key]) => ({
