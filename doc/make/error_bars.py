@@ -185,7 +185,7 @@ def bars_of_scene(program, number, known=None, scene=random_scene):
         force, true_bar, why = (known[key] for key in ("force", "bar of the force", "why"))
     else:
         force, true_bar, why = true_force(program, entries)
-    result = {"scene": number, "force": force, "bar of the force": true_bar, "why": why,
+    result = {"scene": number, "element": entries["Discretization/Element"], "force": force, "bar of the force": true_bar, "why": why,
               "meshes": []}
     if force is None:
         return result
@@ -231,6 +231,9 @@ def summary(scenes):
             "blind": sum("failure" not in mesh and mesh["bar"] is None for mesh in meshes),
             "all": judged(with_bar),
             "ends": judged([mesh for mesh in with_bar if mesh["last"]]),
+            "elements": {element: judged([mesh for scene in scenes for mesh in scene["meshes"]
+                                          if mesh.get("bar") and scene["element"] == element])
+                         for element in sorted({scene["element"] for scene in scenes})},
             "decades": [{"from": low, "to": high,
                          **judged([mesh for mesh in with_bar if low <= mesh["bar"] < high])}
                         for low, high in decades],
