@@ -74,7 +74,7 @@ namespace PlateImpact
 
     TEST(CornerStrength, IsThatOfAWedgeInPlaneStress)
     {
-      // of cracks, and Williams (1952), figs 3 to 5
+      // of cracks, a clamped edge that is let go, and corners
       EXPECT_NEAR(strength(360., free, free), 0.5, 1e-6);
       EXPECT_NEAR(strength(360., clamped, clamped), 0.5, 1e-6);
       EXPECT_NEAR(strength(180., clamped, free), 0.5, 1e-6);
@@ -202,8 +202,9 @@ namespace PlateImpact
       adaptivity.maximum_cell_size = 0.5;
       adaptivity.minimum_cell_size = 1e-9;
       std::vector<std::string> warnings;
-      const double             ratio = 8.;
-      const MeshAdaptation adaptation(adaptivity, 0., {{{{1., 1.}}, 1. / 3.}});
+      const double             ratio    = 8.;
+      adaptivity.singular_points.points = {{{{1., 1.}}, 1. / 3.}};
+      const MeshAdaptation adaptation(adaptivity);
       const ErrorRatios    error{ratio, 1., {0.9, 0.9, 0.9, ratio}};
       EXPECT_GT(adaptation.n_wanted_cells(mesh, error), 10.);
       EXPECT_LT(adaptation.n_wanted_cells(mesh, error), 60.);
@@ -241,6 +242,46 @@ namespace PlateImpact
                 left_out["discretization_error_of_regular_cells"]);
       EXPECT_LT(left_out["discretization_error"],
                 left_out["discretization_error_of_all_cells"]);
+    }
+
+
+
+    TEST_F(Program, AsksTheSingularCellsForTheSizeThatTheyNeed)
+    {
+      ASSERT_EQ(run(SCENES "/course/11-re-entrant-corner.prm",
+                    "--set 'Adaptivity/Maximum cycles=2'"),
+                0)
+        << err;
+      const double smallest = std::stod(
+        summary()["inputs"]["Adaptivity/Minimum cell size"].get<std::string>());
+      std::istringstream rows(text(results() / "element_errors_cycle_2.csv"));
+      std::string        row;
+      std::getline(rows, row);
+      unsigned int n_singular = 0, n_smallest = 0;
+      while (std::getline(rows, row))
+        {
+          std::istringstream  cells(row);
+          std::vector<double> numbers;
+          for (std::string cell; std::getline(cells, cell, ',');)
+            numbers.push_back(std::stod(cell));
+          const double size = numbers[3], error = numbers[4],
+                       target = numbers[5],
+                       distance =
+                         std::hypot(numbers[1] - 0.05, numbers[2] - 0.05);
+          if (error < 1.)
+            continue;
+          if (distance < size)
+            {
+              // smaller than what is chosen for the load, and to be refined
+              ++n_singular;
+              EXPECT_LT(size, smallest);
+              EXPECT_NEAR(target / size * std::pow(error, 3.), 1., 1e-6);
+            }
+          else if (0.5 * size < smallest)
+            ++n_smallest;
+        }
+      EXPECT_EQ(n_singular, 3u);
+      EXPECT_EQ(last_cycle()["cells_at_minimum_size"], n_smallest);
     }
 
 

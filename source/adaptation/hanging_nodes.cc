@@ -1,3 +1,4 @@
+#include "plate_impact/adaptation/cell_sizes.h"
 #include "plate_impact/adaptation/mesh_adaptation.h"
 #include "plate_impact/plate/plate_mesh.h"
 

@@ -1,5 +1,6 @@
 #include "plate_impact/analysis/impact_analysis.h"
 
+#include "plate_impact/adaptation/cell_sizes.h"
 #include "plate_impact/analysis/observe.h"
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/contact/make_contact.h"
@@ -17,14 +18,27 @@ namespace PlateImpact
 {
   using namespace dealii;
 
+  namespace
+  {
+    /// The scene with the singular points of its mesh.
+    Parameters
+    with_singular_points(Parameters parameters)
+    {
+      parameters.adaptivity.singular_points.points =
+        singular_points(parameters);
+      return parameters;
+    }
+  } // namespace
+
+
+
   ImpactAnalysis::ImpactAnalysis(const Parameters                 &parameters,
                                  std::unique_ptr<Triangulation<2>> first_mesh,
                                  const std::optional<Wanted>      &wanted)
-    : parameters(parameters)
+    : parameters(with_singular_points(parameters))
     , wanted(wanted.value_or(wanted_by(parameters)))
-    , adaptation(parameters.adaptivity,
-                 parameters.impactor.contact_half_length(),
-                 singular_points(parameters))
+    , adaptation(this->parameters.adaptivity,
+                 parameters.impactor.contact_half_length())
     , expected(parameters.has_impactor() ?
                  std::make_optional(make_zener_impact(parameters)) :
                  std::nullopt)

@@ -1,5 +1,6 @@
 #include "plate_impact/output/output.h"
 
+#include "plate_impact/adaptation/cell_sizes.h"
 #include "plate_impact/adaptation/mesh_adaptation.h"
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/stage_clock.h"
@@ -96,7 +97,7 @@ namespace PlateImpact
                              write_element_errors(out,
                                                   mesh,
                                                   *result.error_ratios,
-                                                  scene.parameters.adaptivity);
+                                                  cycle.parameters.adaptivity);
                            });
     if (scene.parameters.output.write_meshes)
       directory.write_file("mesh" + suffix + ".svg", [&](std::ostream &out) {

@@ -3,13 +3,14 @@
 #include <deal.II/base/numbers.h>
 #include <deal.II/grid/manifold.h>
 #include <deal.II/grid/tria.h>
+#include <deal.II/physics/vector_relations.h>
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <map>
 #include <optional>
-#include <tuple>
+#include <utility>
 
 namespace PlateImpact
 {
@@ -98,15 +99,6 @@ namespace PlateImpact
 
 
 
-    double
-    angle_between(const Tensor<1, 2> &one, const Tensor<1, 2> &other)
-    {
-      return std::acos(
-        std::clamp(one * other / (one.norm() * other.norm()), -1., 1.));
-    }
-
-
-
     /// Supports and angle of a boundary vertex of a mesh, in the making.
     struct Corner
     {
@@ -140,9 +132,9 @@ namespace PlateImpact
               corner != corners.end())
             {
               const auto &[one, other] = neighbours[v];
-              corner->second.cells_angle +=
-                angle_between(cell->vertex(one) - cell->vertex(v),
-                              cell->vertex(other) - cell->vertex(v));
+              corner->second.cells_angle += Physics::VectorRelations::angle(
+                cell->vertex(one) - cell->vertex(v),
+                cell->vertex(other) - cell->vertex(v));
             }
       return corners;
     }
@@ -164,7 +156,8 @@ namespace PlateImpact
           if (corner.edges.size() != 2)
             continue;
           const double small =
-                         angle_between(corner.tangents[0], corner.tangents[1]),
+                         Physics::VectorRelations::angle(corner.tangents[0],
+                                                         corner.tangents[1]),
                        large = 2. * numbers::PI - small;
           double angle       = std::abs(corner.cells_angle - small) <
               std::abs(corner.cells_angle - large) ?

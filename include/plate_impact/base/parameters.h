@@ -258,8 +258,8 @@ namespace PlateImpact
   struct SingularPoints
   {
     bool are_found_automatically = true;
-    /// Named ones; from the centre of the plate until the scene is complete,
-    /// from then on in the part that is meshed, from the impact.
+    /// Named ones, from the centre of the plate until the scene is complete;
+    /// then as the mesh has them, and of an analysis all.
     std::vector<SingularPoint> points;
   };
 

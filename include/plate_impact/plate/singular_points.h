@@ -13,8 +13,8 @@ namespace PlateImpact
   /// where these grow faster. The rotations behave as the displacements of
   /// plane stress in a wedge whose sides are held (clamped), free (free and
   /// soft simply supported) or on rollers (simply supported); the deflection as
-  /// that of a membrane (Williams 1952, doi:10.1115/1.4010553; Burton &
-  /// Sinclair 1986, doi:10.1115/1.3171743).
+  /// that of a membrane (Williams, J. Appl. Mech. 19, 1952, p. 526;
+  /// Burton & Sinclair, J. Appl. Mech. 53, 1986, p. 220).
   /// @param angle           between the two edges, inside the plate [rad]
   /// @param supports        of the two edges
   /// @param poissons_ratio  of the plate
