@@ -92,6 +92,12 @@ namespace PlateImpact
       ASSERT_EQ(run(SCENES "/steel-that-yields.prm"), 0) << err;
       expect_near(last_cycle()["peak_force"], 1162.9, 0.045);
       EXPECT_EQ(summary()["outcome"], "target reached");
+      // the curves of energies on the page add up
+      const auto history = study_of("report.html")["histories"].back();
+      EXPECT_NEAR(history["dissipated_energy"].back().get<double>() /
+                    last_cycle()["dissipated_energy"].get<double>(),
+                  1.,
+                  1e-4);
     }
 
 
@@ -167,6 +173,16 @@ namespace PlateImpact
                 1);
       EXPECT_NE(err.find("law of laminates"), std::string::npos) << err;
       EXPECT_EQ(run(main_scene, "--set \"Plate/Yield strength=-1\""), 1);
+      // megapascals without their zeros: the answer was about Young's modulus
+      for (const std::string body : {"Plate", "Impactor"})
+        {
+          EXPECT_EQ(run(main_scene,
+                        "--set \"" + body + "/Yield strength=235\""),
+                    1);
+          EXPECT_NE(err.find(body + "/Yield strength = 235 Pa is less than"),
+                    std::string::npos)
+            << err;
+        }
       // a line contact stays elastic and says from where on it does not
       ASSERT_EQ(run(SCENES "/paper-cylinder.prm",
                     "--set \"Plate/Yield strength=3e8\""),

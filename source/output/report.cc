@@ -34,6 +34,7 @@ namespace PlateImpact
         {"plate_energy", &ContactState::plate_energy},
         {"contact_energy", &ContactState::contact_energy},
         {"impactor_energy", &ContactState::impactor_energy},
+        {"dissipated_energy", &ContactState::dissipated_energy},
         {"total_energy", &ContactState::total_energy}};
 
 

@@ -38,7 +38,7 @@ function showThresholds({ thresholds, curves }) {
 }
 
 function showCosts({ curves, reference }, colourOf) {
-  const costs = [['seconds, cycles before included, without the start of the program [s]', 'cumulative_seconds'], ['unknowns', 'degrees_of_freedom'], ['cells', 'cells']];
+  const costs = [['seconds, start-up not included [s]', 'cumulative_seconds'], ['unknowns', 'degrees_of_freedom'], ['cells', 'cells']];
   const column = (curve, key, factor = 1) => curve.meshes.map((mesh) => factor * mesh[key]);
   const [x, ...moreX] = costs.map(([title]) => ({ title, logarithmic: true }));
   const list = [['error of the peak force [%]', 'peak_force_error'], ['η [%]', 'discretization_error']].map(([title, key]) => ({
@@ -60,7 +60,7 @@ function showCosts({ curves, reference }, colourOf) {
     list[0].series.push({ name: 'uncertainty of the reference', colour: colourOf({}), style: 'dashed', x: first, moreX: others,
       y: [0, 0].fill(100 * reference.uncertainty) });
   }
-  section('Error against cost', paragraph('Every point is a mesh. Errors of the peak force below the dashed line, ' +
+  section('Error against cost', paragraph('Every point is a mesh; its seconds are those of the cycles up to it, without the start of the program. Errors of the peak force below the dashed line, ' +
     'the uncertainty of the reference, say nothing about the mesh.'), plotGrid(list, 'large'));
 }
 

@@ -110,7 +110,8 @@ function showHistories(study) {
       historyPlot(study, 'Displacement', 'm',
         { plate: 'plate_displacement', impactor: 'impactor_displacement', indentation: 'indentation' }),
       historyPlot(study, 'Energy', 'J',
-        { impactor: 'impactor_energy', plate: 'plate_energy', contact: 'contact_energy', total: 'total_energy' })]),
+        { impactor: 'impactor_energy', plate: 'plate_energy', contact: 'contact_energy', total: 'total_energy',
+          ...(last.dissipated_energy.at(-1) > 0 && { dissipated: 'dissipated_energy' }) })]),
     paragraph('Pointer or arrow keys read values; a click on a name hides it. Cycles before the last are thin. ' +
       'contact_history.csv has every step.'));
 }

@@ -152,6 +152,21 @@ namespace PlateImpact
       refuse({"Impactor/Yield strength", "Plate/Layup"},
              "Pa is of a contact with an isotropic plate; expected 0 on a "
              "laminate");
+    // lead, gold and annealed aluminium have a ten thousandth and more
+    const auto check_strength = [this](const std::string &body,
+                                       const double       strength,
+                                       const double       modulus) {
+      if (strength > 0. && strength < 1e-5 * modulus)
+        refuse({body + "/Yield strength"},
+               "Pa is less than a hundred thousandth of Young's modulus, " +
+                 number(modulus) +
+                 " Pa, which no solid has; expected pascals, as 235e6");
+    };
+    if (!plate.is_laminate())
+      check_strength("Plate", plate.yield_strength, plate.youngs_modulus);
+    check_strength("Impactor",
+                   impactor.yield_strength,
+                   impactor.youngs_modulus);
     if (contact.unloading == UnloadingLaw::elastic)
       return;
     if (plate.yield_strength > 0. || impactor.yield_strength > 0.)
