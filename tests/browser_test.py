@@ -109,10 +109,17 @@ if (player) {
     read.add(player.querySelector('.readout').textContent);
   }
   expect(seen.size === 3 && read.size === 3, 'film: the slider does not move it');
-  const before = canvas.toDataURL();
-  player.querySelector('select').value = '1';
-  player.querySelector('select').dispatchEvent(new Event('change'));
-  expect(canvas.toDataURL() !== before, 'film: the field does not change');
+  const select = player.querySelector('select'), colours = new Set(), scales = new Set();
+  for (const option of select.options) {
+    select.value = option.value;
+    select.dispatchEvent(new Event('change'));
+    colours.add(canvas.toDataURL());
+    scales.add(player.querySelector('.scale').textContent);
+  }
+  expect(colours.size === select.options.length && scales.size === colours.size, 'film: the field does not change');
+  const oblique = canvas.toDataURL();
+  [...player.querySelectorAll('button')].find((button) => button.textContent === 'from above').click();
+  expect(canvas.toDataURL() !== oblique, 'film: not seen from above');
   const turned = canvas.toDataURL();
   key(canvas, 'ArrowLeft');
   expect(canvas.toDataURL() !== turned, 'film: keys do not turn the plate');
@@ -129,6 +136,18 @@ if (player) {
   player.querySelector('button').click();
   expect(slider.value === '0', 'film: does not play from the beginning');
   player.querySelector('button').click();
+}
+
+const lines = [...document.querySelectorAll('section')].find((part) => part.textContent.startsWith('Raw and recovered'));
+expect(Boolean(lines) === (data.stresses ?? []).length > 0, 'stresses along lines: missing, or without an impact');
+if (lines) {
+  const select = lines.querySelector('select'), canvas = lines.querySelector('canvas'), seen = new Set();
+  for (const option of select.options) {
+    select.value = option.value;
+    select.dispatchEvent(new Event('change'));
+    seen.add(JSON.stringify(Chart.getChart(canvas).data.datasets.map(({ data }) => data)));
+  }
+  expect(seen.size === select.options.length, 'stresses along lines: the field does not change');
 }
 
 for (const group of document.querySelectorAll('.mesh-group')) {
@@ -245,7 +264,7 @@ def main():
     blind = {"too coarse to tell": True, "Far outside of the model": False}
     # command, scene, entries; what the page has at least: plots, maps, meshes; whether a film; words that it has or not
     cases = [
-        ("run", "sphere-on-steel-plate.prm", coarse, (8, 0, 3), True, struck),
+        ("run", "sphere-on-steel-plate.prm", coarse, (11, 0, 3), True, struck),
         ("run", "sphere-on-steel-plate.prm", coarse + ["Impactor/Shape=none"], (1, 0, 1), False, still),
         ("run", "sphere-on-steel-plate.prm", coarse + ["Adaptivity/Strategy=none", "Adaptivity/Verify=true"],
          (5, 0, 1), True, alone),

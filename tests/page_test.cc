@@ -1,4 +1,6 @@
 // Pages of plots and tables: what is in the file, without a browser.
+#include <deal.II/base/utilities.h>
+
 #include "plate_impact/base/text.h"
 #include "plate_impact/page/page.h"
 #include "program_fixture.h"
@@ -180,11 +182,96 @@ namespace PlateImpact
 
 
 
+    /// The name and unit of its fields, a mesh having xi' before them.
+    std::vector<std::string>
+    names_of(const nlohmann::json &fields, const std::size_t begin = 0)
+    {
+      std::vector<std::string> names;
+      for (std::size_t k = begin; k < fields.size(); ++k)
+        names.push_back(fields[k]["name"].get<std::string>() + ", " +
+                        fields[k]["unit"].get<std::string>());
+      return names;
+    }
+
+
+
+    TEST_F(ReportPage, FilmHasStressesAtItsNodes)
+    {
+      const nlohmann::json study = report(main_scene, quick);
+      const nlohmann::json mesh = study["meshes"].back(), film = study["film"];
+      ASSERT_EQ(names_of(film["fields"]), names_of(mesh["fields"], 1));
+      ASSERT_EQ(film["nodesPerSide"], 3);
+      const unsigned int n_cells = film["cells"];
+      const auto         forces  = film["forces"].get<std::vector<double>>();
+      const std::size_t  peak =
+        std::max_element(forces.begin(), forces.end()) - forces.begin();
+      // the middle of nine nodes is where the mesh has its values
+      for (std::size_t k = 0; k < film["fields"].size(); ++k)
+        {
+          const nlohmann::json            &field   = film["fields"][k];
+          const double                     largest = field["largest"];
+          const std::vector<unsigned char> roots =
+            dealii::Utilities::decode_base64(field["values"]);
+          ASSERT_EQ(roots.size(), 9 * n_cells * forces.size());
+          for (unsigned int cell = 0; cell < n_cells; ++cell)
+            {
+              const double root = static_cast<signed char>(
+                roots[9 * (peak * n_cells + cell) + 4]);
+              const double expected = mesh["fields"][k + 1]["values"][cell];
+              EXPECT_NEAR(root / 127.,
+                          std::copysign(std::sqrt(std::abs(expected) / largest),
+                                        expected),
+                          0.005)
+                << field["name"] << ", cell " << cell;
+            }
+        }
+    }
+
+
+
+    TEST_F(ReportPage, LinesShowRawAndRecoveredStresses)
+    {
+      const nlohmann::json study    = report(main_scene, quick);
+      const nlohmann::json stresses = study["stresses"],
+                           fields   = study["meshes"][0]["fields"];
+      ASSERT_EQ(stresses.size(), 2u); // of the first mesh and the last
+      EXPECT_EQ(stresses[1]["cycle"], last_cycle()["cycle"]);
+      ASSERT_EQ(names_of(stresses[0]["fields"]), names_of(fields, 1));
+      ASSERT_EQ(stresses[0]["lines"].size(), 3u);
+      const nlohmann::json &diagonal = stresses[0]["lines"][2];
+      const auto distances = diagonal["distance"].get<std::vector<double>>();
+      ASSERT_EQ(distances.size(), 30u); // three cells, nine points and a gap
+      const double quarter = 0.1 * std::sqrt(2.);
+      expect_near(distances[28], quarter, 1e-5);
+      for (std::size_t k = 0; k < stresses[0]["fields"].size(); ++k)
+        {
+          const nlohmann::json &raw    = diagonal["raw"][k],
+                               &smooth = diagonal["recovered"][k];
+          const double largest         = fields[k + 1]["values"][0];
+          // the fifth of nine points is the centre of the cell
+          for (const unsigned int cell : {0, 4, 8})
+            EXPECT_NEAR(smooth[10 * (cell / 4) + 4].get<double>(),
+                        fields[k + 1]["values"][cell].get<double>(),
+                        1e-4 * std::abs(largest))
+              << fields[k + 1]["name"] << ", cell " << cell;
+          EXPECT_TRUE(raw[9].is_null() && smooth[9].is_null());
+          // from one cell to the next: what is recovered on equal cells has no
+          // jump, what is not has
+          EXPECT_NEAR(smooth[8].get<double>(),
+                      smooth[10].get<double>(),
+                      1e-3 * std::abs(largest));
+          EXPECT_GT(std::abs(raw[8].get<double>() - raw[10].get<double>()),
+                    0.05 * std::abs(largest));
+        }
+    }
+
+
+
     TEST_F(ReportPage, LeavesOutWhatTheSceneDoesNotHave)
     {
       const nlohmann::json still =
         report(main_scene, quick + "--set Impactor/Shape=none");
-      for (const std::string name : {"histories", "errors", "film"})
+      for (const std::string name : {"histories", "errors", "stresses", "film"})
         EXPECT_TRUE(still[name].empty()) << name;
       EXPECT_FALSE(still.contains("expected"));
       EXPECT_NE(text(results() / "report.html")

@@ -1,7 +1,9 @@
 #include "plate_impact/output/deflection_film.h"
 
 #include <deal.II/base/utilities.h>
-#include <deal.II/fe/fe_tools.h>
+#include <deal.II/fe/fe_system.h>
+
+#include "plate_impact/output/section_fields.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,9 +16,13 @@ namespace PlateImpact
 
   namespace
   {
-    /// Values of a film, so that it takes less than 1.5 MB on the page.
-    constexpr std::size_t max_values = 500000;
+    /// Bytes of a film, a third less than it takes on the page.
+    constexpr std::size_t most_bytes = 1200000;
+
     constexpr std::size_t min_frames = 8;
+
+    /// With fewer the stresses are left out, so that the deflection has more.
+    constexpr std::size_t min_frames_of_stresses = 16;
 
 
 
@@ -33,45 +39,82 @@ namespace PlateImpact
 
 
 
-    /// Indices of the deflection at the nodes of a cell, row by row, among its
-    /// values.
-    std::vector<unsigned int>
-    nodal_rows(const PlateDiscretization &discretization,
-               const unsigned int         nodes_per_cell)
+    /// A lattice on the reference cell, row by row.
+    std::vector<Point<2>>
+    lattice(const unsigned int points_per_side)
     {
-      const std::vector<unsigned int> hierarchic =
-        FETools::lexicographic_to_hierarchic_numbering<2>(2);
-      std::vector<unsigned int> nodes(nodes_per_cell);
-      for (unsigned int i = 0; i < nodes_per_cell; ++i)
-        nodes[i] = nodes_per_cell == 4 ? i : hierarchic[i];
-      for (unsigned int &node : nodes)
-        node =
-          discretization.element().finite_element().component_to_system_index(
-            0,
-            node);
-      return nodes;
+      std::vector<Point<2>> points;
+      const double          n = points_per_side - 1;
+      for (unsigned int j = 0; j < points_per_side; ++j)
+        for (unsigned int i = 0; i < points_per_side; ++i)
+          points.emplace_back(i / n, j / n);
+      return points;
     }
 
 
 
-    /// Deflections of all cells in some states, one column each. [m]
+    /// Deflections at points of all cells in some states, one column each. [m]
     Eigen::MatrixXf
     deflections(const PlateDiscretization           &discretization,
                 const std::vector<const Snapshot *> &frames,
-                const unsigned int                   nodes_per_cell)
+                const std::vector<Point<2>>         &unit_points)
     {
-      const std::vector<unsigned int> rows =
-        nodal_rows(discretization, nodes_per_cell);
+      const FESystem<2> &element = discretization.element().finite_element();
+      Eigen::MatrixXd    shapes(unit_points.size(), n_cell_dofs);
+      for (std::size_t p = 0; p < unit_points.size(); ++p)
+        for (int i = 0; i < n_cell_dofs; ++i)
+          shapes(p, i) =
+            element.shape_value_component(i, unit_points[p], deflection);
       const unsigned int n_cells = discretization.mesh().n_active_cells();
-      Eigen::MatrixXf    result(n_cells * nodes_per_cell, frames.size());
+      Eigen::MatrixXf    result(n_cells * unit_points.size(), frames.size());
       Eigen::MatrixXd    values;
       for (std::size_t frame = 0; frame < frames.size(); ++frame)
         for (unsigned int cell = 0; cell < n_cells; ++cell)
           {
             discretization.cell_values(cell, frames[frame]->unknowns, values);
-            for (unsigned int i = 0; i < nodes_per_cell; ++i)
-              result(cell * nodes_per_cell + i, frame) = values(rows[i], 0);
+            result.col(frame).segment(cell * unit_points.size(),
+                                      unit_points.size()) =
+              (shapes * values.col(0)).cast<float>();
           }
+      return result;
+    }
+
+
+
+    /// The fields of the section in some frames, the plate at rest before them.
+    Json
+    stresses_on_page(const Cycle                         &cycle,
+                     const std::vector<const Snapshot *> &frames,
+                     const std::vector<Point<2>>         &unit_points)
+    {
+      std::vector<std::vector<SectionField>> fields;
+      for (const Snapshot *frame : frames)
+        {
+          const Eigen::MatrixXd resultants =
+            cycle.recovered_resultants(frame->unknowns, unit_points);
+          fields.push_back(
+            section_fields(cycle.discretization().section(),
+                           resultants.reshaped(5, resultants.size() / 5)));
+        }
+      Json result = Json::array();
+      for (std::size_t k = 0; k < fields.front().size(); ++k)
+        {
+          double largest = std::numeric_limits<double>::min();
+          for (const auto &frame : fields)
+            largest =
+              std::max(largest, frame[k].values.lpNorm<Eigen::Infinity>());
+          std::vector<std::int8_t> roots(fields.front()[k].values.size(), 0);
+          for (const auto &frame : fields)
+            for (const double value : frame[k].values)
+              roots.push_back(std::lround(
+                std::copysign(127. * std::sqrt(std::abs(value) / largest),
+                              value)));
+          result.push_back({{"name", fields.front()[k].name},
+                            {"unit", fields.front()[k].unit},
+                            {"isOdd", fields.front()[k].is_odd},
+                            {"largest", largest},
+                            {"values", base64(roots)}});
+        }
       return result;
     }
 
@@ -87,10 +130,9 @@ namespace PlateImpact
 
     /// Frames, by number, that fit on the page; none when these would be few.
     std::vector<std::size_t>
-    chosen_frames(const std::size_t n_frames,
-                  const std::size_t values_per_frame)
+    chosen_frames(const std::size_t n_frames, const std::size_t bytes_per_frame)
     {
-      const std::size_t n = std::min(n_frames, max_values / values_per_frame);
+      const std::size_t n = std::min(n_frames, most_bytes / bytes_per_frame);
       std::vector<std::size_t> chosen;
       if (n >= std::min(n_frames, min_frames))
         for (std::size_t i = 1; i <= n; ++i)
@@ -102,19 +144,32 @@ namespace PlateImpact
 
 
   Json
-  deflection_film(const CycleResult         &result,
-                  const PlateDiscretization &discretization)
+  deflection_film(const Cycle &cycle)
   {
-    const std::size_t  n_cells        = discretization.mesh().n_active_cells();
-    const unsigned int nodes_per_cell = n_cells > 1000 ? 4 : 9;
-    const std::vector<std::size_t> chosen =
-      chosen_frames(result.frames.size(), n_cells * (nodes_per_cell + 1));
+    const CycleResult          &result          = cycle.result;
+    const PlateDiscretization  &discretization  = cycle.discretization();
+    const std::size_t           n_cells         = result.cells;
+    const unsigned int          points_per_side = n_cells > 1000 ? 2 :
+               n_cells > 60                                      ? 3 :
+                                                                   5;
+    const std::vector<Point<2>> unit_points     = lattice(points_per_side);
+    const std::size_t           n_points        = n_cells * unit_points.size();
+    const auto                  frames_with = [&](const std::size_t n_fields) {
+      return chosen_frames(result.frames.size(),
+                           n_points * (2 + n_fields) + 2 * n_cells);
+    };
+    std::vector<std::size_t> chosen =
+      frames_with(5 + discretization.section().stress_names().size());
+    const bool has_stresses =
+      chosen.size() >= std::min(result.frames.size(), min_frames_of_stresses);
+    if (!has_stresses)
+      chosen = frames_with(0);
     if (chosen.empty() || !result.error)
       return {};
 
     // the first frame is the plate at rest
     std::vector<double>       times(1, 0.), forces(1, 0.), errors(1, 0.);
-    std::vector<std::int16_t> deflection(n_cells * nodes_per_cell, 0);
+    std::vector<std::int16_t> deflection(n_points, 0);
     std::vector<std::int16_t> cell_errors(
       n_cells,
       std::numeric_limits<std::int16_t>::min());
@@ -133,9 +188,8 @@ namespace PlateImpact
         frames.push_back(&frame);
         sample_of_frame.push_back(i);
       }
-    const Eigen::MatrixXf w =
-      deflections(discretization, frames, nodes_per_cell);
-    const double unit = std::max(double(w.cwiseAbs().maxCoeff()) / 32767.,
+    const Eigen::MatrixXf w = deflections(discretization, frames, unit_points);
+    const double unit       = std::max(double(w.cwiseAbs().maxCoeff()) / 32767.,
                                  std::numeric_limits<double>::min());
 
     const auto &states  = result.history->states();
@@ -166,12 +220,15 @@ namespace PlateImpact
               std::numeric_limits<std::int16_t>::min());
       }
     return {{"cells", n_cells},
-            {"nodesPerCell", nodes_per_cell},
+            {"nodesPerSide", points_per_side},
             {"times", times},
             {"forces", forces},
             {"errors", errors},
             {"deflectionUnit", unit},
             {"deflections", base64(deflection)},
-            {"cellErrors", base64(cell_errors)}};
+            {"cellErrors", base64(cell_errors)},
+            {"fields",
+             has_stresses ? stresses_on_page(cycle, frames, unit_points) :
+                            Json::array()}};
   }
 } // namespace PlateImpact

@@ -4,6 +4,8 @@
 #include "plate_impact/estimator/peak_force_error.h"
 #include "plate_impact/output/deflection_film.h"
 #include "plate_impact/output/run_in_words.h"
+#include "plate_impact/output/section_fields.h"
+#include "plate_impact/output/stress_lines.h"
 #include "plate_impact/page/mesh_picture.h"
 
 #include <algorithm>
@@ -44,38 +46,15 @@ namespace PlateImpact
     void
     add_resultants(const Snapshot &state, const Cycle &cycle, Json &fields)
     {
-      const Eigen::MatrixXd resultants =
-        cycle.recovered_resultants(state.unknowns,
-                                   {dealii::Point<2>(0.5, 0.5)});
-      const auto add = [&fields](const std::string     &name,
-                                 const Eigen::VectorXd &values) {
+      for (const SectionField &field : section_fields(
+             cycle.discretization().section(),
+             cycle.recovered_resultants(state.unknowns,
+                                        {dealii::Point<2>(0.5, 0.5)})))
         fields.push_back(
-          {{"name", name},
-           {"values", numbers_on_page({values.begin(), values.end()})}});
-      };
-      const char *const names[] = {"moment M_x [N]",
-                                   "moment M_y [N]",
-                                   "moment M_xy [N]",
-                                   "shear force Q_x [N/m]",
-                                   "shear force Q_y [N/m]"};
-      for (unsigned int i = 0; i < 5; ++i)
-        add(names[i], resultants.row(i));
-
-      const PlateSection            &section = cycle.discretization().section();
-      const std::vector<std::string> stresses =
-        section.stress_names().size() == 1 ?
-        std::vector<std::string>{"von Mises stress at the faces [Pa]"} :
-        std::vector<std::string>{"largest stress along fibres [Pa]",
-                                 "largest stress across fibres [Pa]",
-                                 "largest shear stress of plies [Pa]"};
-      Eigen::MatrixXd largest(resultants.cols(), stresses.size());
-      for (Eigen::Index c = 0; c < resultants.cols(); ++c)
-        largest.row(c) =
-          section.stresses(resultants(0, c), resultants(1, c), resultants(2, c))
-            .colwise()
-            .maxCoeff();
-      for (std::size_t k = 0; k < stresses.size(); ++k)
-        add(stresses[k], largest.col(k));
+          {{"name", field.name},
+           {"unit", field.unit},
+           {"values",
+            numbers_on_page({field.values.begin(), field.values.end()})}});
     }
   } // namespace
 
@@ -123,8 +102,14 @@ namespace PlateImpact
     if (result.cells > max_pictured_cells)
       return;
     meshes.back() = mesh_on_page(cycle.mesh(), title, result.element_errors());
-    if (result.peak_state)
-      add_resultants(*result.peak_state, cycle, meshes.back()["fields"]);
+    if (!result.peak_state)
+      return;
+    add_resultants(*result.peak_state, cycle, meshes.back()["fields"]);
+    // of the first mesh and the last
+    if (stresses.size() == 2)
+      stresses.erase(1);
+    stresses.push_back(stress_lines(cycle, *result.peak_state));
+    stresses.back()["cycle"] = result.cycle;
   }
 
 
@@ -164,7 +149,8 @@ namespace PlateImpact
         if (n_cells > max_pictured_cells)
           *mesh = nullptr;
       }
-    study["film"] = deflection_film(last.result, last.discretization());
+    study["stresses"] = std::move(stresses);
+    study["film"]     = deflection_film(last);
     write_page(out,
                {scene.name,
                 scene_in_words(parameters),

@@ -5,15 +5,52 @@ function decoded(text, Type) {
   return new Type(bytes.buffer);
 }
 
+/** Splits a quadrilateral along the limits of the bands that its field passes.
+    @param points  of the four corners, in turn
+    @param places  of the field there, on a scale from 0 to 1
+    @param fill    called with a polygon and the number of its band */
+function fillBands(points, places, nBands, fill) {
+  const band = (place) => Math.min(nBands - 1, Math.max(0, Math.floor(place * nBands)));
+  const first = band(Math.min(...places)), last = band(Math.max(...places));
+  if (first === last) return fill(points, first);
+  const mean = (values) => values.reduce((sum, value) => sum + value / 4, 0);
+  const centre = { point: [0, 1].map((d) => mean(points.map((point) => point[d]))), place: mean(places) };
+  for (let side = 0; side < 4; ++side) {
+    const triangle = [side, (side + 1) % 4].map((i) => ({ point: points[i], place: places[i] })).concat(centre);
+    for (let k = first; k <= last; ++k) {
+      const above = k === first ? triangle : clipped(triangle, k / nBands, 1);
+      const polygon = k === last ? above : clipped(above, (k + 1) / nBands, -1);
+      if (polygon.length > 2) fill(polygon.map(({ point }) => point), k);
+    }
+  }
+}
+
+/** The part of a polygon at or beyond a limit, upwards or downwards. */
+function clipped(polygon, limit, sign) {
+  const kept = [];
+  polygon.forEach((end, i) => {
+    const begin = polygon.at(i - 1), a = sign * (begin.place - limit), b = sign * (end.place - limit);
+    if (a * b < 0) {
+      const s = a / (a - b), between = (from, to) => from + s * (to - from);
+      kept.push({ place: limit, point: [0, 1].map((d) => between(begin.point[d], end.point[d])) });
+    }
+    if (b >= 0) kept.push(end);
+  });
+  return kept;
+}
+
 /** Plays deflection_film(): the whole plate, drawn from the part that is
-    computed, seen from any side. */
+    computed, seen from any side, coloured by one of its fields. */
 class Film {
   constructor(holder, { film, patch, symmetric }, mesh) {
     Object.assign(this, { holder, film, patch, symmetric, mesh, frame: 0, azimuth: 0.6, elevation: 0.55, zoom: 1, isAtContact: false,
-      field: 'deflection', timer: null });
+      timer: null });
     this.deflections = decoded(film.deflections, Int16Array);
     this.cellErrors = decoded(film.cellErrors, Int16Array);
+    this.nodesPerCell = film.nodesPerSide ** 2;
     this.largest = this.deflections.reduce((a, b) => Math.max(a, Math.abs(b)), 1);
+    this.fields = this.makeFields();
+    [this.field] = this.fields;
     // the frame of the largest force says most
     this.frame = film.forces.indexOf(Math.max(...film.forces));
     this.makePatches();
@@ -21,15 +58,32 @@ class Film {
     this.draw();
   }
 
+  /** What the plate may be coloured by: places of the nodes on a scale, and what mirrors do to them. */
+  makeFields() {
+    const { film } = this, top = withUnit(this.largest * film.deflectionUnit, 'm');
+    const deflection = { name: 'deflection', isOdd: [false, false], palette: palettes.diverging,
+      title: 'deflection, positive in the direction of impact', labels: ['−' + top, '0', top],
+      place: (node, sign) => 0.5 + sign * this.deflections[node] / this.largest / 2 };
+    const stresses = film.fields.map((field) => {
+      const { name, isOdd, largest, values } = field;
+      const roots = decoded(values, Int8Array), { palette, labels, title, isSigned } = rootScale(field, largest, roots.some((root) => root < 0));
+      return { name, isOdd, palette, labels, title,
+        place: isSigned ? (node, sign) => 0.5 + sign * roots[node] / 254 : (node, sign) => sign * roots[node] / 127 };
+    });
+    return [deflection, { ...ratioScale, name: 'local error ratio ξ', title: 'local error ratio ξ(t)', place: null }, ...stresses];
+  }
+
   /** Quadrilaterals to draw, with their nodes, for all mirror images. */
   makePatches() {
     const { film, mesh: { vertices, cells } } = this;
-    const nine = film.nodesPerCell === 9;
-    // with the corners along which a quadrilateral borders on other cells
-    const quads = nine ?
-      [[[0, 1, 4, 3], [3, 0, 1]], [[1, 2, 5, 4], [0, 1, 2]], [[3, 4, 7, 6], [0, 3, 2]], [[4, 5, 8, 7], [1, 2, 3]]] :
-      [[[0, 1, 3, 2], [0, 1, 2, 3, 0]]];
-    const side = nine ? 3 : 2;
+    const side = film.nodesPerSide, quads = [];
+    for (let j = 0; j + 1 < side; ++j)
+      for (let i = 0; i + 1 < side; ++i) {
+        const nodes = [j * side + i, j * side + i + 1, (j + 1) * side + i + 1, (j + 1) * side + i];
+        // edges, by their first corner, that border on other cells
+        const border = [j === 0, i + 2 === side, j + 2 === side, i === 0].flatMap((is, edge) => (is ? [edge] : []));
+        quads.push([nodes, border]);
+      }
     const mirrored = this.symmetric.map((is) => (is ? [1, -1] : [1]));
     const begin = [Infinity, Infinity], end = [-Infinity, -Infinity];
     vertices.forEach((c, i) => mirrored[i % 2].forEach((sign) => {
@@ -41,13 +95,13 @@ class Film {
     this.extent = Math.max(...half);
     this.radius = Math.hypot(...half);
     this.lift = Math.max(0.45 * Math.min(...half), 0.1 * this.extent) / this.largest;
-    this.nodes = new Float32Array(2 * film.cells * film.nodesPerCell);
+    this.nodes = new Float32Array(2 * film.cells * this.nodesPerCell);
     for (let cell = 0; cell < film.cells; ++cell)
-      for (let n = 0; n < film.nodesPerCell; ++n) {
+      for (let n = 0; n < this.nodesPerCell; ++n) {
         const s = (n % side) / (side - 1), t = Math.floor(n / side) / (side - 1);
         for (let d = 0; d < 2; ++d) {
           const c = (v) => vertices[2 * cells[4 * cell + v] + d];
-          this.nodes[2 * (cell * film.nodesPerCell + n) + d] =
+          this.nodes[2 * (cell * this.nodesPerCell + n) + d] =
             (1 - t) * ((1 - s) * c(0) + s * c(1)) + t * ((1 - s) * c(2) + s * c(3));
         }
       }
@@ -55,7 +109,7 @@ class Film {
     for (const mirrorX of mirrored[0]) for (const mirrorY of mirrored[1])
       for (let cell = 0; cell < film.cells; ++cell)
         for (const [quad, border] of quads)
-          this.patches.push({ cell, mirrorX, mirrorY, border, nodes: quad.map((n) => cell * film.nodesPerCell + n) });
+          this.patches.push({ cell, mirrorX, mirrorY, border, nodes: quad.map((n) => cell * this.nodesPerCell + n) });
     this.struck = this.nodeAt(0, 0);
   }
 
@@ -80,10 +134,12 @@ class Film {
     const controls = add('div', { className: 'controls' }, holder);
     this.button = add('button', { type: 'button', textContent: '▶ Play' }, controls);
     this.slider = add('input', { type: 'range', min: 0, max: film.times.length - 1, value: this.frame, 'aria-label': 'Time' }, controls);
-    controls.append(selection('Colour: ', ['deflection', 'local error ratio ξ'], (chosen) => {
-      this.field = ['deflection', 'error'][chosen];
+    controls.append(selection('Colour: ', this.fields.map(({ name }) => name), (chosen) => {
+      this.field = this.fields[chosen];
       this.draw();
     }));
+    const above = add('button', { type: 'button', textContent: 'from above', title: 'x to the right, y upwards' }, controls);
+    above.addEventListener('click', () => this.turn(-this.azimuth, Math.PI));
     const contact = () => {
       // five radii to either side, or a part of the plate under a point load
       this.isAtContact = true;
@@ -151,13 +207,9 @@ class Film {
     this.draw();
   }
 
-  colourOf(patch, offset) {
-    if (this.field === 'deflection') {
-      let sum = 0;
-      for (const node of patch.nodes) sum += this.deflections[offset + node];
-      return colourAt(palettes.diverging, 0.5 + sum / 4 / this.largest / 2);
-    }
-    const value = this.cellErrors[this.frame * this.film.cells + patch.cell];
+  /** Of a cell, where the field is one of cells. */
+  colourOfCell(cell) {
+    const value = this.cellErrors[this.frame * this.film.cells + cell];
     return value === -32768 ? 'rgb(255,255,255)' : colourAt(ratioScale.palette, ratioScale.place(10 ** (value / 1e4)));
   }
 
@@ -173,7 +225,7 @@ class Film {
     const sinE = Math.sin(this.elevation), cosE = Math.cos(this.elevation);
     const highest = this.lift * this.largest;
     const scale = this.zoom * Math.min(width / (2.05 * this.radius), height / (2.05 * (this.radius * sinE + highest * cosE)));
-    const offset = this.frame * film.cells * film.nodesPerCell;
+    const offset = this.frame * film.cells * this.nodesPerCell;
     // in the middle: that of the whole plate, or the contact, the origin, on the deflected one
     const share = this.isAtContact ? Math.min(1, (this.zoom - 1) / 2) : 0;
     const middle = this.centre.map((c) => c - share * c);
@@ -190,19 +242,29 @@ class Film {
     });
     drawn.sort((a, b) => b.depth - a.depth);
     context.lineWidth = 0.6;
-    for (const { patch, points } of drawn) {
-      const trace = (corners) => {
-        context.beginPath();
-        corners.forEach((corner, i) => (i === 0 ? context.moveTo(...points[corner]) : context.lineTo(...points[corner])));
-      };
-      trace([0, 1, 2, 3, 0]);
+    const { field } = this, nBands = bandsOf(field.palette);
+    const fill = (polygon, colour) => {
+      context.beginPath();
+      polygon.forEach((point, i) => (i === 0 ? context.moveTo(...point) : context.lineTo(...point)));
+      context.closePath();
       // the line hides the seam between two fillings
-      context.fillStyle = context.strokeStyle = this.colourOf(patch, offset);
+      context.fillStyle = context.strokeStyle = colour;
       context.fill();
       context.stroke();
-      trace(patch.border);
+    };
+    for (const { patch, points } of drawn) {
+      if (field.place) {
+        const sign = (field.isOdd[0] ? patch.mirrorX : 1) * (field.isOdd[1] ? patch.mirrorY : 1);
+        fillBands(points, patch.nodes.map((node) => field.place(offset + node, sign)), nBands,
+          (polygon, band) => fill(polygon, bandColour(field.palette, band)));
+      } else fill(points, this.colourOfCell(patch.cell));
       context.strokeStyle = 'rgba(0,0,0,0.25)';
-      context.stroke();
+      for (const edge of patch.border) {
+        context.beginPath();
+        context.moveTo(...points[edge]);
+        context.lineTo(...points[(edge + 1) % 4]);
+        context.stroke();
+      }
     }
     this.readout.textContent = `t = ${withUnit(film.times[this.frame], 's')},  F = ${withUnit(film.forces[this.frame], 'N')},  ` +
       `η(t) = ${formatted(100 * film.errors[this.frame], 4)} %`;
@@ -212,10 +274,7 @@ class Film {
 
   drawScale() {
     if (this.scaleField === this.field) return;
-    this.scaleField = this.field;
-    const top = withUnit(this.largest * this.film.deflectionUnit, 'm');
-    this.scale.replaceChildren(this.field === 'deflection' ?
-      makeScale(palettes.diverging, ['−' + top, '0', top], 'deflection, positive in the direction of impact') :
-      makeScale(ratioScale.palette, ratioScale.labels, 'local error ratio ξ(t)'));
+    const { palette, labels, title, place } = this.scaleField = this.field;
+    this.scale.replaceChildren(makeScale(palette, labels, title, place !== null));
   }
 }

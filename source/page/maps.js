@@ -14,9 +14,16 @@ function colourAt(palette, s) {
   return 'rgb(' + palette[i].map((c, k) => Math.round(c + (at - i) * (palette[i + 1][k] - c))).join(',') + ')';
 }
 
-/** A bar with the colours of a palette, with labels evenly along it. */
-function makeScale(palette, labels, title) {
-  const colours = palette.map((_, i) => colourAt(palette, i / (palette.length - 1)));
+/** Colours between which filled contours tell: with one for zero in the middle of two signs. */
+const bandsOf = (palette) => (palette === palettes.diverging ? 21 : 20);
+const bandColour = (palette, band) => colourAt(palette, (band + 0.5) / bandsOf(palette));
+
+/** A bar with the colours of a palette, with labels evenly along it; in bands or not. */
+function makeScale(palette, labels, title, isBanded = false) {
+  const n = bandsOf(palette);
+  const colours = isBanded ?
+    Array.from({ length: n }, (_, k) => `${bandColour(palette, k)} ${100 * k / n}% ${100 * (k + 1) / n}%`) :
+    palette.map((_, i) => colourAt(palette, i / (palette.length - 1)));
   return element('div', { className: 'scale' }, title,
     element('div', { className: 'bar', style: `background: linear-gradient(to right, ${colours.join()})` }),
     element('div', { className: 'labels' }, labels.map((label) => element('span', {}, label))));
@@ -76,8 +83,17 @@ function makeMap(map) {
 // ---------------------------------------------------------------- meshes
 
 /** Errors over their limit, in meshes and film alike. */
-const ratioScale = { palette: palettes.diverging, labels: ['≤ 0.1', '0.3', '1 (limit)', '3', '≥ 10'],
+const ratioScale = { title: 'local error ratio ξ′', palette: palettes.diverging, labels: ['≤ 0.1', '0.3', '1 (limit)', '3', '≥ 10'],
   place: (value) => 0.5 + 0.5 * Math.log10(Math.max(value, 1e-12)) };
+
+/** A scale of a field by square roots: resultants are largest by far at the impact. */
+function rootScale({ name, unit }, high, isSigned) {
+  const root = (value) => Math.sign(value) * Math.sqrt(Math.abs(value) / high), shown = prefixed(unit, [high]);
+  const label = (value) => formatted(shown.factor * value, 3), title = titled(name, shown.name);
+  return isSigned ?
+    { isSigned, title, palette: palettes.diverging, labels: [-high, -high / 4, 0, high / 4, high].map(label), place: (value) => 0.5 + 0.5 * root(value) } :
+    { isSigned, title, palette: palettes.sequential, labels: [0, high / 4, high].map(label), place: root };
+}
 
 /** Places of values on a palette, for all meshes of a group alike. */
 function fieldScale(fields) {
@@ -88,13 +104,7 @@ function fieldScale(fields) {
       high = Math.max(high, Math.abs(value));
       isSigned = isSigned || value < 0;
     }
-  high = high || 1;
-  // square roots: resultants are largest by far at the impact
-  const root = (value) => Math.sign(value) * Math.sqrt(Math.abs(value) / high);
-  const label = (value) => formatted(value, 3);
-  return isSigned ?
-    { palette: palettes.diverging, labels: [-high, -high / 4, 0, high / 4, high].map(label), place: (value) => 0.5 + 0.5 * root(value) } :
-    { palette: palettes.sequential, labels: [0, high / 4, high].map(label), place: root };
+  return rootScale(fields[0], high || 1, isSigned);
 }
 
 /** One part of the plate in all pictures of a group, with a scale bar in each. */
@@ -182,8 +192,8 @@ function meshPicture({ title, vertices, cells }, patch) {
 
 /** Meshes beside each other where there is room, to be coloured by any of their fields, on one scale for
     all. A mesh has a `title`, `vertices` (x and y of each [m], the impact at the origin), `cells` (four vertices
-    of each, lexicographic) and `fields` of values by cell with a `name` and, where they are ratios to a limit,
-    `isRatio`. */
+    of each, lexicographic) and `fields` of values by cell with a `name` and a `unit`, or, where they are ratios to
+    a limit, `isRatio`. */
 function meshGroup(meshes, patch) {
   const figures = meshes.map((mesh) => element('figure', {}, meshPicture(mesh, patch), element('figcaption', {}, mesh.title)));
   const controls = element('div', { className: 'controls' }), scaleHolder = element('div');
@@ -193,7 +203,7 @@ function meshGroup(meshes, patch) {
   if (!meshes.every((mesh) => mesh.fields.length > 0)) return group;
   const show = (chosen) => {
     const fields = meshes.map((mesh) => mesh.fields[chosen]), scale = fieldScale(fields);
-    scaleHolder.replaceChildren(makeScale(scale.palette, scale.labels, fields[0].name));
+    scaleHolder.replaceChildren(makeScale(scale.palette, scale.labels, scale.title));
     figures.forEach((figure, i) => figure.querySelectorAll('polygon').forEach((cell, c) =>
       cell.setAttribute('fill', colourAt(scale.palette, scale.place(fields[i].values[c])))));
   };
@@ -202,7 +212,7 @@ function meshGroup(meshes, patch) {
     if (event.target.tagName !== 'polygon') return;
     const c = [...event.target.parentNode.children].indexOf(event.target);
     readout.textContent = `${meshes[i].title.split(':')[0]}, cell ${c}: ` + meshes[i].fields
-      .map((field) => `${field.name} ${formatted(field.values[c], 4)}`).join(', ');
+      .map((field) => `${field.name} ${withUnit(field.values[c], field.unit ?? '').trim()}`).join(', ');
   }));
   show(0);
   return group;

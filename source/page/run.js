@@ -157,6 +157,30 @@ function showCycles({ summary: { cycles }, errors }) {
       series: stages.map((stage, colour) => ({ name: stage, colour, y: cycles.map((cycle) => cycle.seconds[stage]) })) }]));
 }
 
+/** A field along a line, as the elements have it and as it is recovered, on the first mesh and the last. */
+function linePlot(stresses, line, field) {
+  const { fields, lines } = stresses[0], { title, distance } = lines[line], metre = prefixed('m', distance);
+  const scale = prefixed(fields[field].unit, stresses.flatMap((mesh) => mesh.lines.flatMap(({ raw }) => raw[field])));
+  const series = stresses.flatMap((mesh, k) => ['recovered', 'raw'].map((kind, i) => ({
+    name: `${kind}, cycle ${mesh.cycle}`, x: metre.of(mesh.lines[line].distance), y: scale.of(mesh.lines[line][kind][field]),
+    colour: 2 * k + i, style: kind === 'raw' ? 'line' : 'dashed' })));
+  return { title, x: { title: titled('distance from the impact', metre.name) }, y: { title: `[${scale.name}]` }, series: series.reverse() };
+}
+
+function showStressesAlongLines({ stresses }) {
+  const at = plots.length, show = (field) => stresses[0].lines.map((_, line) => linePlot(stresses, line, field));
+  const { fields } = stresses[0], first = fields.length - (fields.length > 6 ? 3 : 1);
+  const grid = plotGrid(show(first), 'small'), entries = plots.slice(at);
+  const choose = selection('Stress: ', fields.map(({ name }) => name), (field) => show(field).forEach((plot, i) => {
+    entries[i].plot = plot;
+    makePlot(entries[i].canvas, entries[i]);
+  }));
+  choose.querySelector('select').value = first;
+  section('Raw and recovered', paragraph('Stresses at the peak force. Those of the elements jump from cell to cell; patch recovery fits ' +
+    'polynomials to them, and the distance between both is what the estimator takes for the error.'),
+  element('div', { className: 'controls' }, choose), grid);
+}
+
 /** Which part of the plate the meshes are, and where the impact is. */
 function meshedPart([left, lower]) {
   if (left && lower) return 'A quarter of the plate; the impact is at the lower left corner.';
@@ -174,12 +198,14 @@ function showRun(study) {
   const shown = meshes.filter(Boolean);
   if (film) {
     const player = element('figure', { className: 'player' });
-    section('In time', paragraph('Deflection and local error ratio on the last mesh.'), player);
+    section('In time', paragraph(film.fields.length > 0 ? 'Deflection, local error ratio, stress resultants and stresses on the last mesh.' :
+      'Deflection and local error ratio on the last mesh.'), player);
     new Film(player, study, shown.at(-1));
   }
-  section('Meshes', paragraph(`${meshedPart(study.symmetric)} Resultants are those at the peak force, recovered, at the centres of the cells.`),
+  section('Meshes', paragraph(`${meshedPart(study.symmetric)} Resultants and stresses are those at the peak force, recovered, at the centres of the cells.`),
     shown.length < meshes.length && paragraph('Meshes of too many cells for a page are left out; see mesh_cycle_K.svg and Output/Field samples.'),
     shown.length > 0 && meshGroup(shown, study.patch));
+  if (study.stresses.length > 0) showStressesAlongLines(study);
   showCycles(study);
   section('Repeat it', paragraph(`plate-impact ${summary.version}. Save these values, which are in scene.prm too, and run`),
     preformatted('plate-impact run scene.prm'), preformatted(study.text));

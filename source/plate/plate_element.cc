@@ -127,6 +127,21 @@ namespace PlateImpact
 
 
 
+  CellOperator
+  PlateElement::strains_at(const Triangulation<2>::active_cell_iterator &cell,
+                           const std::vector<Point<2>> &unit_points) const
+  {
+    FEValues<2> values(mapping_of(cell),
+                       scalar_element,
+                       Quadrature<2>(unit_points),
+                       update_values | update_gradients |
+                         update_inverse_jacobians);
+    values.reinit(cell);
+    return strains(cell, values);
+  }
+
+
+
   CellShape
   PlateElement::shape(const Triangulation<2>::active_cell_iterator &cell) const
   {

@@ -43,7 +43,7 @@ namespace PlateImpact
 
   private:
     Json histories = Json::array(), errors = Json::array(),
-         meshes = Json::array();
+         meshes = Json::array(), stresses = Json::array();
   };
 } // namespace PlateImpact
 

@@ -1,6 +1,7 @@
 #ifndef plate_impact_plate_plate_element_h
 #define plate_impact_plate_plate_element_h
 
+#include <deal.II/base/point.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_q.h>
@@ -86,6 +87,12 @@ namespace PlateImpact
     add_internal_constraints(
       const dealii::DoFHandler<2>       &dof_handler,
       dealii::AffineConstraints<double> &constraints) const;
+
+    /// Curvatures and shear strains at points of the reference cell, five rows
+    /// each.
+    CellOperator
+    strains_at(const dealii::Triangulation<2>::active_cell_iterator &cell,
+               const std::vector<dealii::Point<2>> &unit_points) const;
 
     CellShape
     shape(const dealii::Triangulation<2>::active_cell_iterator &cell) const;
