@@ -3,6 +3,7 @@
 #include <deal.II/base/utilities.h>
 #include <deal.II/fe/fe_system.h>
 
+#include "plate_impact/estimator/recovered_field.h"
 #include "plate_impact/output/section_fields.h"
 
 #include <algorithm>
@@ -87,15 +88,33 @@ namespace PlateImpact
                      const std::vector<const Snapshot *> &frames,
                      const std::vector<Point<2>>         &unit_points)
     {
-      std::vector<std::vector<SectionField>> fields;
-      for (const Snapshot *frame : frames)
+      const PlateDiscretization &plate    = cycle.discretization();
+      const unsigned int         n_frames = frames.size();
+      Eigen::MatrixXd            states(plate.n_unknowns(), n_frames);
+      for (unsigned int frame = 0; frame < n_frames; ++frame)
+        states.col(frame) = frames[frame]->unknowns;
+      // of all frames at once, since what a patch costs most is its place
+      RecoveredField                                        recovered(plate,
+                               cycle.recovery(),
+                               plate.section().stiffness(),
+                               states);
+      std::vector<Eigen::Matrix<double, 5, Eigen::Dynamic>> of_frames(n_frames);
+      for (auto &resultants : of_frames)
+        resultants.resize(5, cycle.result.cells * unit_points.size());
+      RowMajorMatrix values;
+      Eigen::Index   point = 0;
+      for (const auto &cell : cycle.mesh().active_cell_iterators())
         {
-          const Eigen::MatrixXd resultants =
-            cycle.recovered_resultants(frame->unknowns, unit_points);
-          fields.push_back(
-            section_fields(cycle.discretization().section(),
-                           resultants.reshaped(5, resultants.size() / 5)));
+          recovered.evaluate(cell, unit_points, values);
+          recovered.finish(cell);
+          for (Eigen::Index p = 0; p < values.rows(); ++p, ++point)
+            for (unsigned int frame = 0; frame < n_frames; ++frame)
+              for (unsigned int i = 0; i < 5; ++i)
+                of_frames[frame](i, point) = values(p, i * n_frames + frame);
         }
+      std::vector<std::vector<SectionField>> fields;
+      for (const auto &resultants : of_frames)
+        fields.push_back(section_fields(plate.section(), resultants));
       Json result = Json::array();
       for (std::size_t k = 0; k < fields.front().size(); ++k)
         {
