@@ -69,6 +69,18 @@ for (const { canvas, plot } of plots) {
     !svgOf(chart, plot).includes('NaN'), plot.title + ': no SVG');
 }
 
+const matrix = [...document.querySelectorAll('section')].find((part) => part.textContent.startsWith('Who is first'));
+if (matrix) {
+  const select = matrix.querySelector('select'), seen = new Set();
+  for (const option of select.options) {
+    select.value = option.value;
+    select.dispatchEvent(new Event('change'));
+    seen.add(matrix.querySelector('div p').textContent);
+  }
+  expect(seen.size === data.comparison.thresholds.length, 'who is first: does not change with the error');
+  const { strategy } = data.comparison.curves[0];
+  expect(matrix.querySelector('tbody th').textContent === strategy, 'who is first: no row for ' + strategy);
+}
 const legend = document.querySelector('.legend');
 if (legend) {
   const charts = [...legend.nextElementSibling.querySelectorAll('canvas')].map((canvas) => () => Chart.getChart(canvas));
@@ -79,6 +91,16 @@ if (legend) {
     titles.add(charts.map((chart) => chart().options.scales.x.title.text).join());
   }
   expect(titles.size === select.options.length && titles.size > 1, 'legend: the abscissa does not change');
+  const elements = legend.querySelectorAll('select')[1];
+  const labels = () => charts[0]().data.datasets.filter((_, i) => charts[0]().isDatasetVisible(i)).map(({ label }) => label);
+  const few = labels().length;
+  for (const option of elements?.options ?? []) {
+    elements.value = option.value;
+    elements.dispatchEvent(new Event('change'));
+    if (option.text === 'all') expect(labels().length > few, 'legend: not all curves are shown');
+    else if (Number(option.value) > 1)
+      expect(labels().every((label) => !label.includes(', ') || label.endsWith(option.text)), 'legend: other elements than ' + option.text);
+  }
   for (const button of legend.querySelectorAll('button')) {
     const visible = () => charts.map((chart) => chart().getVisibleDatasetCount()).join();
     const before = visible();
@@ -257,7 +279,7 @@ def main():
                      "Sweep/Entry 2=Impactor/Mass", "Sweep/Values 2=0.01:0.04:4",
                      "Sweep/Entry 3=Plate/Thickness", "Sweep/Values 3=0.004, 0.008"]
     small_comparison = ["Comparison/Maximum cycles=2", "Comparison/Reference peak force=1301",
-                        "Comparison/Strategies=uniform, hanging nodes", "Comparison/Elements=MITC9"]
+                        "Comparison/Strategies=uniform, hanging nodes", "Comparison/Elements=MITC9, serendipity"]
     struck = {"Inside of the model": True, "Zener": True, "change in the last cycle": True}
     still = {"Nothing strikes": False, "Zener": False, "Histories": False, "In time": False, "η": False}
     alone = {"Zener": True, "change in the last cycle": False, "every cell halved": True}

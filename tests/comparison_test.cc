@@ -120,7 +120,17 @@ namespace PlateImpact
       const std::string page = text(results() / "comparison.html");
       EXPECT_EQ(study_of("comparison.html")["comparison"], json);
       EXPECT_EQ(page.find("src=\"http"), std::string::npos);
-      EXPECT_NE(out.find(" times\n"), std::string::npos) << out;
+      for (const auto &row : json["thresholds"])
+        if (row["comparable"] && !row["reached"].empty())
+          {
+            const std::string words = row["in_words"];
+            const auto       &first = row["reached"][0];
+            for (const std::string &part :
+                 {first["strategy"].get<std::string>(),
+                  first["cells"].dump() + " cells after "})
+              EXPECT_NE(words.find(part), std::string::npos) << words;
+            EXPECT_NE(out.find(words.substr(0, 30)), std::string::npos) << out;
+          }
       EXPECT_NE(out.find("6 of 6  remeshing, MITC9, about "), std::string::npos)
         << out;
       std::istringstream lines(out.substr(0, out.find("\nResults")));
@@ -200,6 +210,32 @@ namespace PlateImpact
           EXPECT_NEAR(std::stod(row[7]), std::stod(row[6]) / 1000. - 1., 1e-9);
           EXPECT_EQ(row[9], ""); // nothing is known of the contact's end
         }
+    }
+
+
+
+    TEST_F(Compare, DoesNotCountAnErrorThatIsSmallByChance)
+    {
+      const std::string uniform =
+        "--set Comparison/Strategies=uniform --set Comparison/Elements=MITC9 "
+        "--set 'Comparison/Maximum cycles=2' --set "
+        "'Comparison/Reference peak force=";
+      ASSERT_EQ(compare(main_scene, coarse + uniform + "1000'"), 0) << err;
+      // the second mesh has no error at all against its own force
+      const auto table = rows();
+      ASSERT_EQ(compare(main_scene, coarse + uniform + table[1][6] + "'"), 0)
+        << err;
+      EXPECT_LT(std::stod(rows()[1][7]), 1e-9);
+      const double bar = std::stod(rows()[1][8]);
+      EXPECT_GT(bar, 1e-3);
+      const auto results = comparison();
+      for (const auto &row : results["thresholds"])
+        if (row["quantity"] == "peak force error")
+          {
+            EXPECT_EQ(row["reached"].empty(),
+                      row["threshold"].get<double>() < bar)
+              << row;
+          }
     }
 
 

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -51,6 +52,20 @@ namespace PlateImpact
 
 
 
+    /// The unknowns under that pressure.
+    Eigen::VectorXd
+    pressed(const PlateDiscretization &model)
+    {
+      return solve_static(model,
+                          model.load(
+                            pressure_load(model.mesh(), [](const Point<2> &p) {
+                              return std::cos(numbers::PI * p[0]) *
+                                std::cos(numbers::PI * p[1]);
+                            })));
+    }
+
+
+
     struct Effectivity
     {
       double overall, smallest_of_cells, largest_of_cells;
@@ -72,13 +87,8 @@ namespace PlateImpact
       const PlateElement  element(element_name);
       PlateDiscretization model(mesh, element, plate, 1.);
       model.assemble();
-      const Eigen::VectorXd z =
-        solve_static(model,
-                     model.load(pressure_load(mesh, [](const Point<2> &p) {
-                       return std::cos(numbers::PI * p[0]) *
-                         std::cos(numbers::PI * p[1]);
-                     })));
-      MeshEstimator estimator(model);
+      const Eigen::VectorXd z = pressed(model);
+      MeshEstimator         estimator(model);
       estimator.add_samples({1.}, z);
       const ErrorEstimate estimate = estimator.estimate();
 
@@ -222,6 +232,108 @@ namespace PlateImpact
           before = gain;
         }
       EXPECT_LT(before, 0.2);
+    }
+
+
+
+    /// Numbers for a picture, one after the other.
+    void
+    record_all(const std::string &name, const std::vector<double> &values)
+    {
+      ::testing::Test::RecordProperty(name,
+                                      fmt::format("{}",
+                                                  fmt::join(values, " ")));
+    }
+
+
+
+    // The picture of lesson 0: one patch, along a line through its samples.
+    TEST(EnergyNormEstimator, LessonZeroPatch)
+    {
+      const PlateParameters plate =
+        unit_plate(EdgeSupport::simply_supported, 0.05);
+      const auto          mesh = make_plate_mesh(plate, {{4, 4}});
+      const PlateElement  element(ElementType::MITC9);
+      PlateDiscretization model(*mesh, element, plate, 1.);
+      model.assemble();
+      const Eigen::VectorXd z = pressed(model);
+      const NavierPlate     exact(model.section());
+      const StressRecovery  recovery(*mesh);
+      const auto            patch =
+        std::find_if(recovery.patches().begin(),
+                     recovery.patches().end(),
+                     [](const StressRecovery::Patch &one) {
+                       return one.centre.distance({0.25, 0.25}) < 1e-9;
+                     });
+      ASSERT_NE(patch, recovery.patches().end());
+      ASSERT_EQ(patch->images.size(), 4u);
+
+      constexpr unsigned int      Q_x       = 3;
+      const auto                  stiffness = model.section().stiffness();
+      std::vector<RowMajorMatrix> samples(mesh->n_active_cells());
+      for (unsigned int cell = 0; cell < samples.size(); ++cell)
+        samples[cell] = resultants_at(model,
+                                      cell,
+                                      stiffness,
+                                      model.shape(cell).strains_at_samples,
+                                      z);
+      const RowMajorMatrix a = patch->coefficients(samples);
+
+      // the cells to the left and to the right, at the lower of the samples
+      const double        place = 0.5 + 0.5 / std::sqrt(3.);
+      const MappingQ1<2>  mapping;
+      std::vector<double> x, raw, fitted, right, sample_x, sample_values,
+        corners;
+      double raw_error = 0., sample_error = 0., fitted_error = 0.;
+      for (const StressRecovery::Image &image : patch->images)
+        {
+          const auto cell = std::next(mesh->begin_active(), image.cell);
+          for (const unsigned int v : {0, 3})
+            for (const unsigned int d : {0, 1})
+              corners.push_back(cell->vertex(v)[d]);
+          if (cell->center()[1] > 0.25)
+            continue;
+          const auto add = [&](const Point<2> &unit, const bool is_sample) {
+            const Point<2> point =
+              mapping.transform_unit_to_real_cell(cell, unit);
+            const double at_point =
+              resultants_at(model,
+                            image.cell,
+                            stiffness,
+                            element.strains_at(cell, {unit}),
+                            z)(0, Q_x);
+            const double fit = (patch->polynomial(point) * a)[Q_x];
+            const double is  = exact.resultants(point)[Q_x];
+            if (is_sample)
+              {
+                sample_x.push_back(point[0]);
+                sample_values.push_back(at_point);
+                sample_error = std::max(sample_error, std::abs(at_point - is));
+                return;
+              }
+            x.push_back(point[0]);
+            raw.push_back(at_point);
+            fitted.push_back(fit);
+            right.push_back(is);
+            raw_error    = std::max(raw_error, std::abs(at_point - is));
+            fitted_error = std::max(fitted_error, std::abs(fit - is));
+          };
+          for (unsigned int i = 0; i <= 20; ++i)
+            add({i / 20., place}, false);
+          for (const double s : {1. - place, place})
+            add({s, place}, true);
+        }
+      record_all("corners", corners);
+      record_all("y", {0.125 + 0.125 * place});
+      record_all("x", x);
+      record_all("raw", raw);
+      record_all("fitted", fitted);
+      record_all("exact", right);
+      record_all("sample_x", sample_x);
+      record_all("samples", sample_values);
+      // the samples are where the elements are right, and the fit follows them
+      EXPECT_LT(sample_error, 0.2 * raw_error);
+      EXPECT_LT(fitted_error, 0.5 * raw_error);
     }
   } // namespace
 } // namespace PlateImpact

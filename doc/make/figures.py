@@ -7,6 +7,7 @@ import re
 import matplotlib
 matplotlib.use("svg")
 import matplotlib.pyplot as plt
+from matplotlib.collections import PolyCollection
 from matplotlib.ticker import MaxNLocator
 import numpy as np
 
@@ -173,6 +174,77 @@ def histories_of_sweeps(*studies):
     return svg(figure)
 
 
+def forces_by_study(*studies):
+    """Forces against time, a plot for each sweep, with the names of its points."""
+    figure, axes = new_figure(len(studies))
+    for axis, (sweep, names) in zip(axes, studies):
+        for name, history in zip(names, sweep.histories):
+            axis.plot(1e6 * history["time"], history["force"], label=name)
+        axis.set(xlabel="time [us]", ylabel="force [N]")
+        axis.legend()
+    return svg(figure)
+
+
+def forces_of_meshes(run):
+    """Forces against time on the meshes of all cycles."""
+    figure, axes = new_figure()
+    for cycle, history in zip(run.cycles, run.histories):
+        axes.plot(1e6 * history["time"], history["force"], label=f"{cycle['cells']} cells")
+    axes.set(xlabel="time [us]", ylabel="force [N]")
+    axes.legend()
+    return svg(figure)
+
+
+def meshes(run):
+    """The meshes of all cycles beside each other."""
+    shown = run.page["meshes"]
+    figure, axes = plt.subplots(1, len(shown), figsize=(3 * len(shown), 3.2))
+    for axis, mesh in zip(axes, shown):
+        vertices = 1e3 * np.reshape(mesh["vertices"], (-1, 2))
+        corners = vertices[np.reshape(mesh["cells"], (-1, 4))[:, [0, 1, 3, 2]]]
+        axis.add_collection(PolyCollection(corners, facecolor="none", edgecolor="0.2",
+                                           linewidth=0.5))
+        axis.set(title=mesh["title"].split(": ")[1].replace("η", "eta"), aspect="equal",
+                 xlabel="x [mm]")
+        axis.autoscale()
+    axes[0].set(ylabel="y [mm]")
+    return svg(figure)
+
+
+def patch(found):
+    """A patch of the recovery, and how far the shear forces of the elements, at the samples
+    and of the polynomial are from Navier's along a line (a test records the numbers)."""
+    numbers = {name: np.array(str(text).split(), float) for name, text in found.items()}
+    figure, (left, right) = new_figure(2)
+    for low_x, low_y, high_x, high_y in numbers["corners"].reshape(-1, 4):
+        left.add_patch(plt.Rectangle((low_x, low_y), high_x - low_x, high_y - low_y,
+                                     facecolor="none", edgecolor="0.2"))
+        for u in (-1, 1):
+            for v in (-1, 1):
+                left.plot(0.5 * (low_x + high_x + u * (high_x - low_x) / 3**0.5),
+                          0.5 * (low_y + high_y + v * (high_y - low_y) / 3**0.5), "C3o",
+                          markersize=5)
+    lows, highs = numbers["corners"].reshape(-1, 4)[:, :2], numbers["corners"].reshape(-1, 4)[:, 2:]
+    left.plot(*(0.5 * (lows.min(0) + highs.max(0))), "ks", markersize=7)
+    left.axhline(numbers["y"][0], color="C0", linewidth=1, linestyle=":")
+    left.set(aspect="equal", xlabel="x", ylabel="y", title="four cells, their samples, the vertex")
+    scale = 100 / abs(numbers["exact"]).max()
+    at_samples = np.interp(numbers["sample_x"], numbers["x"], numbers["exact"])
+    for cell, part in enumerate(np.split(np.arange(numbers["x"].size), 2)):
+        x, exact = numbers["x"][part], numbers["exact"][part]
+        right.plot(x, scale * (numbers["raw"][part] - exact), "C0",
+                   label="" if cell else "elements")
+        right.plot(x, scale * (numbers["fitted"][part] - exact), "k--",
+                   label="" if cell else "polynomial")
+    right.plot(numbers["sample_x"], scale * (numbers["samples"] - at_samples), "C3o",
+               label="samples")
+    right.axhline(0, color="0.5", linewidth=0.8)
+    right.set(xlabel="x", ylabel="error of Q_x [% of the largest]",
+              title="along the dotted line")
+    right.legend()
+    return svg(figure)
+
+
 def local_responses(runs, by_target, elasticity):
     """Force histories by local response, with peak and end of the contact that three-
     dimensional elasticity has; peak forces on meshes of several targets."""
@@ -211,6 +283,26 @@ def errors_and_work(runs, force):
     left.legend(title="made for")
     right.set(xlabel="unknowns x solves", ylabel="peak force [%]")
     right.legend(title="made for", fontsize="small")
+    return svg(figure)
+
+
+def errors_and_seconds(compared):
+    """Error of the peak force and eta against seconds, of every strategy with its best
+    element."""
+    figure, (left, right) = plt.subplots(1, 2, figsize=(9.2, 3.8))
+    reference = compared.reference["uncertainty"]
+    for (strategy, meshes), marker in zip(compared.best.items(), "osD^v*PX"):
+        seconds = [mesh["seconds"] for mesh in meshes]
+        left.loglog(seconds, [100 * max(mesh["error"], 0.1 * reference) for mesh in meshes],
+                    marker + "-", markersize=4, label=strategy)
+        # by force, a plate is watched until the peak only
+        if not strategy.endswith("by force"):
+            right.loglog(seconds, [100 * mesh["eta"] for mesh in meshes], marker + "-",
+                         markersize=4, color=left.lines[-1].get_color())
+    left.axhline(100 * reference, color="0.5", linestyle="--", linewidth=1)
+    left.set(xlabel="seconds, start-up not included", ylabel="error of the peak force [%]")
+    right.set(xlabel="seconds, start-up not included", ylabel="eta [%]")
+    left.legend(fontsize="x-small")
     return svg(figure)
 
 

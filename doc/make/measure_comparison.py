@@ -22,6 +22,7 @@ def curve(program_curve, rows):
 def reached(threshold):
     """Who reaches an error and keeps it on all later meshes."""
     return {"quantity": threshold["quantity"], "threshold": threshold["threshold"],
+            "in_words": threshold["in_words"],
             "by": [{key: curve[key] for key in
                     ("strategy", "element", "cells", "cumulative_seconds")}
                    for curve in threshold["reached"]]}

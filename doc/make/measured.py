@@ -43,6 +43,23 @@ class Compared:
         self.thresholds = {(one["quantity"], one["threshold"]):
                            {(by["strategy"], by["element"]): by for by in one["by"]}
                            for one in comparison["reached"]}
+        self.words = {(one["quantity"], one["threshold"]): one["in_words"]
+                      for one in comparison["reached"]}
+
+    def in_words(self, quantity, threshold):
+        """Who reaches an error first, and by how much."""
+        return self.words[quantity, threshold]
+
+    @property
+    def best(self):
+        """The curves of every strategy with the element that is the fastest to the smallest
+        error of the peak force that it reaches, by strategy."""
+        names = {strategy: element for strategy, element in reversed(self.curves)}
+        for (quantity, _), by in sorted(self.thresholds.items(), key=lambda one: -one[0][1]):
+            if quantity == "peak force error":
+                names.update((strategy, element) for strategy, element in reversed(by))
+        return {strategy: self.curves[strategy, names[strategy]]
+                for strategy, _ in self.curves}
 
     def reached(self, quantity, threshold, strategy, element="MITC9"):
         """The mesh at which a curve reaches an error and keeps it, or None."""

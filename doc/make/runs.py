@@ -124,6 +124,18 @@ class Run(Command):
         return [self.table(self.results / f"element_errors_cycle_{i}.csv")["element_error"]
                 for i in range(1, len(self.cycles) + 1)]
 
+    @functools.cached_property
+    def page(self):
+        """What report.html shows: `meshes`, `stresses`, `film` and more."""
+        text = (self.results / "report.html").read_text()
+        return json.loads(re.search(r'<script[^>]*id="data"[^>]*>(.*?)</script>', text, re.S)[1])
+
+    def largest_displacement(self, cycle=-1):
+        """Of the plate under the load, as long as the first contact of a cycle lasts. [m]"""
+        history = self.histories[cycle]
+        during = history["time"] <= self.cycles[cycle]["first_contact_end"]
+        return float(history["plate_displacement"][during].max())
+
     @property
     def meshes(self):
         """Pictures of the meshes of all cycles."""
@@ -138,11 +150,6 @@ class Run(Command):
         """The force of a cycle at a time, between two steps linear. [N]"""
         history = self.histories[cycle]
         return float(np.interp(time, history["time"], history["force"]))
-
-    def displacement_at(self, time, cycle=-1):
-        """The plate's displacement under the load at a time, between two steps linear. [m]"""
-        history = self.histories[cycle]
-        return float(np.interp(time, history["time"], history["plate_displacement"]))
 
     def approach_at(self, force):
         """Displacement of the impactor less that of the plate when the force of the last

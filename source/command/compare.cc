@@ -1,3 +1,5 @@
+#include <deal.II/base/utilities.h>
+
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/interrupt.h"
 #include "plate_impact/base/text.h"
@@ -17,8 +19,8 @@ namespace PlateImpact
 {
   namespace
   {
-    /// Curves listed for a threshold; comparison.html has all.
-    constexpr std::size_t n_listed = 4;
+    /// Of a line on the console.
+    constexpr unsigned int most_columns = 78;
 
 
 
@@ -130,37 +132,6 @@ namespace PlateImpact
 
 
 
-    /// Who reaches a threshold first.
-    std::string
-    text_of(const ThresholdRow &row)
-    {
-      const std::vector<Achievement> &reached = row.achievements;
-      std::string                     text =
-        '\n' + row.quantity() + " of " + percentage(row.threshold) + '\n';
-      if (!row.is_comparable)
-        text += " not compared: the reference is not known that well\n";
-      else if (reached.empty())
-        text += " not reached\n";
-      const std::size_t n = std::min(reached.size(), n_listed);
-      for (std::size_t i = 0; i < n; ++i)
-        {
-          const double seconds = reached[i].mesh->cumulative_seconds,
-                       fastest = reached[0].mesh->cumulative_seconds;
-          text += ' ' + left(24, word_for(reached[i].curve->strategy)) +
-            left(12, word_for(reached[i].curve->element)) +
-            column(6, "{:.0f}", reached[i].mesh->cells) + " cells" +
-            column(8, "{:.2f}", seconds) + " s" +
-            (i > 0 && are_tied(reached[i], reached[i - 1]) ?
-               " as the one before\n" :
-               column(7, "{:.1f}", seconds / fastest) + " times\n");
-        }
-      if (reached.size() > n)
-        text += " and " + std::to_string(reached.size() - n) + " more\n";
-      return text;
-    }
-
-
-
     void
     compare(const Scene           &scene,
             const ResultDirectory &directory,
@@ -212,8 +183,12 @@ namespace PlateImpact
       if (!has_meshes)
         throw ComputationError("no strategy gave a result; " +
                                comparison.curves().front().end);
+      console.print("\n");
       for (const ThresholdRow &row : comparison.thresholds())
-        console.print(text_of(row));
+        for (const std::string &line : dealii::Utilities::break_text_into_lines(
+               in_words(row, comparison.curves()),
+               most_columns))
+          console.print(line + '\n');
       console.print("\nResults     " + directory.main_files() + '\n');
       print_warnings(warnings_of(scene, comparison));
     }

@@ -5,6 +5,7 @@
 #include "plate_impact/output/report.h"
 #include "plate_impact/page/mesh_picture.h"
 
+#include <algorithm>
 #include <ostream>
 
 namespace PlateImpact
@@ -94,11 +95,12 @@ namespace PlateImpact
 
 
     Json
-    to_json(const ThresholdRow &row)
+    to_json(const ThresholdRow &row, const std::vector<ComparisonCurve> &curves)
     {
       Json json = {{"quantity", row.quantity()},
                    {"threshold", row.threshold},
                    {"comparable", row.is_comparable},
+                   {"in_words", in_words(row, curves)},
                    {"reached", Json::array()}};
       for (const Achievement &achievement : row.achievements)
         {
@@ -117,7 +119,94 @@ namespace PlateImpact
         }
       return json;
     }
+
+    /// The fastest curve of every strategy that reaches a threshold.
+    std::vector<Achievement>
+    best_of_strategies(const ThresholdRow &row)
+    {
+      std::vector<Achievement> best;
+      for (const Achievement &achievement : row.achievements)
+        if (std::none_of(best.begin(), best.end(), [&](const Achievement &one) {
+              return word_for(one.curve->strategy) ==
+                word_for(achievement.curve->strategy);
+            }))
+          best.push_back(achievement);
+      return best;
+    }
+
+
+
+    /// "105 cells after 0.06 s"
+    std::string
+    in_words(const ComparedMesh &mesh)
+    {
+      return std::to_string(mesh.cells) + " cells after " +
+        wall_time(mesh.cumulative_seconds);
+    }
+
+
+
+    /// The strategies that are first, and what they need.
+    std::string
+    in_words(const std::vector<Achievement> &first)
+    {
+      const bool is_alike =
+        std::all_of(first.begin(), first.end(), [&](const Achievement &one) {
+          return one.mesh->cells == first.front().mesh->cells;
+        });
+      std::string text;
+      for (std::size_t i = 0; i < first.size(); ++i)
+        {
+          text += i == 0 ? "" : i + 1 == first.size() ? " and " : ", ";
+          text += word_for(first[i].curve->strategy);
+          if (!is_alike)
+            text += " (" + in_words(*first[i].mesh) + ')';
+        }
+      text += first.size() > 1 ? " tie" : "";
+      return is_alike ? text + ", " + in_words(*first.front().mesh) : text;
+    }
   } // namespace
+
+
+
+  std::string
+  in_words(const ThresholdRow &row, const std::vector<ComparisonCurve> &curves)
+  {
+    const std::string what = row.is_of_eta() ?
+      "Eta of " + percentage(row.threshold) :
+      percentage(row.threshold) + " of the peak force";
+    if (!row.is_comparable)
+      return what + ": not compared, the reference is not known that well.";
+    const std::vector<Achievement> best = best_of_strategies(row);
+    if (best.empty())
+      return what + ": not reached.";
+    const auto next =
+      std::find_if(best.begin() + 1, best.end(), [&](auto &one) {
+        return !are_tied(one, best.front());
+      });
+    std::string text =
+      what + ": " + in_words(std::vector<Achievement>(best.begin(), next));
+    const auto is_uniform = [](const ComparisonCurve &curve) {
+      return curve.strategy.strategy == AdaptationStrategy::uniform;
+    };
+    const auto uniform = std::find_if(best.begin(), best.end(), [&](auto &one) {
+      return is_uniform(*one.curve);
+    });
+    // uniform meshes are what all are measured by, unless they are first
+    const auto other =
+      uniform >= next && uniform != best.end() ? uniform : next;
+    if (uniform == best.end() &&
+        std::any_of(curves.begin(), curves.end(), is_uniform))
+      return text + "; uniform meshes do not reach it.";
+    if (other != best.end())
+      text += "; " + word_for(other->curve->strategy) + ", " +
+        in_words(*other->mesh) + ", " +
+        rounded(other->mesh->cumulative_seconds /
+                  best.front().mesh->cumulative_seconds,
+                2) +
+        " times as long";
+    return text + '.';
+  }
 
 
 
@@ -135,7 +224,7 @@ namespace PlateImpact
     for (const ComparisonCurve &curve : comparison.curves())
       json["curves"].push_back(to_json(curve));
     for (const ThresholdRow &row : comparison.thresholds())
-      json["thresholds"].push_back(to_json(row));
+      json["thresholds"].push_back(to_json(row, comparison.curves()));
     return json;
   }
 

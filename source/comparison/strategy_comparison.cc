@@ -415,8 +415,15 @@ namespace PlateImpact
                        [&](const ComparedMesh &mesh) {
                          return !(mesh.*error <= threshold);
                        });
-        if (last_above.base() != curve.meshes.end())
-          result.push_back({&curve, &*last_above.base()});
+        const auto mesh = last_above.base();
+        if (mesh == curve.meshes.end())
+          continue;
+        // errors of the force change their sign, and may be small by chance
+        const bool is_confirmed = error == &ComparedMesh::eta ||
+          mesh + 1 != curve.meshes.end() ||
+          (mesh->peak_force_bar && *mesh->peak_force_bar <= threshold);
+        if (is_confirmed)
+          result.push_back({&curve, &*mesh});
       }
     std::stable_sort(result.begin(),
                      result.end(),

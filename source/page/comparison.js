@@ -7,48 +7,70 @@ const wallTime = (seconds) => `${seconds.toFixed(2)} s`;
 /** The entry of a curve among those that reach a threshold. */
 const reachedBy = (row, curve) => row.reached.find((reached) => nameOf(reached) === nameOf(curve));
 
-/** A curve's cell in a table of thresholds. */
-function achieved(row, curve) {
-  if (!row.comparable) return 'not compared';
-  const reached = reachedBy(row, curve);
-  return !reached ? '–' : `${wallTime(reached.cumulative_seconds)}, ${reached.cells} cells, ` +
-    (reached.as_fast_as_the_first ? 'first' : `${formatted(reached.times_the_fastest, 3)} times`);
+/** The fastest curve of every strategy to the smallest error that the strategy reaches; its first where it reaches none. */
+function bestOfStrategies({ thresholds, curves }) {
+  const rows = thresholds.filter((row) => !isOfEta(row)).sort((a, b) => a.threshold - b.threshold);
+  return [...new Set(curves.map((curve) => curve.strategy))].map((strategy) => {
+    const of = (one) => one.strategy === strategy;
+    const reached = rows.map((row) => row.reached.find(of)).find(Boolean);
+    return curves.find((curve) => (reached ? nameOf(curve) === nameOf(reached) : of(curve)));
+  });
 }
 
 function showOutcome({ warnings, reference, thresholds }) {
-  const first = thresholds.filter((row) => !isOfEta(row) && row.reached.length > 0 && [0.01, 0.001].includes(row.threshold));
-  section('Outcome', warnings.map((warning) => notice(`Warning: ${warning}`)), facts([
-    ['Reference peak force', prefixed('N', [reference.peak_force]).text(reference.peak_force, 6), reference.origin === 'given' ? 'given by the scene' :
-      `uncertain by ${percentage(reference.uncertainty, 3)} for its mesh: ${reference.cells} cells, η = ${percentage(reference.discretization_error, 3)}`],
-    ...(reference.time_step_error === undefined ? [] : [['Time step', percentage(reference.time_step_error, 3),
-      'of the peak force, left by the step, which all meshes share']]),
-    ...first.map(({ threshold, reached }) => [`First at ${percentage(threshold, 3)}`,
-      reached.filter((one) => one.as_fast_as_the_first).map(nameOf).join(' and '),
-      `${wallTime(reached[0].cumulative_seconds)}, ${reached[0].cells} cells`])]));
+  const told = thresholds.filter((row) => !isOfEta(row) && [0.01, 0.001].includes(row.threshold));
+  section('Outcome', told.map((row) => element('p', {}, element('strong', {}, row.in_words))),
+    warnings.map((warning) => notice(`Warning: ${warning}`)), facts([
+      ['Reference peak force', prefixed('N', [reference.peak_force]).text(reference.peak_force, 6), reference.origin === 'given' ? 'given by the scene' :
+        `uncertain by ${percentage(reference.uncertainty, 3)} for its mesh: ${reference.cells} cells, η = ${percentage(reference.discretization_error, 3)}`],
+      reference.time_step_error !== undefined && ['Time step', percentage(reference.time_step_error, 3),
+        'of the peak force, left by the step, which all meshes share']]));
 }
 
+/** Strategies by elements, for the error that is chosen. */
 function showThresholds({ thresholds, curves }) {
-  const tables = [false, true].map((ofEta) => {
-    const rows = thresholds.filter((row) => isOfEta(row) === ofEta);
-    return table([ofEta ? 'η' : 'Error of the peak force', ...rows.map((row) => percentage(row.threshold, 3))],
-      curves.map((curve) => [nameOf(curve), ...rows.map((row) => achieved(row, curve))]), 'words');
-  });
-  section('Who is first', paragraph('Seconds until an error is reached and kept on all later meshes, the cells of that mesh, ' +
-    'and how many times the seconds of the fastest.'), tables);
+  const names = (key) => [...new Set(curves.map((curve) => curve[key]))], elements = names('element'), holder = element('div');
+  const achieved = (row, curve) => {
+    const reached = row.reached.find((one) => nameOf(one) === nameOf(curve));
+    return reached ? `${reached.cells} cells, ${wallTime(reached.cumulative_seconds)}${reached.as_fast_as_the_first ? ' ✓' : ''}` : '–';
+  };
+  const show = (chosen) => {
+    const row = thresholds[chosen];
+    holder.replaceChildren(paragraph(row.in_words), table(['Strategy', ...elements],
+      names('strategy').map((strategy) => [strategy, ...elements.map((name) => achieved(row, { strategy, element: name }))])));
+  };
+  const first = Math.max(0, thresholds.findIndex((row) => !isOfEta(row) && row.threshold === 0.001 && row.reached.length > 0));
+  const choice = selection('Error: ', thresholds.map((row) => isOfEta(row) ? `η of ${percentage(row.threshold, 3)}` :
+    `${percentage(row.threshold, 3)} of the peak force`), show);
+  choice.querySelector('select').value = first;
+  show(first);
+  section('Who is first', paragraph('Cells of the first mesh that reaches an error which all later meshes keep, and the seconds until then. ' +
+    'A last mesh alone counts where its own error bar confirms it. ✓: first, or within a tenth of the first.'),
+  element('div', { className: 'controls' }, choice), holder);
 }
 
-function showCosts({ curves, reference }, colourOf) {
+/** Which curves a reader may look at: those of the best elements, of all, of one. */
+function viewsOf(curves, best) {
+  const elements = [...new Set(curves.map((curve) => curve.element))];
+  return [['the best of each strategy', (curve) => best.includes(curve)], ['all', () => true],
+    ...elements.map((name) => [name, (curve) => curve.element === name])]
+    .slice(0, elements.length > 1 ? undefined : 1)
+    .map(([title, shows]) => ({ title, shows: ({ curve }) => !curve || shows(curve) }));
+}
+
+function showCosts(comparison, colourOf) {
+  const { curves, reference } = comparison, best = bestOfStrategies(comparison);
   const costs = [['seconds, start-up not included [s]', 'cumulative_seconds'], ['unknowns', 'degrees_of_freedom'], ['cells', 'cells']];
   const column = (curve, key, factor = 1) => curve.meshes.map((mesh) => factor * mesh[key]);
   const [x, ...moreX] = costs.map(([title]) => ({ title, logarithmic: true }));
   const list = [['error of the peak force [%]', 'peak_force_error'], ['η [%]', 'discretization_error']].map(([title, key]) => ({
-    title, x, moreX, y: { title, logarithmic: true },
-    series: curves.map((curve) => ({ name: curve.strategy, marker: curve.element, colour: colourOf(curve), style: 'line and points',
+    title, x, moreX, y: { title, logarithmic: true }, views: viewsOf(curves, best),
+    series: curves.filter(({ strategy }) => key === 'peak_force_error' || !strategy.endsWith('by force')).map((curve) => ({ curve, name: curve.strategy, marker: curve.element, colour: colourOf(curve), style: 'line and points',
       x: column(curve, costs[0][1]), moreX: costs.slice(1).map(([, cost]) => column(curve, cost)), y: column(curve, key, 100) })) }));
   for (const curve of curves) {
     const limited = { ...curve, meshes: curve.meshes.filter((mesh) => mesh.cells_at_minimum_size > 0) };
     if (limited.meshes.length > 0)
-      [['peak_force_error', 0], ['discretization_error', 1]].forEach(([key, i]) => list[i].series.unshift({
+      [['peak_force_error', 0], ['discretization_error', 1]].forEach(([key, i]) => list[i].series.unshift({ curve,
         name: 'cells at the minimum size', marker: curve.element, colour: colourOf({}), style: 'points',
         x: column(limited, costs[0][1]), moreX: costs.slice(1).map(([, cost]) => column(limited, cost)), y: column(limited, key, 100) }));
   }
@@ -60,8 +82,8 @@ function showCosts({ curves, reference }, colourOf) {
     list[0].series.push({ name: 'uncertainty of the reference', colour: colourOf({}), style: 'dashed', x: first, moreX: others,
       y: [0, 0].fill(100 * reference.uncertainty) });
   }
-  section('Error against cost', paragraph('Every point is a mesh; its seconds are those of the cycles up to it, without the start of the program. Errors of the peak force below the dashed line, ' +
-    'the uncertainty of the reference, say nothing about the mesh.'), plotGrid(list, 'large'));
+  section('Error against cost', paragraph('Every point is a mesh, of every strategy with the element that is best for it; others can be chosen. The seconds of a mesh are those of the cycles up to it, without the start of the program. Errors of the peak force below the dashed line, ' +
+    'the uncertainty of the reference, say nothing about the mesh. By force, plates are watched until the peak only: their η has no place beside that of the others.'), plotGrid(list, 'large'));
 }
 
 /** A plot for every element with a series for every strategy. */
@@ -138,8 +160,8 @@ function showComparison(study) {
   const strategies = [...new Set(curves.map((curve) => curve.strategy))];
   const colourOf = ({ strategy }) => strategy ? strategies.indexOf(strategy) : strategies.length;
   showOutcome(comparison);
-  showThresholds(comparison);
   showCosts(comparison, colourOf);
+  showThresholds(comparison);
   showEffectivity(comparison, colourOf);
   showForces(study, colourOf);
   if (study.meshes.length > 0)

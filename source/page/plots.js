@@ -79,12 +79,12 @@ function shown({ plot, view }) {
 }
 
 /** Series of the page as datasets of Chart.js. */
-function datasets(plot, hidden) {
+function datasets(plot, { hidden, chosen }) {
   const bars = Boolean(plot.categories);
   return plot.series.map((series) => {
     const colour = cssColour('c' + (series.colour % 8));
     const dataset = { label: series.marker ? series.name + ', ' + series.marker : series.name,
-      hidden: hidden.has(series.name) || hidden.has(series.marker),
+      hidden: hidden.has(series.name) || !(plot.views?.[chosen].shows(series) ?? true),
       pointStyle: shapeOf(series.marker, plot), style: series.style, group: series.colour,
       backgroundColor: colour, borderColor: series.style === 'faint' ? colour + '90' : colour };
     if (bars) return { ...dataset, data: series.y, stack: 'all' };
@@ -140,7 +140,7 @@ function readByKeys(canvas) {
 }
 
 function makePlot(canvas, entry) {
-  const plot = shown(entry), { hidden } = entry.view;
+  const plot = shown(entry);
   const bars = Boolean(plot.categories);
   // points in the order of x need no parsing
   const sorted = plot.series.every((series) =>
@@ -149,7 +149,7 @@ function makePlot(canvas, entry) {
   Chart.getChart(canvas)?.destroy();
   return new Chart(canvas, {
     type: bars ? 'bar' : 'line',
-    data: { labels: bars ? plot.categories : undefined, datasets: datasets(plot, hidden) },
+    data: { labels: bars ? plot.categories : undefined, datasets: datasets(plot, entry.view) },
     options: {
       animation: false, maintainAspectRatio: false, parsing: bars || !sorted ? undefined : false,
       indexAxis: bars ? 'y' : 'x',
@@ -270,17 +270,21 @@ function saveButtons(canvas, entry) {
   }));
 }
 
-/** One legend for plots beside each other, by colours and by shapes, and the choice of the abscissa. */
+/** One legend for plots beside each other, by colours and by shapes, with the choices of the abscissa and of the series. */
 function makeLegend(entries) {
   const { plot, view } = entries[0];
   const redraw = () => entries.forEach((entry) => makePlot(entry.canvas, entry));
   const bar = element('div', { className: 'controls legend' },
-    selection('Against: ', [plot.x, ...plot.moreX].map((x) => x.title), (x) => { view.x = x; redraw(); }));
-  const toggle = (name, sign, colour) => {
+    selection('Against: ', [plot.x, ...plot.moreX].map((x) => x.title), (x) => { view.x = x; redraw(); }),
+    plot.views.length > 1 && selection('Elements: ', plot.views.map(({ title }) => title), (chosen) => { view.chosen = chosen; redraw(); }));
+  const named = (sign, name) => {
     const holder = element('span');
     holder.innerHTML = `<svg width="16" height="12" style="display: inline; width: 16px">${sign}</svg>`;
-    const button = element('button', { type: 'button', 'aria-pressed': 'true' }, holder, ` ${name}`);
-    if (colour) button.style.color = `var(--${colour})`;
+    return [holder, ` ${name}`];
+  };
+  const toggle = (name, sign, colour) => {
+    const button = element('button', { type: 'button', 'aria-pressed': 'true' }, named(sign, name));
+    button.style.color = `var(--${colour})`;
     button.addEventListener('click', () => {
       if (!view.hidden.delete(name)) view.hidden.add(name);
       button.setAttribute('aria-pressed', String(!view.hidden.has(name)));
@@ -292,7 +296,7 @@ function makeLegend(entries) {
   for (const series of once('name'))
     toggle(series.name, '<path d="M0 6h16" stroke="currentColor" stroke-width="3"/>', 'c' + (series.colour % 8));
   for (const series of once('marker'))
-    toggle(series.marker, shapePath(shapeOf(series.marker, plot), 8, 6, 5, 'currentColor'));
+    bar.append(element('span', {}, named(shapePath(shapeOf(series.marker, plot), 8, 6, 5, 'currentColor'), series.marker)));
   return bar;
 }
 
@@ -300,7 +304,8 @@ function makeLegend(entries) {
 const plots = [];
 
 /** Plots beside each other where there is room. Those whose series have markers share one legend, by
-    colours and by shapes, and the choice of x.
+    colours and by shapes, the choice of x, and that of the `views`: each has a `title` and tells by `shows` which
+    series it has.
 
     A plot has a `title`, a `caption`, axes `x` and `y` (`title` with its unit, `logarithmic`; `range`, what
     it shows at least; `limits`, beyond which it shows nothing) and `series`: `name`, numbers `x` and `y`
@@ -310,7 +315,7 @@ const plots = [];
     horizontal bars, one for each category.
     @param size  small, for many, or large */
 function plotGrid(list, size = '') {
-  const view = { x: 0, hidden: new Set() }; // what they share: the abscissa, and what is hidden
+  const view = { x: 0, hidden: new Set(), chosen: 0 }; // what they share: the abscissa, what is hidden, the view
   const entries = [];
   const figures = list.map((plot) => {
     const canvas = element('canvas', { tabIndex: 0, role: 'img',

@@ -18,6 +18,11 @@ namespace PlateImpact
                      const StrategyComparison       &comparison,
                      const std::vector<std::string> &warnings);
 
+  /// Which strategy reaches a threshold first, each with its fastest element,
+  /// and by how much: against uniform meshes, or the next.
+  std::string
+  in_words(const ThresholdRow &row, const std::vector<ComparisonCurve> &curves);
+
   /// comparison.csv: the meshes of all curves, a row each.
   void
   write_comparison_table(std::ostream                       &out,

@@ -81,7 +81,8 @@ namespace PlateImpact
   };
 
 
-  /// A mesh from which on a curve stays below a threshold.
+  /// A mesh from which on a curve stays below a threshold: of the force, a
+  /// later mesh or the bar of its own confirms it.
   struct Achievement
   {
     const ComparisonCurve *curve;
