@@ -19,46 +19,6 @@ namespace PlateImpact
 
   namespace
   {
-    /// A mesh in version 2.2 of Gmsh's format, with a physical group for every
-    /// boundary id that has a name.
-    std::string
-    msh(const Triangulation<2>                          &mesh,
-        const std::map<types::boundary_id, std::string> &names)
-    {
-      std::ostringstream file;
-      file.precision(16);
-      file << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n"
-           << names.size() + 1 << "\n2 100 \"plate\"\n";
-      for (const auto &[id, name] : names)
-        file << "1 " << id + 1 << " \"" << name << "\"\n";
-      file << "$EndPhysicalNames\n$Nodes\n" << mesh.n_vertices() << '\n';
-      for (unsigned int v = 0; v < mesh.n_vertices(); ++v)
-        file << v + 1 << ' ' << mesh.get_vertices()[v] << " 0\n";
-      std::vector<std::string> elements;
-      for (const auto &face : mesh.active_face_iterators())
-        if (face->at_boundary() && names.count(face->boundary_id()) > 0)
-          {
-            const auto id = std::to_string(face->boundary_id() + 1);
-            elements.push_back("1 2 " + id + ' ' + id + ' ' +
-                               std::to_string(face->vertex_index(0) + 1) + ' ' +
-                               std::to_string(face->vertex_index(1) + 1));
-          }
-      for (const auto &cell : mesh.active_cell_iterators())
-        {
-          std::string element = "3 2 100 100";
-          for (const unsigned int v : {0, 1, 3, 2})
-            element += ' ' + std::to_string(cell->vertex_index(v) + 1);
-          elements.push_back(element);
-        }
-      file << "$EndNodes\n$Elements\n" << elements.size() << '\n';
-      for (std::size_t e = 0; e < elements.size(); ++e)
-        file << e + 1 << ' ' << elements[e] << '\n';
-      file << "$EndElements\n";
-      return file.str();
-    }
-
-
-
     class PlateFromFile : public Program
     {
     protected:

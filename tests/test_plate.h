@@ -13,6 +13,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -113,6 +114,12 @@ namespace PlateImpact
   public:
     EnergyNormEstimator estimator;
   };
+
+  /// A mesh in version 2.2 of Gmsh's format, with a physical group for every
+  /// boundary id that has a name.
+  std::string
+  msh(const dealii::Triangulation<2>                          &mesh,
+      const std::map<dealii::types::boundary_id, std::string> &names);
 
   /// A file of tests/reference.
   nlohmann::json
