@@ -89,6 +89,66 @@ namespace PlateImpact
 
 
 
+    TEST_F(Integrators, DampedPlateKeepsTheBalanceAndDecaysAsItsLossFactorSays)
+    {
+      const double      loss_factor = 0.02;
+      const std::string damped =
+        "--set 'Plate/Loss factor=0.02' --set Adaptivity/Strategy=none --set "
+        "'Discretization/Initial cells=6,6' --set 'Output/Natural "
+        "frequencies=1' --set 'Time/End time=12e-3' --set 'Time/Time "
+        "step=2e-6' ";
+      ASSERT_EQ(run(main_scene, damped), 0) << err;
+      const auto ritz    = last_cycle();
+      const auto history = rows("contact_history.csv");
+      EXPECT_LT(ritz["relative_energy_drift"], 1e-9);
+      EXPECT_GT(ritz["plate_dissipated_energy"], 1e-3);
+      // long after the contact the first mode is left, whose energy decays by
+      // the loss factor times omega
+      const double omega =
+        2. * M_PI * ritz["natural_frequencies"][0].get<double>();
+      const auto energy_at = [&](const double time) {
+        return std::stod(
+          std::find_if(history.begin(), history.end(), [&](const Row &row) {
+            return std::stod(row.at("time")) >= time;
+          })->at("plate_energy"));
+      };
+      const double half_periods = 18. * M_PI / omega; // 5 ms
+      expect_near(std::log(energy_at(6e-3) / energy_at(6e-3 + half_periods)) /
+                    half_periods,
+                  loss_factor * omega,
+                  2e-3);
+      ASSERT_EQ(run(main_scene, damped + "--set Time/Integrator=Newmark"), 0)
+        << err;
+      for (const auto *quantity : {"peak_force", "plate_dissipated_energy"})
+        expect_near(last_cycle()[quantity], ritz[quantity], 2e-5);
+      // a sweep takes the same steps
+      ASSERT_EQ(sweep(main_scene,
+                      damped +
+                        "--set 'Sweep/Entry 1=Impactor/Velocity' --set "
+                        "'Sweep/Values 1=1, 2'"),
+                0)
+        << err;
+      for (const auto *quantity : {"peak_force", "plate_dissipated_energy"})
+        expect_near(std::stod(rows()[0].at(quantity)), ritz[quantity], 1e-9);
+    }
+
+
+
+    TEST_F(Integrators, DampingThatIsTooMuchForTheContactIsTold)
+    {
+      ASSERT_EQ(run(main_scene,
+                    "--set 'Plate/Loss factor=0.2' --set "
+                    "Adaptivity/Strategy=none"),
+                0);
+      EXPECT_NE(err.find("Plate/Loss factor = 0.2 at the first natural"),
+                std::string::npos)
+        << err;
+      EXPECT_EQ(run(main_scene, "--set 'Plate/Loss factor=-1'"), 1);
+      EXPECT_NE(err.find("Plate/Loss factor"), std::string::npos) << err;
+    }
+
+
+
     TEST_F(Integrators, ContactWorkEndsWhenNothingCanBringTheBodiesTogether)
     {
       const std::string setting =

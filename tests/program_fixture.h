@@ -153,10 +153,10 @@ namespace PlateImpact
       return text(results() / "sweep.csv");
     }
 
-    /// Rows of sweep.csv by the names of its columns; of values with commas
-    /// only the status is expected.
+    /// Rows of a table by the names of its columns; of values with commas only
+    /// the status is expected.
     std::vector<Row>
-    rows() const
+    rows(const std::string &file = "sweep.csv") const
     {
       const auto split = [](const std::string &line) {
         std::vector<std::string> fields;
@@ -165,7 +165,7 @@ namespace PlateImpact
           fields.push_back(field);
         return fields;
       };
-      std::istringstream in(sweep_table());
+      std::istringstream in(text(results() / file));
       std::string        line;
       std::getline(in, line);
       const std::vector<std::string> names = split(line);

@@ -49,11 +49,19 @@ namespace PlateImpact
       }
 
       double
+      damping() const override
+      {
+        return b;
+      }
+
+      double
       static_compliance() override
       {
         return has_known_compliance ? u[0] * u[0] / k :
                                       std::numeric_limits<double>::infinity();
       }
+
+      double b = 0.; ///< damping [s]
 
     private:
       const double          k, m;
@@ -218,6 +226,55 @@ namespace PlateImpact
     {
       EXPECT_NEAR(convergence_ratio(collocation, 0.3025, 0.6, 4000), 2., 0.1);
       EXPECT_NEAR(convergence_ratio(collocation, 0.5, 0.6, 4000), 2., 0.1);
+    }
+
+
+
+    /// Displacement of a damped mass on a spring under a force that grows by 1
+    /// a second, by any of Newmark's schemes.
+    double
+    under_a_growing_force(const TimeParameters &time)
+    {
+      SpringPlate plate(4., 1., 1.);
+      plate.b = 0.1;
+      const NewmarkScheme scheme(time);
+      PlateStepper        stepper(scheme, plate);
+      for (unsigned int n = 0; n < scheme.n_steps; ++n)
+        {
+          stepper.begin_step(n * scheme.dt);
+          stepper.end_step(0., (n + 1) * scheme.dt);
+        }
+      return stepper.displacement();
+    }
+
+
+
+    TEST(TimeStepper, DampedPlateFollowsTheExactMotion)
+    {
+      // m w'' + b k w' + k w = t from rest: omega = 2, a ratio of 0.1
+      const double k = 4., omega = 2., ratio = 0.1, t = 3.,
+                   damped = omega * std::sqrt(1. - ratio * ratio),
+                   exact  = (t - 2. * ratio / omega +
+                            std::exp(-ratio * omega * t) *
+                              (2. * ratio / omega * std::cos(damped * t) +
+                               (2. * ratio * ratio - 1.) / damped *
+                                 std::sin(damped * t))) /
+        k;
+      for (const auto &[beta, gamma, order] :
+           {std::make_tuple(0.25, 0.5, 2.),
+            std::make_tuple(1. / 3., 0.5, 2.),
+            std::make_tuple(0.3025, 0.6, 1.),
+            std::make_tuple(0.3, 0.6, 1.)})
+        {
+          const auto error = [&, beta = beta, gamma = gamma](const double dt) {
+            return std::abs(
+              under_a_growing_force(time_parameters(t, dt, beta, gamma)) -
+              exact);
+          };
+          EXPECT_LT(error(0.001), 1e-3) << beta << ' ' << gamma;
+          EXPECT_NEAR(std::log2(error(0.002) / error(0.001)), order, 0.1)
+            << beta << ' ' << gamma;
+        }
     }
 
 

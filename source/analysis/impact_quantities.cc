@@ -211,6 +211,13 @@ namespace PlateImpact
        "Energy dissipated by the contact",
        "J",
        [](Impact i) { return if_dented(i, last(i).dissipated_energy); }},
+      {"plate_dissipated_energy",
+       "Energy dissipated by the plate",
+       "J",
+       [](Impact i) -> Value {
+         const double energy = last(i).plate_dissipated_energy;
+         return energy > 0. ? Value(energy) : Value();
+       }},
       {"delamination_threshold",
        "Force from which on a laminate delaminates",
        "N",

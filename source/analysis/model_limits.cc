@@ -45,6 +45,7 @@ namespace PlateImpact
         check_strengths();
         check_contact();
         check_duration();
+        check_damping();
         check_delamination();
       }
     if (is_beyond_limits)
@@ -252,6 +253,24 @@ namespace PlateImpact
          "plate: below 10 the local response, a static one, makes the "
          "force up to a per cent too large",
          about(n_transits));
+  }
+
+
+
+  void
+  ModelLimits::check_damping()
+  {
+    if (plate.loss_factor == 0.)
+      return;
+    const double of_contact = result.loss_factor_of_contact();
+    limit(of_contact,
+          0.3,
+          "Plate/Loss factor = {} at the first natural frequency is {} at "
+          "that of the contact, since it grows in proportion to the frequency: "
+          "beyond 0.3 the plate is stiff by its damping; choose {}",
+          about(plate.loss_factor),
+          about(of_contact),
+          about(0.3 * plate.loss_factor / of_contact));
   }
 
 

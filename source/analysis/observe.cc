@@ -225,6 +225,7 @@ namespace PlateImpact
     seen.time             = impact.time;
     seen.impulse          = struck.impulse;
     seen.separation_time  = struck.separation_time;
+    seen.damping          = plate.damping();
     seen.vector_error =
       plate.is_stepped_on_the_mesh() ? 0. : impact.time.ritz_tolerance;
     if (wanted.errors)

@@ -122,11 +122,13 @@ namespace PlateImpact
   void
   ContactHistory::write(std::ostream &out) const
   {
-    const bool with_memory = history.back().dissipated_energy != 0.;
+    const bool with_memory = history.back().dissipated_energy != 0.,
+               is_damped   = history.back().plate_dissipated_energy != 0.;
     out.precision(17);
     out << "time,force,indentation,plate_displacement,impactor_displacement,"
            "impactor_velocity,plate_energy,contact_energy,impactor_energy"
-        << (with_memory ? ",dissipated_energy,permanent_indentation\n" : "\n");
+        << (with_memory ? ",dissipated_energy,permanent_indentation" : "")
+        << (is_damped ? ",plate_dissipated_energy\n" : "\n");
     for (const ContactState &s : history)
       {
         out << s.time << ',' << s.force << ',' << s.indentation << ','
@@ -135,6 +137,8 @@ namespace PlateImpact
             << s.contact_energy << ',' << s.impactor_energy;
         if (with_memory)
           out << ',' << s.dissipated_energy << ',' << s.permanent_indentation;
+        if (is_damped)
+          out << ',' << s.plate_dissipated_energy;
         out << '\n';
       }
   }

@@ -37,6 +37,7 @@ namespace PlateImpact
         {"contact_energy", &ContactState::contact_energy},
         {"impactor_energy", &ContactState::impactor_energy},
         {"dissipated_energy", &ContactState::dissipated_energy},
+        {"plate_dissipated_energy", &ContactState::plate_dissipated_energy},
         {"total_energy", &ContactState::total_energy}};
 
 

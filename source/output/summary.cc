@@ -116,6 +116,8 @@ namespace PlateImpact
         const ContactHistory &history = *result.history;
         const ContactState   &peak    = history.peak();
         add_quantities(result, parameters, *expected, cycle);
+        if (result.damping > 0. && peak.force > 0.)
+          cycle["loss_factor_of_contact"] = result.loss_factor_of_contact();
         if (result.time_error)
           cycle["time_error"] = *result.time_error;
         if (result.peak_force_error)

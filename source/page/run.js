@@ -12,6 +12,7 @@ const quantitiesOfCycles = [
   ['Contact radius over the thickness', 'contact_radius_over_thickness', ''], ['Contact pressure', 'contact_pressure', 'Pa'],
   ['Mean contact pressure over the yield strength', 'mean_pressure_over_yield_strength', ''],
   ['Dent', 'permanent_indentation', 'm'], ['Energy dissipated by the contact', 'dissipated_energy', 'J'],
+  ['Energy dissipated by the plate', 'plate_dissipated_energy', 'J'],
   ['Largest stress of the plate', 'max_effective_stress', 'Pa'], ['Energy drift', 'relative_energy_drift', '']];
 
 /** What a reader looks for first: peak force, Zener's beside it, contact, rebound, error, outcome. */
@@ -33,6 +34,9 @@ function factsOfRun({ summary, expected }) {
       'in shear, at the faces of the plies, of plate theory under the spread load'],
     last.dissipated_energy !== undefined && ['Energy dissipated by the contact', withUnit(last.dissipated_energy, 'J'),
       `which leaves a dent of ${withUnit(last.permanent_indentation, 'm')}`],
+    last.plate_dissipated_energy !== undefined && ['Energy dissipated by the plate', withUnit(last.plate_dissipated_energy, 'J'),
+      `loss factor ${formatted(Number(inputs['Plate/Loss factor']))} at the first natural frequency` +
+        (last.loss_factor_of_contact === undefined ? '' : `, ${formatted(last.loss_factor_of_contact, 2)} at that of the contact`)],
     last.max_effective_stress !== undefined &&
       ['Largest stress of the plate', withUnit(last.max_effective_stress, 'Pa'),
         'von Mises, at the faces, of plate theory under the spread load; not that of the contact' +
@@ -111,7 +115,8 @@ function showHistories(study) {
         { plate: 'plate_displacement', impactor: 'impactor_displacement', indentation: 'indentation' }),
       historyPlot(study, 'Energy', 'J',
         { impactor: 'impactor_energy', plate: 'plate_energy', contact: 'contact_energy', total: 'total_energy',
-          ...(last.dissipated_energy.at(-1) > 0 && { dissipated: 'dissipated_energy' }) })]),
+          ...(last.dissipated_energy.at(-1) > 0 && { 'dissipated by the contact': 'dissipated_energy' }),
+          ...(last.plate_dissipated_energy.at(-1) > 0 && { 'dissipated by the plate': 'plate_dissipated_energy' }) })]),
     paragraph('Pointer or arrow keys read values; a click on a name hides it. Cycles before the last are thin. ' +
       'contact_history.csv has every step.'));
 }

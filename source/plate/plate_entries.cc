@@ -116,6 +116,11 @@ namespace PlateImpact
       .means("With one of plate or impactor above 0 the contact of a sphere "
              "yields where it is exceeded, the weaker body first, and leaves a "
              "dent. 0 where it is not given. [Pa]");
+    entry("Loss factor", "0", number_from(0), loss_factor)
+      .means("Of the damping of bending and shear by Kelvin and Voigt, at the "
+             "first natural frequency of the motions that the impact can "
+             "excite: twice the damping ratio there. It grows in proportion to "
+             "the frequency. 0: none. [-]");
     entry("Shear correction factor",
           "0.8333333333333333",
           number_from(0),

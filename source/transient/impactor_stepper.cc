@@ -69,7 +69,8 @@ namespace PlateImpact
   void
   ImpactorStepper::end_step(const double phi,
                             const double plate_displacement,
-                            const double plate_energy)
+                            const double plate_energy,
+                            const double plate_dissipated)
   {
     const double beta = scheme.beta, gamma = scheme.gamma, dt = scheme.dt;
     const double begin = begin_force + (integration.acts_at_begin() ? phi : 0.);
@@ -92,6 +93,7 @@ namespace PlateImpact
     current.contact_energy    = contact.stored_energy(current.indentation);
     current.impactor_energy   = impactor.kinetic_energy();
     current.dissipated_energy = contact.dissipated_energy(current.indentation);
+    current.plate_dissipated_energy = plate_dissipated;
     require_finite(current.plate_displacement, "plate displacement");
     require_finite(current.total_energy(), "total energy");
     if (current.force > contact.largest_force())

@@ -131,7 +131,9 @@ namespace PlateImpact
                plate,
                [&](const Eigen::Index step, const PlateStepper &stepper) {
                  if (step % stride == first)
-                   result.motion.col(step / stride) = stepper.unknowns();
+                   // stresses follow strains and, damped, their rates
+                   result.motion.col(step / stride) =
+                     stepper.unknowns() + plate.damping() * stepper.rates();
                });
     step_under(weights.reverse(),
                scheme,

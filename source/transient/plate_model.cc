@@ -25,6 +25,20 @@ namespace PlateImpact
     {
       return load.integrator->n_vectors() + load.n_vectors_for_errors;
     }
+
+
+
+    /// Of the plate without damping. [rad/s]
+    double
+    first_frequency(EffectiveStiffness &matrices)
+    {
+      const std::vector<double> frequencies = natural_frequencies(matrices, 1);
+      if (frequencies.empty())
+        throw ComputationError(
+          "the mesh has too few unknowns for the first natural frequency, at "
+          "which Plate/Loss factor is meant");
+      return 2. * std::acos(-1.) * frequencies.front();
+    }
   } // namespace
 
 
@@ -35,6 +49,7 @@ namespace PlateImpact
     : element(discretization.element)
     , mesh(std::move(part))
     , linear_solver(discretization.linear_solver)
+    , loss_factor(plate.loss_factor)
     , plate(*mesh, element, plate)
   {}
 
@@ -113,6 +128,8 @@ namespace PlateImpact
         StageClock clock;
         plate.assemble();
         matrices = std::make_shared<EffectiveStiffness>(plate, linear_solver);
+        if (loss_factor > 0.)
+          matrices->damping = loss_factor / first_frequency(*matrices);
         clock.charge(assembly_seconds);
       }
     return matrices;

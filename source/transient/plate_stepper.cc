@@ -6,14 +6,19 @@ namespace PlateImpact
                              SemidiscreteSystem  &plate)
     : scheme(scheme)
     , plate(plate)
+    , damping(plate.damping())
+    , stiffening(1. + damping * scheme.gamma / (scheme.beta * scheme.dt))
   {
-    plate.solve(scheme.c0, plate.load(), unit_response);
+    plate.solve(scheme.c0 / stiffening, plate.load(), unit_response);
+    unit_response /= stiffening;
     w_of_unit_response = plate.load().dot(unit_response);
 
     // at rest, without force
     z = v = Kz = Mv = Eigen::VectorXd::Zero(plate.load().size());
     if (scheme.gamma != 2. * scheme.beta)
       a = Ma = z;
+    if (damping > 0. && !scheme.conserves_energy())
+      Kv = Ka = z;
   }
 
 
@@ -24,11 +29,18 @@ namespace PlateImpact
     const double c1 = scheme.c1, c2 = scheme.c2;
     right_hand_side =
       c1 * Mv - (1. + c2) * Kz + (c2 * begin_force) * plate.load();
+    if (Kv.size() > 0)
+      right_hand_side -= damping *
+        ((c2 + 1. - scheme.gamma / scheme.beta) * Kv +
+         scheme.dt * (1. - scheme.gamma / (2. * scheme.beta)) * Ka);
     const bool is_at_rest = increment.size() == 0;
     if (is_at_rest && begin_force == 0.)
       increment.setZero(z.size());
     else
-      plate.solve(scheme.c0, right_hand_side, increment);
+      {
+        plate.solve(scheme.c0 / stiffening, right_hand_side, increment);
+        increment /= stiffening;
+      }
     return w + plate.load().dot(increment);
   }
 
@@ -56,21 +68,31 @@ namespace PlateImpact
     z += increment;
     Kz += K_increment;
     w += plate.load().dot(increment);
-    // M d = (K* d - K d) / c_0
+    // under average acceleration d / dt is the mean of both rates
+    dissipated += damping / dt * increment.dot(K_increment);
+    // M d = (K* d - (1 + g b) K d) / c_0
+    right_hand_side -= stiffening * K_increment;
     if (has_a)
       {
-        const Eigen::VectorXd v_begin = v, Mv_begin = Mv;
+        const Eigen::VectorXd v_begin = v;
         v  = from_increment * increment + from_v * v + from_a * a;
-        Mv = from_increment / c0 * (right_hand_side - K_increment) +
-          from_v * Mv + from_a * Ma;
+        Mv = from_increment / c0 * right_hand_side + from_v * Mv + from_a * Ma;
         a  = c0 * increment - scheme.c1 * v_begin - scheme.c2 * a;
         Ma = at_end * plate.load() - Kz;
+        if (Kv.size() > 0)
+          {
+            const Eigen::VectorXd Kv_begin = Kv;
+            Kv = from_increment * K_increment + from_v * Kv + from_a * Ka;
+            Ka = c0 * K_increment - scheme.c1 * Kv_begin - scheme.c2 * Ka;
+            Ma -= damping * Kv;
+          }
       }
     else
       {
-        v = from_increment * increment + from_v * v;
-        Mv =
-          from_increment / c0 * (right_hand_side - K_increment) + from_v * Mv;
+        v  = from_increment * increment + from_v * v;
+        Mv = from_increment / c0 * right_hand_side + from_v * Mv;
+        if (Kv.size() > 0)
+          Kv = from_increment * K_increment + from_v * Kv;
       }
   }
 

@@ -20,7 +20,8 @@ namespace PlateImpact
         plate_stepper.end_step(at_begin * phi, phi);
         impactor_stepper.end_step(phi,
                                   plate_stepper.displacement(),
-                                  plate_stepper.energy());
+                                  plate_stepper.energy(),
+                                  plate_stepper.dissipated_energy());
         if (!impact().separation_time && is_out_of_reach())
           impactor_stepper.separate();
       }

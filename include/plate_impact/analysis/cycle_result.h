@@ -8,6 +8,7 @@
 #include "plate_impact/plate/plate_discretization.h"
 #include "plate_impact/transient/loaded_plate.h"
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -66,6 +67,8 @@ namespace PlateImpact
     double                        impulse = 0.;    ///< [N s]
     std::optional<double>         separation_time; ///< no contact since [s]
 
+    double damping = 0.; ///< of the plate, b [s]
+
     std::optional<double> time_error; ///< of the peak force, relative to it
     double vector_error = 0.; ///< the same of Ritz vectors; 0 on the mesh
     std::optional<PeakForceError> peak_force_error; ///< by the mesh
@@ -115,6 +118,15 @@ namespace PlateImpact
     element_errors() const
     {
       return error_ratios ? error_ratios->elements : std::vector<double>();
+    }
+
+    /// Of a plate with damping at the frequency whose half period is the first
+    /// contact.
+    double
+    loss_factor_of_contact() const
+    {
+      return damping * std::acos(-1.) /
+        history->first_contact_end().value_or(2. * history->peak().time);
     }
 
     std::vector<double> natural_frequencies; ///< where asked for [Hz]

@@ -88,6 +88,11 @@ namespace PlateImpact
     void
     check_duration();
 
+    /// A loss factor that grows in proportion to the frequency is that of a
+    /// material near the first natural frequency only.
+    void
+    check_damping();
+
     // what breaks or yields, in strength_limits.cc
 
     void

@@ -68,7 +68,8 @@ namespace PlateImpact
     double                youngs_modulus;
     double                poissons_ratio;
     double                density;
-    double                yield_strength;          ///< 0: not given
+    double                yield_strength; ///< 0: not given
+    double                loss_factor;    ///< at the first natural frequency
     double                shear_correction_factor; ///< 0: by equilibrium
     /// one, x edges and y edges, or those of a file by their names
     std::vector<EdgeSupports> supports;

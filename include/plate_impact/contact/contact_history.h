@@ -12,23 +12,24 @@ namespace PlateImpact
   /// plate; the plate's is the load-weighted one that enters the contact law.
   struct ContactState
   {
-    double time                  = 0.; ///< [s]
-    double force                 = 0.; ///< [N]
-    double indentation           = 0.; ///< [m]
-    double plate_displacement    = 0.; ///< [m]
-    double impactor_displacement = 0.; ///< [m]
-    double impactor_velocity     = 0.; ///< [m/s]
-    double plate_energy          = 0.; ///< [J]
-    double contact_energy        = 0.; ///< [J]
-    double impactor_energy       = 0.; ///< [J]
-    double dissipated_energy     = 0.; ///< by a contact with memory [J]
-    double permanent_indentation = 0.; ///< that such a one has left [m]
+    double time                    = 0.; ///< [s]
+    double force                   = 0.; ///< [N]
+    double indentation             = 0.; ///< [m]
+    double plate_displacement      = 0.; ///< [m]
+    double impactor_displacement   = 0.; ///< [m]
+    double impactor_velocity       = 0.; ///< [m/s]
+    double plate_energy            = 0.; ///< [J]
+    double contact_energy          = 0.; ///< [J]
+    double impactor_energy         = 0.; ///< [J]
+    double dissipated_energy       = 0.; ///< by a contact with memory [J]
+    double permanent_indentation   = 0.; ///< that such a one has left [m]
+    double plate_dissipated_energy = 0.; ///< by the plate's damping [J]
 
     double
     total_energy() const
     {
       return plate_energy + contact_energy + impactor_energy +
-        dissipated_energy;
+        dissipated_energy + plate_dissipated_energy;
     }
 
     /// Of the bodies that touch, below 0 of those that do not. [m]
@@ -85,8 +86,8 @@ namespace PlateImpact
     double
     relative_energy_drift() const;
 
-    /// A table of all states, with the names above as its header; the last two
-    /// of a contact that dissipates energy.
+    /// A table of all states, with the names above as its header; the last
+    /// three where contact or plate dissipate energy.
     void
     write(std::ostream &out) const;
 

@@ -50,6 +50,8 @@ namespace PlateImpact
 
     const PlateDiscretization &discretization;
 
+    double damping = 0.; ///< as SemidiscreteSystem::damping() [s]
+
   private:
     std::unique_ptr<Epetra_CrsMatrix>   sum;
     const std::unique_ptr<LinearSolver> solver;
@@ -78,6 +80,12 @@ namespace PlateImpact
                        Eigen::VectorXd       &y) const override;
     void
     solve(double c, const Eigen::VectorXd &b, Eigen::VectorXd &x) override;
+    double
+    damping() const override
+    {
+      return matrices->damping;
+    }
+
     /// Factorizes K when it is first asked for.
     double
     static_compliance() override;

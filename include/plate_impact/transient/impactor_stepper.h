@@ -57,10 +57,14 @@ namespace PlateImpact
     /// @param phi                 the force of the step [N]
     /// @param plate_displacement  under the load at its end [m]
     /// @param plate_energy        at its end [J]
+    /// @param plate_dissipated    by its damping, so far [J]
     /// @throws ComputationError naming step and quantity when a value is not
     ///         finite
     void
-    end_step(double phi, double plate_displacement, double plate_energy);
+    end_step(double phi,
+             double plate_displacement,
+             double plate_energy,
+             double plate_dissipated = 0.);
 
     /// From now on there is no contact force.
     void

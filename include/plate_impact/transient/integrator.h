@@ -40,8 +40,8 @@ namespace PlateImpact
       return 0;
     }
 
-    /// An impact on a system of this integrator: by its response where the
-    /// scheme conserves energy, otherwise in steps.
+    /// An impact on a system of this integrator: by its response where scheme
+    /// and plate conserve energy, otherwise in steps.
     /// @param n_steps  at most those of the integrator
     /// @throws ComputationError naming step and quantity
     Impact

@@ -126,6 +126,13 @@ namespace PlateImpact
       return steps(time, load->system);
     }
 
+    /// As SemidiscreteSystem::damping(). [s]
+    double
+    damping() const
+    {
+      return system.damping();
+    }
+
     /// As SemidiscreteSystem::static_compliance(), of the mesh. [m/N]
     double
     static_compliance() const

@@ -84,6 +84,7 @@ namespace PlateImpact
     const PlateElement                              element;
     const std::unique_ptr<dealii::Triangulation<2>> mesh;
     const SolverType                                linear_solver;
+    const double                                    loss_factor;
     PlateDiscretization                             plate;
 
     std::shared_ptr<EffectiveStiffness>      matrices; ///< of assembled()

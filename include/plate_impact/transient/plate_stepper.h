@@ -12,7 +12,9 @@
 namespace PlateImpact
 {
   /// The plate's side of a transient, from rest: steps of Newmark's method
-  /// under forces at their beginning and end. The free displacement of a step
+  /// under forces at their beginning and end. A damping b K adds g b K, g =
+  /// gamma/(beta dt), to the matrix of a step, which stays K + c M up to a
+  /// factor. The free displacement of a step
   /// is that for the part of the forces that does not depend on the step's end;
   /// the unit response z_u = K*^-1 u belongs to the rest. The vectors K z and M
   /// v follow from the solution of the step itself, so that a step costs one
@@ -58,6 +60,13 @@ namespace PlateImpact
       return 0.5 * (v.dot(Mv) + z.dot(Kz));
     }
 
+    /// By damping, so far; exact where the scheme conserves energy. [J]
+    double
+    dissipated_energy() const
+    {
+      return dissipated;
+    }
+
     /// z, the unknowns of the plate.
     const Eigen::VectorXd &
     unknowns() const
@@ -65,13 +74,23 @@ namespace PlateImpact
       return z;
     }
 
+    /// v, their rates.
+    const Eigen::VectorXd &
+    rates() const
+    {
+      return v;
+    }
+
   private:
     const NewmarkScheme scheme;
     SemidiscreteSystem &plate;
-    double              w = 0.;
+    const double        damping;    ///< b [s]
+    const double        stiffening; ///< 1 + g b
+    double              w = 0., dissipated = 0.;
 
-    /// z, v, a and what follows from them; a is needed unless gamma = 2 beta
-    Eigen::VectorXd z, v, a, Kz, Mv, Ma;
+    /// z, v, a and what follows from them; a is needed unless gamma = 2 beta,
+    /// K v and K a with damping unless the scheme conserves energy
+    Eigen::VectorXd z, v, a, Kz, Kv, Ka, Mv, Ma;
     Eigen::VectorXd unit_response, right_hand_side, increment, K_increment;
     double          w_of_unit_response = 0.;
   };

@@ -53,6 +53,12 @@ namespace PlateImpact
     solve(double c, const Eigen::VectorXd &b, Eigen::VectorXd &x) override;
 
     double
+    damping() const override
+    {
+      return basis.damping();
+    }
+
+    double
     static_compliance() override
     {
       return compliance;

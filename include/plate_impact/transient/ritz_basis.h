@@ -43,6 +43,13 @@ namespace PlateImpact
       return n;
     }
 
+    /// Of the plate. [s]
+    double
+    damping() const
+    {
+      return matrices.damping;
+    }
+
     /// Whether the plate can move as a rigid body.
     bool
     is_free() const

@@ -7,9 +7,9 @@
 
 namespace PlateImpact
 {
-  /// The plate for the time stepper, M z'' + K z = f u: a stiffness, one
-  /// shape u of the load, and solves with K + c M. The same for the unknowns of
-  /// a mesh and for a reduced basis.
+  /// The plate for the time stepper, M z'' + b K z' + K z = f u: a stiffness,
+  /// one shape u of the load, and solves with K + c M. The same for the
+  /// unknowns of a mesh and for a reduced basis.
   class SemidiscreteSystem
   {
   public:
@@ -27,6 +27,14 @@ namespace PlateImpact
     /// factorization is kept until another c is asked for.
     virtual void
     solve(double c, const Eigen::VectorXd &b, Eigen::VectorXd &x) = 0;
+
+    /// b, of a material that answers to strains and their rates (Kelvin and
+    /// Voigt); 0 without damping. [s]
+    virtual double
+    damping() const
+    {
+      return 0.;
+    }
 
     /// u^T K^-1 u, the displacement under a constant unit force, or any bound
     /// above it; infinite for a plate that is free to move. [m/N]
