@@ -38,6 +38,7 @@ namespace
     std::string                path;
     std::optional<std::string> output;
     std::vector<std::string>   overrides;
+    std::string                marking;
     SweepOptions               sweep; ///< `quiet` is every command's
   };
 
@@ -93,13 +94,24 @@ namespace
     CLI::App &command =
       *app.add_subcommand("run", "Compute the impact that a scene describes");
     add_run_options(command, arguments);
+    command.add_option(
+      "--marking",
+      arguments.marking,
+      "Command that reads a mesh and its errors from the JSON file that it is "
+      "given, and answers which cells to refine and to coarsen, or their sizes");
     command.footer(
       "Writes report.html, summary.json, contact_history.csv, scene.prm and what "
       "the\nscene's section Output asks for. `plate-impact defaults` explains "
       "every entry.\n\n"
       "Example:\n"
       "  plate-impact run my.prm --set \"Impactor/Velocity=2\" --output fast");
-    command.callback([&arguments] { compute(run_scene, arguments); });
+    command.callback([&arguments] {
+      compute(
+        [&arguments](const Scene &scene, const bool quiet) {
+          run_scene(scene, quiet, arguments.marking);
+        },
+        arguments);
+    });
   }
 
 

@@ -175,6 +175,34 @@ namespace PlateImpact
 
 
 
+    TEST_F(Scenes, DropWeight)
+    {
+      const std::string scene = SCENES "/drop-weight.prm";
+      ASSERT_EQ(run(scene), 0) << err;
+      const auto last = last_cycle();
+      EXPECT_EQ(summary()["outcome"], "target reached");
+      EXPECT_LE(last["peak_force_error_bar"], 0.01);
+      // the peak of a uniform mesh in small steps
+      ASSERT_EQ(run(scene,
+                    "--set Adaptivity/Strategy=uniform --set "
+                    "'Adaptivity/Goal=energy norm' --set 'Adaptivity/Target "
+                    "error=1e-3' --set 'Adaptivity/Maximum cycles=4' --set "
+                    "'Time/End time=1e-3' --set 'Time/Time step=1e-6'"),
+                0)
+        << err;
+      EXPECT_EQ(last_cycle()["cells"], 576);
+      expect_near(last["peak_force"],
+                  last_cycle()["peak_force"],
+                  last["peak_force_error_bar"]);
+      // from a metre the plate leaves the model
+      ASSERT_EQ(run(scene, "--set Impactor/Velocity=4.4"), 0);
+      EXPECT_NE(err.find("beyond 0.2 it stiffens by membrane forces"),
+                std::string::npos)
+        << err;
+    }
+
+
+
     TEST_F(Scenes, CylinderStrikesThreeTimes)
     {
       ASSERT_EQ(run(cylinder_scene,

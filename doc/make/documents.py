@@ -97,7 +97,7 @@ def rendered(name, program, pictures):
         test=program.test, measured=measured.stored, compared=measured.Compared, figure=draw, holds=holds, given=given,
         slow_impact=theory.slow_impact, velocity_of_first_yield=theory.velocity_of_first_yield, bending_wavelength=theory.bending_wavelength,
         shear_stiffness=theory.shear_stiffness, give_per_halving=theory.give_per_halving,
-        reference=References(), layer_case=runs.layer_case, laminate_case=runs.laminate_case, scenes=runs.scenes, header=runs.header, paper=lambda number: given(number, "Mahajan & Dutta (1998)"),
+        reference=References(), text=lambda path: (root / path).read_text(), layer_case=runs.layer_case, laminate_case=runs.laminate_case, scenes=runs.scenes, header=runs.header, paper=lambda number: given(number, "Mahajan & Dutta (1998)"),
         side_by_side=lambda *columns: itertools.zip_longest(*columns, fillvalue=Blank()),
         abs=abs, max=max, min=min, len=len, zip=zip, all=all, round=round)
     text = environment.get_template(name).render()

@@ -5,10 +5,12 @@ import csv
 import functools
 import itertools
 import json
+import os
 import pathlib
 import re
 import shlex
 import subprocess
+import sys
 import tempfile
 
 import numpy as np
@@ -44,14 +46,20 @@ class Command:
     """The program at work on a scene, some of whose entries are changed; its files
     stay until the pages are written."""
 
-    def __init__(self, program, verb, scene, *changes):
+    def __init__(self, program, verb, scene, *changes, marking=None):
         self.words = ["plate-impact", verb, scene]
         for change in changes:
             self.words += ["--set", change]
+        if marking:
+            self.words += ["--marking", marking]
         self.folder = tempfile.TemporaryDirectory()
-        (pathlib.Path(self.folder.name) / "prm").symlink_to(root / "prm")
+        for folder in ("prm", "doc"):
+            (pathlib.Path(self.folder.name) / folder).symlink_to(root / folder)
         command = [program, *self.words[1:]]
-        done = subprocess.run(command, cwd=self.folder.name, capture_output=True, text=True)
+        # the python3 of a marking is this one, which has numpy
+        path = f"{pathlib.Path(sys.executable).parent}:{os.environ['PATH']}"
+        done = subprocess.run(command, cwd=self.folder.name, capture_output=True, text=True,
+                              env={**os.environ, "PATH": path})
         if done.returncode != 0:
             raise Failed(f"{self.command}\n{done.stderr}")
         self.results = pathlib.Path(self.folder.name) / "output"
@@ -96,8 +104,8 @@ class Command:
 class Run(Command):
     """A `run`: `cycles` and `last` have the names of summary.json."""
 
-    def __init__(self, program, scene, *changes):
-        super().__init__(program, "run", scene, *changes)
+    def __init__(self, program, scene, *changes, marking=None):
+        super().__init__(program, "run", scene, *changes, marking=marking)
         self.summary = json.loads((self.results / "summary.json").read_text())
         self.cycles = self.summary["cycles"]
         self.last = self.cycles[-1]
@@ -293,8 +301,8 @@ class Program:
         self.done = []
 
     @functools.cache
-    def run(self, scene, *changes):
-        return self.remembered(Run(self.program, scene, *changes))
+    def run(self, scene, *changes, marking=None):
+        return self.remembered(Run(self.program, scene, *changes, marking=marking))
 
     @functools.cache
     def sweep(self, scene, *changes):

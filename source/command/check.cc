@@ -105,9 +105,17 @@ namespace PlateImpact
               const Expectation &expected)
     {
       const double speed = expected.zener.section.fastest_wave();
+      const double back  = 2. * distance_to_edge(parameters) / speed;
+      const double peak  = expected.history.peak().time;
       text.line("first reflection",
                 format("back at {}; before, the supports do not matter",
-                       about(2. * distance_to_edge(parameters) / speed, "s")));
+                       about(back, "s")));
+      // the slower waves that carry the force are back a few times
+      if (peak > 5. * back)
+        text.line("peak",
+                  format("late: the fastest waves cross the plate {} times "
+                         "before, and a small error takes many cells",
+                         rounded(std::floor(peak / back), 3)));
 
       // the first are those that the warnings of a run speak of
       const double      wavelength = expected.zener.wave().length;

@@ -4,6 +4,7 @@
 #include "plate_impact/base/stage_clock.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/command/commands.h"
+#include "plate_impact/command/outside_marking.h"
 #include "plate_impact/output/console.h"
 #include "plate_impact/output/output.h"
 #include "plate_impact/output/run_in_words.h"
@@ -249,15 +250,17 @@ namespace PlateImpact
 
 
     void
-    run(const Scene &scene, Output &output, const bool quiet)
+    run(const Scene       &scene,
+        Output            &output,
+        const bool         quiet,
+        AdaptationControl &control)
     {
       const RunText text(scene);
       Console       console(quiet);
       console.print(text.begin());
-      ImpactAnalysis    analysis(scene.parameters);
-      AdaptationControl control(scene.parameters.adaptivity);
-      RunListener       listener(output, console, text);
-      const Outcome     outcome = analysis.run(control, listener);
+      ImpactAnalysis analysis(scene.parameters);
+      RunListener    listener(output, console, text);
+      const Outcome  outcome = analysis.run(control, listener);
       if (scene.parameters.adaptivity.verify)
         analysis.verify();
       Cycle &last     = analysis.last_cycle();
@@ -280,12 +283,20 @@ namespace PlateImpact
 
 
   void
-  run_scene(const Scene &scene, const bool quiet)
+  run_scene(const Scene &scene, const bool quiet, const std::string &marking)
   {
-    Output output(scene);
+    const AdaptivityParameters &adaptivity = scene.parameters.adaptivity;
+    if (!marking.empty())
+      OutsideMarking::require_sizes(adaptivity);
+    Output                             output(scene);
+    std::unique_ptr<AdaptationControl> control =
+      std::make_unique<AdaptationControl>(adaptivity);
+    if (!marking.empty())
+      control =
+        std::make_unique<OutsideMarking>(marking, adaptivity, output.directory);
     try
       {
-        run(scene, output, quiet);
+        run(scene, output, quiet, *control);
       }
     catch (const ComputationError &error)
       {

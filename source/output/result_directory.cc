@@ -21,6 +21,7 @@ namespace PlateImpact
       "(summary\\.json|scene\\.prm|report\\.html|fields\\.pvd|"
       "fields_[0-9]+\\.vtu|contact_history(_(cycle|point)_[0-9]+)?\\.csv|"
       "element_errors_cycle_[0-9]+\\.csv|mesh_cycle_[0-9]+\\.svg|"
+      "marking_cycle_[0-9]+\\.json|"
       "comparison\\.(csv|json|html)|sweep\\.(csv|html))"
       "(\\.incomplete)?");
 

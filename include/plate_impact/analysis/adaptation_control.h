@@ -43,7 +43,7 @@ namespace PlateImpact
     }
 
     /// Errors of the cells, by what the next mesh is made for.
-    ErrorRatios
+    virtual ErrorRatios
     error_ratios(const Cycle &cycle) const
     {
       return goal->error_ratios(cycle, target);

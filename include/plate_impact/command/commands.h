@@ -11,11 +11,14 @@ namespace PlateImpact
 {
   /// Computes the impact of a scene cycle by cycle, and writes and prints what
   /// is found.
-  /// @param quiet  only warnings and errors are printed, and a line for scripts
+  /// @param quiet    only warnings and errors are printed, and a line for
+  ///                 scripts
+  /// @param marking  a command that says what the next mesh is to be
+  ///                 (OutsideMarking); empty: none
   /// @throws ComputationError; files written so far are then valid, and
   ///         summary.json tells of the failure
   void
-  run_scene(const Scene &scene, bool quiet);
+  run_scene(const Scene &scene, bool quiet, const std::string &marking = "");
 
   /// Computes the comparison of a scene, and writes and prints what is found:
   /// comparison.csv, a row per mesh as soon as it is known; comparison.json

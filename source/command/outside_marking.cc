@@ -1,0 +1,303 @@
+#include "plate_impact/command/outside_marking.h"
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include "plate_impact/adaptation/cell_sizes.h"
+#include "plate_impact/base/exceptions.h"
+#include "plate_impact/base/text.h"
+#include "plate_impact/estimator/recovered_field.h"
+#include "plate_impact/page/page.h"
+#include "plate_impact/plate/plate_mesh.h"
+
+#include <cmath>
+#include <cstdio>
+#include <fmt/format.h>
+#include <ostream>
+#include <vector>
+
+namespace PlateImpact
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// For an answer. [s]
+    constexpr unsigned int time_limit = 60;
+
+    /// Of `timeout` (coreutils), which ends what the command has begun as well.
+    constexpr int status_of_timeout = 124;
+
+    /// By how much a cell becomes larger that is to be coarsened by one level:
+    /// more than the margin that the strategy keeps.
+    constexpr double size_of_coarsened = 2.9;
+
+
+
+    Json
+    as_json(const Point<2> &point)
+    {
+      return {point[0], point[1]};
+    }
+
+
+
+    /// Numbers of the active cells on the other side of each side of a cell.
+    Json
+    neighbours_of(const Triangulation<2>::active_cell_iterator &cell)
+    {
+      Json neighbours = Json::array();
+      for (const unsigned int side : cell->face_indices())
+        {
+          if (cell->at_boundary(side))
+            continue;
+          const auto face = cell->face(side);
+          if (!face->has_children())
+            neighbours.push_back(cell->neighbor(side)->active_cell_index());
+          else
+            for (unsigned int child = 0; child < face->n_children(); ++child)
+              neighbours.push_back(cell->neighbor_child_on_subface(side, child)
+                                     ->active_cell_index());
+        }
+      return neighbours;
+    }
+
+
+
+    /// Raw and recovered resultants at the samples of all cells, of one state.
+    void
+    add_samples(const Cycle &cycle, const Snapshot &state, Json &cells)
+    {
+      const PlateDiscretization &plate = cycle.discretization();
+      const QGauss<2>            samples(2);
+      const Eigen::MatrixXd      recovered =
+        cycle.recovered_resultants(state.unknowns, samples.get_points());
+      for (const auto &cell : cycle.mesh().active_cell_iterators())
+        {
+          const unsigned int   c = cell->active_cell_index();
+          const RowMajorMatrix raw =
+            resultants_at(plate,
+                          c,
+                          plate.section().stiffness(),
+                          plate.shape(c).strains_at_samples,
+                          state.unknowns);
+          for (unsigned int q = 0; q < samples.size(); ++q)
+            {
+              const Eigen::VectorXd own    = raw.row(q),
+                                    smooth = recovered.col(c).segment<5>(5 * q);
+              cells[c]["samples"].push_back(
+                {{"point",
+                  as_json(mapping_of(cell).transform_unit_to_real_cell(
+                    cell,
+                    samples.point(q)))},
+                 {"raw", std::vector<double>(own.begin(), own.end())},
+                 {"recovered",
+                  std::vector<double>(smooth.begin(), smooth.end())}});
+            }
+        }
+    }
+
+
+
+    /// What a marking may want to know.
+    Json
+    described(const Cycle &cycle)
+    {
+      const CycleResult &result = cycle.result;
+      Json vertices = Json::array(), cells = Json::array(), history;
+      for (const Point<2> &vertex : cycle.mesh().get_vertices())
+        vertices.push_back(as_json(vertex));
+      for (const auto &cell : cycle.mesh().active_cell_iterators())
+        {
+          const unsigned int c = cell->active_cell_index();
+          Json               one;
+          for (const unsigned int v : cell->vertex_indices())
+            one["vertices"].push_back(cell->vertex_index(v));
+          one["level"]       = cell->level();
+          one["size"]        = cell_size(cell);
+          one["neighbours"]  = neighbours_of(cell);
+          one["error_ratio"] = result.error_ratios->elements[c];
+          if (result.peak_force_error)
+            one["peak_force_error"] = result.peak_force_error->cells[c];
+          cells.push_back(one);
+        }
+      if (result.peak_state)
+        add_samples(cycle, *result.peak_state, cells);
+      for (const ContactState &state : result.history->states())
+        {
+          history["time"].push_back(state.time);
+          history["force"].push_back(state.force);
+        }
+      return {{"cycle", result.cycle},
+              {"discretization_error", result.error->eta},
+              {"peak_force", result.history->peak().force},
+              {"vertices", vertices},
+              {"cells", cells},
+              {"history", history}};
+    }
+
+
+
+    /// The numbers of a list, each of which is allowed.
+    template <typename Number, typename IsAllowed>
+    std::vector<Number>
+    numbers_of(const Json        &answer,
+               const char        *key,
+               const IsAllowed   &is_allowed,
+               const std::string &allowed)
+    {
+      std::vector<Number> numbers;
+      if (!answer.contains(key))
+        return numbers;
+      for (const Json &value : answer[key])
+        {
+          if (!value.is_number() || !is_allowed(value.get<double>()))
+            throw ComputationError(fmt::format("\"{}\" has {}; allowed: {}",
+                                               key,
+                                               value.dump(),
+                                               allowed));
+          numbers.push_back(value.get<Number>());
+        }
+      return numbers;
+    }
+
+
+
+    /// The size that each cell is to have. [m]
+    std::vector<double>
+    sizes_of(const Json &answer, const Triangulation<2> &mesh)
+    {
+      const unsigned int  n = mesh.n_active_cells();
+      std::vector<double> present;
+      for (const auto &cell : mesh.active_cell_iterators())
+        present.push_back(cell_size(cell));
+      if (!answer.is_object())
+        throw ComputationError("it is no object in JSON");
+      for (const auto &[key, value] : answer.items())
+        if (key != "refine" && key != "coarsen" && key != "sizes")
+          throw ComputationError("it has \"" + key +
+                                 "\"; allowed: refine, coarsen, sizes");
+      std::vector<double> sizes = numbers_of<double>(
+        answer,
+        "sizes",
+        [](const double size) { return size > 0. && std::isfinite(size); },
+        "lengths above 0 m");
+      if (answer.contains("sizes") && sizes.size() != n)
+        throw ComputationError(fmt::format("\"sizes\" has {}, the mesh has {}",
+                                           sizes.size(),
+                                           counted(n, "cell")));
+      if (!sizes.empty())
+        return sizes;
+      const auto is_cell = [n](const double value) {
+        return value >= 0. && value < n && value == std::floor(value);
+      };
+      const std::string allowed =
+        "numbers of cells, from 0 to " + std::to_string(n - 1);
+      sizes = present;
+      for (const unsigned int c :
+           numbers_of<unsigned int>(answer, "coarsen", is_cell, allowed))
+        sizes[c] = size_of_coarsened * present[c];
+      for (const unsigned int c :
+           numbers_of<unsigned int>(answer, "refine", is_cell, allowed))
+        sizes[c] = 0.5 * present[c];
+      return sizes;
+    }
+
+
+
+    /// Within a single quotation of the shell.
+    std::string
+    quoted(const std::string &text)
+    {
+      std::string result = "'";
+      for (const char character : text)
+        result +=
+          character == '\'' ? std::string("'\\''") : std::string(1, character);
+      return result + '\'';
+    }
+  } // namespace
+
+
+
+  OutsideMarking::OutsideMarking(const std::string          &command,
+                                 const AdaptivityParameters &adaptivity,
+                                 const ResultDirectory      &directory)
+    : AdaptationControl(adaptivity)
+    , command(command)
+    , directory(directory)
+  {}
+
+
+
+  void
+  OutsideMarking::require_sizes(const AdaptivityParameters &adaptivity)
+  {
+    if (adaptivity.strategy != AdaptationStrategy::hanging_nodes &&
+        adaptivity.strategy != AdaptationStrategy::remeshing)
+      throw InputError(
+        {"--marking needs Adaptivity/Strategy = hanging nodes or "
+         "remeshing, which give cells the sizes that are "
+         "wanted"});
+  }
+
+
+
+  ErrorRatios
+  OutsideMarking::error_ratios(const Cycle &cycle) const
+  {
+    const std::string name =
+      fmt::format("marking_cycle_{}.json", cycle.result.cycle);
+    directory.write_file(name, [&cycle](std::ostream &out) {
+      out << described(cycle) << '\n';
+    });
+    const std::string   text = answer_to((directory / name).string());
+    std::vector<double> sizes;
+    try
+      {
+        const Json answer = Json::parse(text, nullptr, false);
+        sizes             = sizes_of(answer, cycle.mesh());
+      }
+    catch (const ComputationError &error)
+      {
+        throw ComputationError(
+          fmt::format("cycle {}: --marking does not answer with a marking: {}",
+                      cycle.result.cycle,
+                      error.what()));
+      }
+    ErrorRatios wanted = *cycle.result.error_ratios;
+    for (const auto &cell : cycle.mesh().active_cell_iterators())
+      {
+        const unsigned int c = cell->active_cell_index();
+        wanted.elements[c]   = std::pow(cell_size(cell) / sizes[c],
+                                      1. / size_exponent(cell, adaptivity));
+      }
+    return wanted;
+  }
+
+
+
+  std::string
+  OutsideMarking::answer_to(const std::string &file) const
+  {
+    const std::string all =
+      fmt::format("exec timeout --kill-after=1 {} sh -c {}",
+                  time_limit,
+                  quoted(command + ' ' + quoted(file)));
+    FILE *const pipe = popen(all.c_str(), "r");
+    if (pipe == nullptr)
+      throw ComputationError("--marking cannot be run: " + command);
+    std::string answer;
+    char        buffer[4096];
+    while (const std::size_t n = fread(buffer, 1, sizeof buffer, pipe))
+      answer.append(buffer, n);
+    const int status = pclose(pipe);
+    if (WIFEXITED(status) && WEXITSTATUS(status) == status_of_timeout)
+      throw ComputationError(
+        fmt::format("--marking takes more than {} s: {}", time_limit, command));
+    if (status != 0)
+      throw ComputationError(
+        fmt::format("--marking ends with status {}: {}",
+                    WIFEXITED(status) ? WEXITSTATUS(status) : status,
+                    command));
+    return answer;
+  }
+} // namespace PlateImpact
