@@ -25,9 +25,10 @@ ROOMS = {
     "scene": "base contact plate/plate_section plate/ply plate/layer_response plate/plate_geometry plate/plate_file",
     "page": "base plate",
     "output": "base plate contact estimator adaptation analysis scene page",
+    "marking": "base plate estimator adaptation analysis page output/result_directory",
     "comparison": "base plate contact estimator analysis scene page output",
     "sweep": "base plate contact transient analysis scene page output",
-    "command": "base plate contact transient analysis scene output comparison sweep",
+    "command": "base plate contact transient analysis scene output marking comparison sweep",
     "main": "base scene output command",
 }
 

@@ -4,7 +4,7 @@
 #include "plate_impact/base/stage_clock.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/command/commands.h"
-#include "plate_impact/command/outside_marking.h"
+#include "plate_impact/marking/outside_marking.h"
 #include "plate_impact/output/console.h"
 #include "plate_impact/output/output.h"
 #include "plate_impact/output/run_in_words.h"
@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <memory>
 #include <new>
 #include <optional>
 #include <string>

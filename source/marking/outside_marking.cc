@@ -1,4 +1,4 @@
-#include "plate_impact/command/outside_marking.h"
+#include "plate_impact/marking/outside_marking.h"
 
 #include <deal.II/base/quadrature_lib.h>
 

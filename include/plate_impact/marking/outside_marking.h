@@ -1,5 +1,5 @@
-#ifndef plate_impact_command_outside_marking_h
-#define plate_impact_command_outside_marking_h
+#ifndef plate_impact_marking_outside_marking_h
+#define plate_impact_marking_outside_marking_h
 
 #include "plate_impact/analysis/adaptation_control.h"
 #include "plate_impact/output/result_directory.h"
