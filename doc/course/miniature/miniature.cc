@@ -31,18 +31,18 @@ constexpr double radius = 0.01, velocity = 1, disc = 0.003; // of the ball, its 
 constexpr double end_time = 80e-6, time_step = 2e-7, target_error = 0.05;
 
 // Reissner and Mindlin: moments are D times curvatures, shear forces S times shear strains.
-constexpr double pi = numbers::PI;
-constexpr double D  = E * thickness * thickness * thickness / (12 * (1 - nu * nu));
-constexpr double S  = 5. / 6. * E / (2 * (1 + nu)) * thickness;
-constexpr double rotary = density * thickness * thickness * thickness / 12;
+constexpr double pi        = numbers::PI;
+constexpr double D         = E * thickness * thickness * thickness / (12 * (1 - nu * nu));
+constexpr double S         = 5. / 6. * E / (2 * (1 + nu)) * thickness;
+constexpr double rotary    = density * thickness * thickness * thickness / 12;
 constexpr double inertia[] = {density * thickness, rotary, rotary};
 
 // Five resultants at a point: M_x, M_y, M_xy, Q_x, Q_y.
 using Resultants = Tensor<1, 5>;
 Resultants resultants_of(const Tensor<1, 5> &e)
 {
-  return Resultants({D * (e[0] + nu * e[1]), D * (e[1] + nu * e[0]), D * (1 - nu) / 2 * e[2],
-                     S * e[3], S * e[4]});
+  return Resultants(
+    {D * (e[0] + nu * e[1]), D * (e[1] + nu * e[0]), D * (1 - nu) / 2 * e[2], S * e[3], S * e[4]});
 }
 
 // Twice the energy that resultants store in a unit of area.
@@ -62,8 +62,8 @@ using Cell = DoFHandler<2>::active_cell_iterator;
 struct Plate
 {
   explicit Plate(const Triangulation<2> &mesh);
-  void constrain(), assemble(), spread_load();
-  Tensor<1, 5> strains(const FEValues<2> &values, unsigned int i, unsigned int q) const;
+  void                    constrain(), assemble(), spread_load();
+  Tensor<1, 5>            strains(const FEValues<2> &values, unsigned int i, unsigned int q) const;
   std::vector<Resultants> samples(const Cell &cell, const Vector<double> &state);
 
   FESystem<2>               fe;
@@ -146,7 +146,7 @@ void Plate::assemble()
                     k(i, j) += r * strains(*values, j, q);
                     if (is_bending && fe.system_to_component_index(j).first == component)
                       m(i, j) += inertia[component] * values->JxW(q) * values->shape_value(i, q) *
-                                 values->shape_value(j, q);
+                        values->shape_value(j, q);
                   }
               }
         }
@@ -169,7 +169,7 @@ void Plate::spread_load()
     for (unsigned int j = 0; j < n; ++j)
       {
         const double s = radial.point(i)[0], angle = (j + 0.5) / n * pi / 2;
-        const double r = disc * std::sqrt(1 - s * s);
+        const double r          = disc * std::sqrt(1 - s * s);
         const auto [cell, unit] = GridTools::find_active_cell_around_point(
           StaticMappingQ1<2>::mapping, dofs, Point<2>(r * std::cos(angle), r * std::sin(angle)));
         for (unsigned int k = 0; k < of_cell.size(); ++k)
@@ -204,9 +204,9 @@ std::vector<Resultants> Plate::samples(const Cell &cell, const Vector<double> &s
 struct Estimator
 {
   explicit Estimator(Plate &plate);
-  void add(const Vector<double> &state, double dt);
-  std::vector<Vector<double>>
-  fitted(const Point<2> &centre, const std::vector<Cell> &cells, const Vector<double> &state);
+  void                        add(const Vector<double> &state, double dt);
+  std::vector<Vector<double>> fitted(const Point<2> &centre, const std::vector<Cell> &cells,
+                                     const Vector<double> &state);
 
   Plate                                              &plate;
   Vector<double>                                      xi;
@@ -253,8 +253,8 @@ Estimator::fitted(const Point<2> &centre, const std::vector<Cell> &cells, const 
   for (unsigned int row = 0; row < 16; ++row)
     {
       const std::vector<Resultants> samples = plate.samples(cells[row / 4], z);
-      const Point<2>       x = plate.at_samples.quadrature_point(row % 4);
-      const Vector<double> P = terms((x - centre) / cells[0]->diameter());
+      const Point<2>                x       = plate.at_samples.quadrature_point(row % 4);
+      const Vector<double>          P       = terms((x - centre) / cells[0]->diameter());
       for (unsigned int term = 0; term < 8; ++term)
         A(row, term) = P[term];
       for (unsigned int k = 0; k < 5; ++k)
@@ -288,8 +288,8 @@ void Estimator::add(const Vector<double> &state, const double dt)
           for (unsigned int s = 0; s < 4; ++s)
             {
               const Point<2> x = points.point(q), at = sample_points.point(s);
-              raw += (x[0] + at[0] - 1) / (2 * at[0] - 1) * (x[1] + at[1] - 1) /
-                     (2 * at[1] - 1) * samples[s];
+              raw += (x[0] + at[0] - 1) / (2 * at[0] - 1) * (x[1] + at[1] - 1) / (2 * at[1] - 1) *
+                samples[s];
             }
           for (const unsigned int p : own)
             {
@@ -317,9 +317,9 @@ void Estimator::add(const Vector<double> &state, const double dt)
 //   alpha = alpha_free - compliance F(alpha),  F = k alpha^{3/2} (Hertz).
 double strike(Plate &plate, Estimator &estimator, Vector<double> &state)
 {
-  const double k    = 4. / 3. * E / (2 * (1 - nu * nu)) * std::sqrt(radius);
-  const double mass = 4. / 3. * pi * radius * radius * radius * density;
-  const double h = time_step, c = h * h / 4;
+  const double         k    = 4. / 3. * E / (2 * (1 - nu * nu)) * std::sqrt(radius);
+  const double         mass = 4. / 3. * pi * radius * radius * radius * density;
+  const double         h = time_step, c = h * h / 4;
   SparseMatrix<double> effective(plate.pattern);
   effective.copy_from(plate.M);
   effective.add(c, plate.K);
@@ -327,7 +327,7 @@ double strike(Plate &plate, Estimator &estimator, Vector<double> &state)
   inverse.initialize(effective);
   Vector<double> unit = plate.load;
   inverse.solve(unit);
-  const double compliance = c / 4 * (plate.load * unit) + c / mass;
+  const double   compliance = c / 4 * (plate.load * unit) + c / mass;
   Vector<double> z(plate.load.size()), v(z), a(z), a_new(z), Kz(z);
   double         y = 0, y_v = velocity, F = 0, peak = 0;
   for (int step = 1; step <= std::lround(end_time / h); ++step)
@@ -338,7 +338,7 @@ double strike(Plate &plate, Estimator &estimator, Vector<double> &state)
       inverse.solve(a_new);
       const double y_free     = y + h * y_v - c * F / mass;
       const double alpha_free = y_free - plate.load * z - c * (plate.load * a_new);
-      double alpha = std::max(0., alpha_free), change = alpha;
+      double       alpha = std::max(0., alpha_free), change = alpha;
       for (unsigned int i = 0; i < 100 && std::abs(change) > 1e-14 * radius; ++i)
         {
           const double left = alpha - alpha_free + compliance * k * std::pow(alpha, 1.5);
