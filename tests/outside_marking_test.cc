@@ -77,6 +77,19 @@ namespace PlateImpact
 
 
 
+    TEST_F(OutsideMarking, RefinesCellsAtSingularPointsByOneLevelAsWell)
+    {
+      // under a point load the size rule has another exponent
+      ASSERT_EQ(run_marked("print(json.dumps({'refine': [0]}))",
+                           "--set 'Contact/Load distribution=point' --set "
+                           "'Adaptivity/Maximum cycles=2'"),
+                0)
+        << err;
+      EXPECT_EQ(cells(), (std::vector<int>{9, 12}));
+    }
+
+
+
     TEST_F(OutsideMarking, TellsWhatAMarkingMayWantToKnow)
     {
       ASSERT_EQ(run_marked("print('{\"refine\": [0]}')",

@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <fmt/format.h>
 #include <ostream>
+#include <sys/wait.h>
 #include <vector>
 
 namespace PlateImpact
@@ -263,12 +264,14 @@ namespace PlateImpact
                       cycle.result.cycle,
                       error.what()));
       }
-    ErrorRatios wanted = *cycle.result.error_ratios;
+    // of the analysis, which knows the singular points of the mesh
+    const AdaptivityParameters &known  = cycle.parameters.adaptivity;
+    ErrorRatios                 wanted = *cycle.result.error_ratios;
     for (const auto &cell : cycle.mesh().active_cell_iterators())
       {
         const unsigned int c = cell->active_cell_index();
-        wanted.elements[c]   = std::pow(cell_size(cell) / sizes[c],
-                                      1. / size_exponent(cell, adaptivity));
+        wanted.elements[c] =
+          std::pow(cell_size(cell) / sizes[c], 1. / size_exponent(cell, known));
       }
     return wanted;
   }

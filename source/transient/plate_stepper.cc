@@ -39,7 +39,8 @@ namespace PlateImpact
     else
       {
         plate.solve(scheme.c0 / stiffening, right_hand_side, increment);
-        increment /= stiffening;
+        if (damping > 0.)
+          increment /= stiffening;
       }
     return w + plate.load().dot(increment);
   }
@@ -69,7 +70,8 @@ namespace PlateImpact
     Kz += K_increment;
     w += plate.load().dot(increment);
     // under average acceleration d / dt is the mean of both rates
-    dissipated += damping / dt * increment.dot(K_increment);
+    if (damping > 0.)
+      dissipated += damping / dt * increment.dot(K_increment);
     // M d = (K* d - (1 + g b) K d) / c_0
     right_hand_side -= stiffening * K_increment;
     if (has_a)
