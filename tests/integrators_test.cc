@@ -143,6 +143,16 @@ namespace PlateImpact
       EXPECT_NE(err.find("Plate/Loss factor = 0.2 at the first natural"),
                 std::string::npos)
         << err;
+      // a thin plate whose force rises in a tenth of its contact
+      ASSERT_EQ(
+        run(main_scene,
+            "--set 'Plate/Side lengths=0.4, 0.25' --set "
+            "Plate/Thickness=0.005 --set 'Plate/Loss factor=0.05' --set "
+            "'Time/End time=0' --set Impactor/Radius=0.015"),
+        0);
+      EXPECT_NE(err.find("Plate/Loss factor = 0.05 at the first natural"),
+                std::string::npos)
+        << err;
       EXPECT_EQ(run(main_scene, "--set 'Plate/Loss factor=-1'"), 1);
       EXPECT_NE(err.find("Plate/Loss factor"), std::string::npos) << err;
     }

@@ -120,13 +120,12 @@ namespace PlateImpact
       return error_ratios ? error_ratios->elements : std::vector<double>();
     }
 
-    /// Of a plate with damping at the frequency whose half period is the first
-    /// contact.
+    /// Of a plate with damping at the frequency whose quarter period is the
+    /// rise to the peak force: a contact may last much longer.
     double
     loss_factor_of_contact() const
     {
-      return damping * std::acos(-1.) /
-        history->first_contact_end().value_or(2. * history->peak().time);
+      return damping * std::acos(-1.) / (2. * history->rise_time());
     }
 
     std::vector<double> natural_frequencies; ///< where asked for [Hz]
