@@ -242,7 +242,7 @@ namespace PlateImpact
 
 
 
-    TEST(Impact, VectorsForAnErrorAreCountedAndLetGo)
+    TEST(Impact, VectorsForAnErrorAreCountedAndKeptForTheNext)
     {
       std::vector<std::string> overrides = coarse_steps;
       overrides.push_back("Time/Integrator=Newmark");
@@ -259,12 +259,12 @@ namespace PlateImpact
       {
         const auto problem = loaded.peak_force_problem(impact.history);
         ASSERT_TRUE(problem);
-        // they belong to the problem, and nothing is left of them but a count
         EXPECT_NE(problem->own_integrator, nullptr);
-        EXPECT_EQ(plate.work().ritz_vectors,
-                  problem->own_integrator->n_vectors());
       }
-      EXPECT_GT(plate.work().ritz_vectors, 0u);
+      const unsigned int n_vectors = plate.work().ritz_vectors;
+      EXPECT_GT(n_vectors, 0u);
+      EXPECT_TRUE(loaded.peak_force_problem(impact.history));
+      EXPECT_EQ(plate.work().ritz_vectors, n_vectors);
       EXPECT_EQ(loaded.strike().history.peak().force,
                 impact.history.peak().force);
     }

@@ -27,10 +27,11 @@ namespace PlateImpact
                                parameters.discretization.initial_cells))
         , element(parameters.discretization.element)
         , model(assembled(*mesh, element, parameters))
-        , plate(std::make_shared<EffectiveStiffness>(*model,
-                                                     SolverType::CHOLMOD),
-                model->load(make_load_distribution(parameters.contact,
-                                                   parameters.impactor.length)))
+        , loaded{
+            {std::make_shared<EffectiveStiffness>(*model, SolverType::CHOLMOD),
+             model->load(make_load_distribution(parameters.contact,
+                                                parameters.impactor.length))},
+            {}}
       {}
 
       static std::unique_ptr<PlateDiscretization>
@@ -67,7 +68,8 @@ namespace PlateImpact
       const std::unique_ptr<PlateDiscretization>      model;
       const std::unique_ptr<const ContactIntegration> integration =
         make_contact_integration(ForceIntegration::energy_conserving);
-      FullSystem plate;
+      LoadedMesh  loaded;
+      FullSystem &plate = loaded.system;
     };
 
 
@@ -177,13 +179,13 @@ namespace PlateImpact
         {
           Target         target(scene);
           const double   velocity = target.parameters.impactor.velocity;
-          RitzReduction  reduction(target.plate,
+          RitzReduction  reduction(target.loaded,
                                   target.parameters.time,
                                   *target.integration,
                                   /*needs_fields=*/false);
           ReducedSystem *reduced = target.settle(reduction, velocity);
           ASSERT_NE(reduced, nullptr);
-          EXPECT_LE(reduction.n_vectors(), 250);
+          EXPECT_LE(target.loaded.n_vectors(), 250);
           EXPECT_LT(difference(target.strike(*reduced, velocity),
                                target.strike(target.plate, velocity)),
                     3. * target.parameters.time.ritz_tolerance)
@@ -196,16 +198,17 @@ namespace PlateImpact
     TEST(RitzReduction, AnImpactorDoesNotFeelTheOnesBeforeIt)
     {
       Target     target({"Discretization/Initial cells=6,6"});
-      const auto fresh = [&] {
-        return RitzReduction(target.plate,
+      const auto fresh = [&](LoadedMesh &loaded) {
+        return RitzReduction(loaded,
                              target.parameters.time,
                              *target.integration,
                              /*needs_fields=*/true);
       };
-      RitzReduction shared = fresh();
+      RitzReduction shared = fresh(target.loaded);
       for (const double velocity : {50., 1., 0.01, 1.})
         {
-          RitzReduction  alone = fresh();
+          LoadedMesh     without_bases{target.plate, {}};
+          RitzReduction  alone = fresh(without_bases);
           ReducedSystem *a     = target.settle(shared, velocity);
           ReducedSystem *b     = target.settle(alone, velocity);
           ASSERT_NE(a, nullptr);
@@ -346,7 +349,7 @@ namespace PlateImpact
     TEST(ReducedSystem, StatesAreJudgedAsThoseOfTheMesh)
     {
       Target         target({"Discretization/Initial cells=6,6"});
-      RitzReduction  reduction(target.plate,
+      RitzReduction  reduction(target.loaded,
                               target.parameters.time,
                               *target.integration,
                               /*needs_fields=*/true);

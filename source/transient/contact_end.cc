@@ -1,4 +1,5 @@
 #include "plate_impact/contact/make_contact.h"
+#include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/transient/plate_model.h"
 
 #include <algorithm>
@@ -13,16 +14,31 @@ namespace PlateImpact
 
 
 
-    /// Longest first contact that is waited for. [s]
-    double
-    longest_contact(const LoadedPlate &plate, const ZenerImpact &expected)
+    /// How long a first contact may last. [s]
+    struct ContactTime
     {
-      const double half_space = 2. * expected.peak_on_rigid_plate().time;
-      const double compliance = plate.static_compliance();
-      const double mass       = expected.impactor.mass;
+      double shortest; ///< expected
+      double longest;  ///< that is waited for
+    };
+
+    ContactTime
+    contact_time(const Parameters  &impact,
+                 const ZenerImpact &expected,
+                 const double       compliance)
+    {
+      const double of_zener   = 1.5 * expected.contact_time(),
+                   half_space = 2. * expected.peak_on_rigid_plate().time;
       if (!std::isfinite(compliance)) // free to move, it is left sooner
-        return 100. * half_space;
-      return 2. * (half_space + std::acos(-1.) * std::sqrt(mass * compliance));
+        return {of_zener, 100. * half_space};
+      const double mass       = expected.impactor.mass,
+                   plate_mass = geometry_of(impact.plate)->area() *
+        expected.section.mass_per_area,
+                   half_period =
+                     half_space + std::acos(-1.) * std::sqrt(mass * compliance);
+      // heavier than the plate it bends that as a whole, for half a period
+      return {mass > plate_mass ? std::max(of_zener, 1.1 * half_period) :
+                                  of_zener,
+              2. * half_period};
     }
 
 
@@ -32,7 +48,7 @@ namespace PlateImpact
     double
     end_by_steps(const LoadedPlate &plate,
                  const Parameters  &impact,
-                 const ZenerImpact &expected)
+                 const double       longest)
     {
       const double dt = impact.time.time_step;
       // few digits are needed, but every step counts
@@ -40,9 +56,7 @@ namespace PlateImpact
       coarse.time_step *= 4.;
       coarse.end_time = dt *
         std::ceil(std::min(most_steps_of_contact,
-                           std::max(impact.time.end_time,
-                                    longest_contact(plate, expected)) /
-                             dt));
+                           std::max(impact.time.end_time, longest) / dt));
       TimeStepper stepper     = plate.steps_on_the_mesh(coarse);
       bool        is_touching = false;
       for (unsigned int step = 0; step < stepper.n_steps(); ++step)
@@ -66,14 +80,14 @@ namespace PlateImpact
   {
     if (impact.time.end_time > 0.)
       return impact;
-    Parameters result          = impact;
-    result.time.end_is_chosen  = true;
-    const double      dt       = impact.time.time_step;
-    const ZenerImpact expected = make_zener_impact(impact);
-    // by powers of two, so that impactors share vectors
-    for (double n =
-           std::exp2(std::ceil(std::log2(1.5 * expected.contact_time() / dt)));
-         ;
+    Parameters result         = impact;
+    result.time.end_is_chosen = true;
+    const double      dt      = impact.time.time_step;
+    const ContactTime wait    = contact_time(impact,
+                                          make_zener_impact(impact),
+                                          plate.static_compliance(impact));
+    // by powers of two, so that impactors share responses
+    for (double n = std::exp2(std::ceil(std::log2(wait.shortest / dt)));;
          n *= 2.)
       {
         result.time.end_of_vectors = result.time.end_time = n * dt;
@@ -82,15 +96,14 @@ namespace PlateImpact
           {
             // more steps take more vectors
             result.time.integrator = IntegratorType::Newmark;
-            result.time.end_time   = end_by_steps(loaded, result, expected);
+            result.time.end_time   = end_by_steps(loaded, result, wait.longest);
             return result;
           }
         const std::optional<double> end =
           loaded.strike().history.first_contact_end();
         if (end)
           result.time.end_time = dt * std::ceil(*end / dt);
-        if (end || n >= most_steps_of_contact ||
-            n * dt >= longest_contact(loaded, expected))
+        if (end || n >= most_steps_of_contact || n * dt >= wait.longest)
           return result;
       }
   }

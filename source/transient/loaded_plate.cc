@@ -40,13 +40,13 @@ namespace PlateImpact
 
 
 
-    /// Root of the mean square of what the doubled step changes of the force in
+    /// Root of the mean square of what twice the step changes of the force in
     /// the neighbourhood of the peak. [N]
     double
     change_around_peak(const ContactHistory &history,
-                       const ContactHistory &doubled)
+                       const ContactHistory &doubled,
+                       const double          peak)
     {
-      const double  peak     = history.peak().time;
       double        squares  = 0.;
       std::uint64_t n_states = 0;
       for (std::size_t n = 1;
@@ -136,31 +136,54 @@ namespace PlateImpact
     const double peak = history.peak_of_curve();
     if (peak <= 0. || history.rise_time() < 3.5 * scheme.dt)
       return {};
-    TimeParameters coarse = parameters.time;
-    coarse.time_step      = 2. * scheme.dt;
-    coarse.end_time       = coarse.time_step * ((scheme.n_steps + 1) / 2);
-    TimeStepper           stepper = steps(coarse, system);
-    const ContactHistory &doubled = stepper.impact().history;
+    const double time = history.peak().time;
     // three states make a peak
     const bool   is_on_ripples = peak_is_on_ripples(history);
-    const double past_peak =
-      std::max(history.peak().time + 1.5 * coarse.time_step,
-               is_on_ripples ? (1. + neighbourhood) * history.peak().time : 0.);
-    while (doubled.states().size() <= stepper.n_steps() &&
-           stepper.state().time < past_peak)
-      stepper.advance();
-    double change = doubled.peak_of_curve() - peak;
+    const double until =
+      std::max(time + 3. * scheme.dt,
+               is_on_ripples ? (1. + neighbourhood) * time : 0.);
+    const ContactHistory doubled = in_longer_steps(2, until);
+    double               change  = doubled.peak_of_curve() - peak;
     if (const unsigned int last = scheme.n_steps;
-        history.peak().time == history.states()[last].time)
+        time == history.states()[last].time)
       // a force that grows to the end is compared where both have a state
       change = doubled.states()[last / 2].force -
         history.states()[last - last % 2].force;
-    // such a peak may change little by accident where the ripples change much
+    change       = std::abs(change);
+    double decay = std::exp2(scheme.order()); // of changes, as steps halve
     if (is_on_ripples)
-      change = std::max(std::abs(change), change_around_peak(history, doubled));
-    const double by_step = std::abs(change) / (std::exp2(scheme.order()) - 1.),
+      {
+        // such a peak may change little by accident where the ripples change
+        // much, and these by less than the order tells while their phases do
+        const double around = change_around_peak(history, doubled, time),
+                     before = change_around_peak(doubled,
+                                                 in_longer_steps(4, until),
+                                                 time);
+        change              = std::max(change, 2. * around);
+        if (before < decay * around)
+          decay = std::max(2., before / around);
+      }
+    const double by_step = change / (decay - 1.),
                  missed  = peak - history.peak().force;
     return (by_step + missed) / peak;
+  }
+
+
+
+  ContactHistory
+  LoadedPlate::in_longer_steps(const unsigned int factor,
+                               const double       until) const
+  {
+    TimeParameters longer = parameters.time;
+    longer.time_step      = factor * scheme.dt;
+    longer.end_time =
+      longer.time_step * ((scheme.n_steps + factor - 1) / factor);
+    TimeStepper           stepper = steps(longer, system);
+    const ContactHistory &history = stepper.impact().history;
+    while (history.states().size() <= stepper.n_steps() &&
+           stepper.state().time < until)
+      stepper.advance();
+    return history;
   }
 
 
@@ -199,7 +222,7 @@ namespace PlateImpact
     to_peak.end_time       = time_of_peak;
     to_peak.time_step      = scheme.dt;
     to_peak.ritz_tolerance = tolerance_of_estimate;
-    return make_integrator(load->system, to_peak, *load->integration, true);
+    return make_integrator(*load->mesh, to_peak, *load->integration, true);
   }
 
 
@@ -232,8 +255,6 @@ namespace PlateImpact
                    *load->integration,
                    of_dual,
                    most_times);
-    if (own)
-      load->n_vectors_for_errors += own->n_vectors();
     return PeakForceProblem{std::move(motions), &of_dual, std::move(own)};
   }
 } // namespace PlateImpact

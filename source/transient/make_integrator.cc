@@ -25,13 +25,13 @@ namespace PlateImpact
 
 
   std::unique_ptr<Integrator>
-  make_integrator(FullSystem               &full,
+  make_integrator(LoadedMesh               &mesh,
                   const TimeParameters     &time,
                   const ContactIntegration &integration,
                   const bool                needs_fields)
   {
     return row_of(time.integrator, integrators)
-      .make(full, time, integration, needs_fields);
+      .make(mesh, time, integration, needs_fields);
   }
 
 

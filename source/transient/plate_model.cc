@@ -20,14 +20,6 @@ namespace PlateImpact
 
 
 
-    unsigned int
-    n_vectors(const Load &load)
-    {
-      return load.integrator->n_vectors() + load.n_vectors_for_errors;
-    }
-
-
-
     /// Of the plate without damping. [rad/s]
     double
     first_frequency(EffectiveStiffness &matrices)
@@ -60,30 +52,47 @@ namespace PlateImpact
   {
     TimeParameters time = impact.time;
     time.end_time       = std::max(time.end_time, time.end_of_vectors);
-    const LoadKey key(impact.contact.load_distribution,
-                      impact.contact.patch_radius,
-                      impact.contact.local_response,
+    const LoadKey key(mesh_key(impact),
                       impact.contact.integration,
-                      impact.impactor.shape,
-                      impact.impactor.length,
                       time,
                       needs_states);
     auto          found = loads.find(key);
     if (found == loads.end())
       {
         forget_loads();
-        found = loads.emplace(key, make_load(impact, time, needs_states)).first;
+        const auto load = std::make_shared<Load>(
+          Load{loaded_mesh(impact),
+               layer_constant(impact.plate, impact.contact),
+               make_contact_integration(impact.contact.integration),
+               nullptr});
+        load->integrator =
+          make_integrator(*load->mesh, time, *load->integration, needs_states);
+        found = loads.emplace(key, load).first;
+        ++n_loads;
       }
     return {impact, found->second};
   }
 
 
 
-  std::shared_ptr<Load>
-  PlateModel::make_load(const Parameters     &impact,
-                        const TimeParameters &time,
-                        const bool            needs_states)
+  PlateModel::MeshKey
+  PlateModel::mesh_key(const Parameters &impact)
   {
+    return {impact.contact.load_distribution,
+            impact.contact.patch_radius,
+            impact.contact.local_response,
+            impact.impactor.shape,
+            impact.impactor.length};
+  }
+
+
+
+  const std::shared_ptr<LoadedMesh> &
+  PlateModel::loaded_mesh(const Parameters &impact)
+  {
+    std::shared_ptr<LoadedMesh> &result = loaded_meshes[mesh_key(impact)];
+    if (result != nullptr)
+      return result;
     assembled();
     StageClock               clock;
     const ContactParameters &contact = impact.contact;
@@ -95,17 +104,12 @@ namespace PlateImpact
     const auto points = on_meshed_part(
       make_load_distribution(contact, impact.impactor.length, finest_cell),
       impact.plate);
-    std::shared_ptr<Load> load(new Load{
+    result = std::make_shared<LoadedMesh>(LoadedMesh{
       {matrices,
        plate.load(points, load_rotation_factor(impact.plate, contact))},
-      layer_constant(impact.plate, contact),
-      make_contact_integration(contact.integration),
-      nullptr});
-    load->integrator =
-      make_integrator(load->system, time, *load->integration, needs_states);
-    ++n_loads;
+      {}});
     clock.charge(assembly_seconds);
-    return load;
+    return result;
   }
 
 
@@ -141,14 +145,14 @@ namespace PlateImpact
   PlateModel::forget_loads()
   {
     double numbers = 0.;
-    for (const auto &[key, load] : loads)
-      numbers +=
-        1. * load->integrator->n_vectors() * load->system.load().size();
+    for (const auto &[key, loaded] : loaded_meshes)
+      numbers += 1. * loaded->n_vectors() * loaded->system.load().size();
     if (numbers <= most_kept_numbers)
       return;
-    for (const auto &[key, load] : loads)
-      n_forgotten_vectors += n_vectors(*load);
+    for (const auto &[key, loaded] : loaded_meshes)
+      n_forgotten_vectors += loaded->n_vectors();
     loads.clear();
+    loaded_meshes.clear();
   }
 
 
@@ -160,8 +164,8 @@ namespace PlateImpact
     work.loads            = n_loads;
     work.ritz_vectors     = n_forgotten_vectors;
     work.assembly_seconds = assembly_seconds;
-    for (const auto &[key, load] : loads)
-      work.ritz_vectors += n_vectors(*load);
+    for (const auto &[key, loaded] : loaded_meshes)
+      work.ritz_vectors += loaded->n_vectors();
     if (matrices != nullptr)
       static_cast<EffectiveStiffness::Work &>(work) = matrices->work();
     return work;

@@ -26,13 +26,20 @@ namespace PlateImpact
 
 
 
+    /// Returns of the waves from the nearest edge after which a plate rings: a
+    /// force then takes as many vectors as there are motions that ring, however
+    /// long it is followed.
+    constexpr double returns_until_it_rings = 8.;
+
+
+
     /// Vectors that cost as much as a number of steps: a solve each, which is
-    /// as much as making one orthogonal to 50 others (measured on 1000 to 30000
-    /// unknowns), n + n^2 / 100 solves.
+    /// as much as making one orthogonal to 450 others (measured on 7000 to
+    /// 37000 unknowns with 180 to 950 vectors), n + n^2 / 900 solves.
     double
     vectors_worth(const double n_steps)
     {
-      return std::max(16., 50. * (std::sqrt(1. + 0.04 * n_steps) - 1.));
+      return std::max(16., 450. * (std::sqrt(1. + n_steps / 225.) - 1.));
     }
 
 
@@ -154,6 +161,16 @@ namespace PlateImpact
 
 
 
+    /// When waves are back from the nearest edge. [s]
+    double
+    return_of_waves(const PlateParameters &plate, const ZenerImpact &expected)
+    {
+      return 2. * geometry_of(plate)->distance_to_edge() /
+        expected.wave().group_speed;
+    }
+
+
+
     /// Whether it is known beforehand that stepping on the mesh takes fewer
     /// solves than vectors would.
     bool
@@ -169,9 +186,11 @@ namespace PlateImpact
       if (n_unknowns < 3. * time.end_time / time.time_step)
         return false;
       const ZenerImpact expected = make_zener_impact(scene);
-      return expected.contact.first_loading().hertz_coefficient() &&
-        time.end_time > 2. * geometry_of(scene.plate)->distance_to_edge() /
-          expected.wave().group_speed &&
+      if (!expected.contact.first_loading().hertz_coefficient())
+        return false;
+      const double back = return_of_waves(scene.plate, expected);
+      return time.end_time > back &&
+        time.end_time < returns_until_it_rings * back &&
         expected.contact_time() < 16. * time.time_step;
     }
 
@@ -237,17 +256,19 @@ namespace PlateImpact
   SemidiscreteSystem *
   RitzReduction::settle(const Parameters &rounded)
   {
-    const Contact  contact  = make_contact(rounded);
-    const Impactor impactor = make_impactor(rounded.impactor);
-    const int      octave =
-      half_octave(ZenerImpact(contact, impactor, PlateSection(rounded.plate))
-                    .contact_time(),
-                  time.end_time);
+    const Contact     contact  = make_contact(rounded);
+    const Impactor    impactor = make_impactor(rounded.impactor);
+    const ZenerImpact expected(contact, impactor, PlateSection(rounded.plate));
+    // a plate that rings has the same vectors until any later time
+    const double followed =
+      std::min(time.end_time,
+               returns_until_it_rings *
+                 return_of_waves(rounded.plate, expected));
+    const int octave = half_octave(expected.contact_time(), followed);
     // Waves run along the vectors at this speed; a force is right when those
     // that the end reflects cannot be back before the end time. Fields may
     // follow with the third basis, the first that is judged.
-    const double n_first =
-                   std::max(12., 0.24 * frequency(octave) * time.end_time),
+    const double n_first = std::max(12., 0.24 * frequency(octave) * followed),
                  growth = 1.15, n_unknowns = full.load().size();
     // once the vectors have cost as much as the steps would, or fill the
     // memory, the steps are made after all
@@ -299,7 +320,7 @@ namespace PlateImpact
   {
     const double omega = frequency(half_octave);
     RitzBasis   &basis =
-      bases.try_emplace(half_octave, full, omega * omega).first->second;
+      mesh.bases.try_emplace(half_octave, full, omega * omega).first->second;
     basis.grow(n);
     // a longer terminator changes little
     const unsigned int n_terminator =
@@ -310,16 +331,5 @@ namespace PlateImpact
                    std::min(n, basis.n_vectors()),
                    n_terminator)
       .first->second;
-  }
-
-
-
-  unsigned int
-  RitzReduction::n_vectors() const
-  {
-    unsigned int n = 0;
-    for (const auto &[half_octave, basis] : bases)
-      n += basis.n_vectors();
-    return n;
   }
 } // namespace PlateImpact

@@ -3,8 +3,8 @@
 
 #include "plate_impact/base/parameters.h"
 #include "plate_impact/contact/contact_solver.h"
-#include "plate_impact/transient/full_system.h"
 #include "plate_impact/transient/plate_response.h"
+#include "plate_impact/transient/ritz_basis.h"
 #include "plate_impact/transient/semidiscrete_system.h"
 
 #include <map>
@@ -32,13 +32,6 @@ namespace PlateImpact
     /// @param parameters  with the load and the times of this integrator
     virtual SemidiscreteSystem &
     system_for(const Parameters &parameters) = 0;
-
-    /// Vectors of reduced bases computed so far.
-    virtual unsigned int
-    n_vectors() const
-    {
-      return 0;
-    }
 
     /// An impact on a system of this integrator: by its response where scheme
     /// and plate conserve energy, otherwise in steps.
@@ -68,13 +61,13 @@ namespace PlateImpact
   class NewmarkOnTheMesh : public Integrator
   {
   public:
-    /// @param full  must outlive the integrator
-    NewmarkOnTheMesh(FullSystem               &full,
+    /// @param mesh  must outlive the integrator
+    NewmarkOnTheMesh(LoadedMesh               &mesh,
                      const TimeParameters     &time,
                      const ContactIntegration &integration,
                      bool /*needs_fields*/ = true)
       : Integrator(time, integration)
-      , full(full)
+      , full(mesh.system)
     {}
 
     SemidiscreteSystem &
@@ -88,11 +81,11 @@ namespace PlateImpact
   };
 
 
-  /// The integrator that the scene names: `Newmark` or `Ritz vectors`. System
+  /// The integrator that the scene names: `Newmark` or `Ritz vectors`. Mesh
   /// and integration must outlive it.
   /// @param needs_fields  whether more than the force is to be right
   std::unique_ptr<Integrator>
-  make_integrator(FullSystem               &full,
+  make_integrator(LoadedMesh               &mesh,
                   const TimeParameters     &time,
                   const ContactIntegration &integration,
                   bool                      needs_fields);

@@ -36,6 +36,14 @@ namespace PlateImpact
     LoadedPlate
     under(const Parameters &impact, bool needs_states);
 
+    /// As SemidiscreteSystem::static_compliance(), of the mesh under the load
+    /// of an impact. [m/N]
+    double
+    static_compliance(const Parameters &impact)
+    {
+      return loaded_mesh(impact)->system.static_compliance();
+    }
+
     /// As the function of that name. [Hz]
     std::vector<double>
     natural_frequencies(unsigned int n);
@@ -58,26 +66,27 @@ namespace PlateImpact
     work() const;
 
   private:
-    /// All of an impact that a load and its steps depend on; the rest is the
+    /// All of an impact that a load depends on, and its steps; the rest is the
     /// impactor's own.
-    using LoadKey = std::tuple<LoadShape,
+    using MeshKey = std::tuple<LoadShape,
                                double, // patch radius
                                LocalResponse,
-                               ForceIntegration,
                                ImpactorShape,
-                               double,         // length of a cylinder
+                               double>; // length of a cylinder
+    using LoadKey = std::tuple<MeshKey,
+                               ForceIntegration,
                                TimeParameters, // to the end of the vectors
                                bool>;          // needs states
 
+    static MeshKey
+    mesh_key(const Parameters &impact);
     /// Assembled when it is first needed.
     const std::shared_ptr<EffectiveStiffness> &
     assembled();
-    /// @param time  to the end of the vectors
-    std::shared_ptr<Load>
-    make_load(const Parameters     &impact,
-              const TimeParameters &time,
-              bool                  needs_states);
-    /// Makes room for another one.
+    /// Made when it is first needed.
+    const std::shared_ptr<LoadedMesh> &
+    loaded_mesh(const Parameters &impact);
+    /// Makes room for another load.
     void
     forget_loads();
 
@@ -87,8 +96,9 @@ namespace PlateImpact
     const double                                    loss_factor;
     PlateDiscretization                             plate;
 
-    std::shared_ptr<EffectiveStiffness>      matrices; ///< of assembled()
-    std::map<LoadKey, std::shared_ptr<Load>> loads;
+    std::shared_ptr<EffectiveStiffness>            matrices; ///< of assembled()
+    std::map<MeshKey, std::shared_ptr<LoadedMesh>> loaded_meshes;
+    std::map<LoadKey, std::shared_ptr<Load>>       loads;
     unsigned int n_loads = 0, n_forgotten_vectors = 0;
     double       assembly_seconds = 0.;
   };

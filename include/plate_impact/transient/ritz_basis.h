@@ -5,6 +5,8 @@
 
 #include <Eigen/Core>
 
+#include <map>
+
 namespace PlateImpact
 {
   /// Load-dependent Ritz vectors of a plate (Wilson, Yuan & Dickens 1982,
@@ -122,6 +124,25 @@ namespace PlateImpact
     Eigen::VectorXd candidate, A_candidate; ///< becomes the next vector
     Eigen::VectorXd A_last, A_before;       ///< A times the last two vectors
     Eigen::VectorXd M_last;                 ///< M times the last vector
+  };
+
+
+  /// A mesh under one load, and the bases that were made of it, by the half
+  /// octave of the root of their shift. Steps of any length and number share
+  /// them.
+  struct LoadedMesh
+  {
+    FullSystem               system;
+    std::map<int, RitzBasis> bases;
+
+    unsigned int
+    n_vectors() const
+    {
+      unsigned int n = 0;
+      for (const auto &[half_octave, basis] : bases)
+        n += basis.n_vectors();
+      return n;
+    }
   };
 } // namespace PlateImpact
 

@@ -25,25 +25,23 @@ namespace PlateImpact
   class RitzReduction : public Integrator
   {
   public:
-    /// @param full          must outlive the reduction, which factorizes it
+    /// @param mesh          must outlive the reduction, which factorizes it
+    ///                      and adds to its bases
     /// @param integration   must outlive the reduction
     /// @param needs_fields  whether more than the force is to be right
-    RitzReduction(FullSystem               &full,
+    RitzReduction(LoadedMesh               &mesh,
                   const TimeParameters     &time,
                   const ContactIntegration &integration,
                   bool                      needs_fields)
       : Integrator(time, integration)
-      , full(full)
+      , mesh(mesh)
+      , full(mesh.system)
       , needs_fields(needs_fields)
     {}
 
     /// The reduced system, or that of the mesh where it takes fewer solves.
     SemidiscreteSystem &
     system_for(const Parameters &parameters) override;
-
-    /// A solve each.
-    unsigned int
-    n_vectors() const override;
 
   private:
     /// @return a reduced system, or that of the mesh
@@ -52,7 +50,8 @@ namespace PlateImpact
     ReducedSystem &
     reduced_system(int half_octave, unsigned int n);
 
-    FullSystem &full;
+    LoadedMesh &mesh;
+    FullSystem &full; ///< of the mesh
     const bool  needs_fields;
 
     /// By the law's section, the impactor in round numbers and the plate's
@@ -60,8 +59,7 @@ namespace PlateImpact
     std::map<std::tuple<ContactParameters, ImpactorParameters, double>,
              SemidiscreteSystem *>
       settled;
-    /// By the half octave of the shift, and by the number of vectors.
-    std::map<int, RitzBasis>                              bases;
+    /// By the half octave of the shift and the number of vectors.
     std::map<std::pair<int, unsigned int>, ReducedSystem> reduced_systems;
   };
 } // namespace PlateImpact
