@@ -158,9 +158,14 @@ namespace PlateImpact
     std::optional<double>
     bar(const PeakForceError            &estimate,
         const std::optional<PeakOnMesh> &before,
-        const bool                       resolves_load)
+        const bool                       resolves_load,
+        const std::optional<double>     &ripples = {})
     {
-      return peak_force_error_by_mesh(estimate, 100., before, resolves_load);
+      return peak_force_error_by_mesh(estimate,
+                                      100.,
+                                      before,
+                                      resolves_load,
+                                      ripples);
     }
 
 
@@ -186,6 +191,55 @@ namespace PlateImpact
       EXPECT_NEAR(change({110., 0.03}), 0.1, 1e-12);
       EXPECT_NEAR(change({110., {}}), 0.1, 1e-12);
       EXPECT_NEAR(change({102., 0.03}), safety_of_bar * 0.002, 1e-12);
+    }
+
+
+
+    TEST(PeakForceBar, OfAPeakOnRipplesIsAsWideAsTheseChange)
+    {
+      // the sum of absolute values has fallen from 8 to 2 %
+      const PeakForceError estimate{
+        {0.01 / safety_of_bar, 0.01 / safety_of_bar}};
+      const PeakOnMesh before{100., {}, 0.08};
+      EXPECT_NEAR(bar(estimate, before, true).value(), 0.02, 1e-12);
+      EXPECT_NEAR(bar(estimate, before, true, 0.006).value(), 0.002, 1e-12);
+      EXPECT_NEAR(bar(estimate, before, false, 0.006).value(), 0.002, 1e-12);
+      // never more than the sum, nor by a mesh that is no better
+      EXPECT_NEAR(bar(estimate, before, true, 0.5).value(), 0.02, 1e-12);
+      EXPECT_NEAR(
+        bar(estimate, PeakOnMesh{100., {}, 0.01}, true, 0.001).value(),
+        0.02,
+        1e-12);
+    }
+
+
+
+    TEST(PeakForceBar, RipplesAreComparedOverTheNeighbourhoodOfThePeak)
+    {
+      const auto history = [](const double step, const double ripple) {
+        ContactHistory result;
+        for (unsigned int n = 0; n * step < 130.; ++n)
+          {
+            ContactState state;
+            state.time  = n * step;
+            state.force = 50. - 1e-2 * std::pow(state.time - 100., 2) +
+              ripple * std::cos(state.time - 100.);
+            result.add(state);
+          }
+        return result;
+      };
+      const ContactHistory fine = history(0.125, 1.);
+      EXPECT_TRUE(fine.peak_is_on_ripples());
+      EXPECT_FALSE(history(0.125, 0.).peak_is_on_ripples());
+      // the root of the mean square of a cosine
+      EXPECT_NEAR(fine.difference_around(100., history(0.125, 1.5)),
+                  0.5 / std::sqrt(2.),
+                  0.02);
+      EXPECT_NEAR(history(0.25, 1.5).difference_around(100., fine),
+                  0.5 / std::sqrt(2.),
+                  0.02);
+      EXPECT_EQ(history(0.5, 1.).difference_around(100., fine), 0.);
+      EXPECT_EQ(fine.difference_around(300., fine), 0.);
     }
 
 

@@ -11,9 +11,8 @@ def measure(program):
     true_forces = measured.stored("true_forces")
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
         def scenes(name):
-            make, _ = error_bars.CLASSES[name]
             return list(pool.map(
-                lambda numbered: error_bars.bars_of_scene(program.program, *numbered, make),
+                lambda numbered: error_bars.bars_of_scene(program.program, *numbered, name),
                 enumerate(true_forces[name])))
 
         by_class = {name: scenes(name) for name in error_bars.CLASSES if name in true_forces}

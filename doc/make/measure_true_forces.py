@@ -8,9 +8,10 @@ import error_bars
 
 def measure(program):
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
-        def forces(make, number_of_scenes):
-            found = pool.map(lambda number: error_bars.true_force(program.program, make(number)),
-                             range(number_of_scenes))
+        def forces(make, number_of_scenes, targets):
+            found = pool.map(
+                lambda number: error_bars.true_force(program.program, make(number), targets),
+                range(number_of_scenes))
             return [dict(zip(("force", "bar of the force", "why"), one)) for one in found]
 
         return {name: forces(*rule) for name, rule in error_bars.CLASSES.items()}

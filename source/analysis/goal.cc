@@ -121,14 +121,19 @@ namespace PlateImpact
       error_ratios(const Cycle &cycle, const double target) const override
       {
         const CycleResult &result = cycle.result;
-        const double       bar    = error(result);
+        const double       all    = error(result),
+                     bar          = result.peak_force_bar ?
+                   std::min(all, result.peak_force_bar->space) :
+                   all;
         // What the time step leaves to the mesh, but a tenth of what there is
         // at most: estimates on coarse meshes do not tell more.
         const double for_mesh = std::max(
           {0.5 * target, target - result.time_error.value_or(0.), 0.1 * bar});
         const std::vector<double> &cells = result.peak_force_error->cells;
-        const double share = for_mesh / (safety_of_bar * cells.size());
-        ErrorRatios  error{bar / for_mesh, std::sqrt(share), {}};
+        // waves that have come back add up to less than their contributions
+        const double share =
+          for_mesh / (safety_of_bar * cells.size()) * (all / bar);
+        ErrorRatios error{bar / for_mesh, std::sqrt(share), {}};
         // Near the target no cell grows: the estimate knows nothing of the
         // waves that a coarser mesh turns back after the window.
         const double near_target = 3.,

@@ -104,7 +104,10 @@ namespace PlateImpact
     if (mesh == nullptr) // the present one again
       mesh = copy_of(current->mesh());
     else
-      peak_before = peak_here;
+      {
+        peak_before    = peak_here;
+        history_before = std::move(history_here);
+      }
     const double seconds_before =
       current != nullptr ? current->result.cumulative_seconds() : 0.;
     current.reset();
@@ -157,7 +160,12 @@ namespace PlateImpact
     static_cast<Observation &>(result) = std::move(seen);
     static_cast<Judgement &>(result)   = judgement();
     if (result.peak_force_error)
-      peak_here = PeakOnMesh{result.history->peak().force, mesh_part_of_bar()};
+      {
+        peak_here    = PeakOnMesh{result.history->peak().force,
+                               mesh_part_of_bar(),
+                               result.peak_force_error->bar()};
+        history_here = result.history;
+      }
     if (result.new_vectors > 0.7 * result.steps ||
         (result.new_vectors > 0 &&
          result.new_solves >= result.new_vectors + 0.5 * result.steps))
@@ -178,7 +186,7 @@ namespace PlateImpact
     if (adaptivity.is_for_peak_force() && !result.peak_force_error)
       throw ComputationError("cycle " + std::to_string(result.cycle) +
                              ": the error of the peak force cannot be "
-                             "estimated, with no force or more than 20000 "
+                             "estimated, with no force or more than 60000 "
                              "steps to its peak; choose a larger Time/Time "
                              "step, or Adaptivity/Goal = energy norm");
     Judgement worth;
@@ -217,7 +225,26 @@ namespace PlateImpact
     return peak_force_error_by_mesh(*result.peak_force_error,
                                     result.history->peak().force,
                                     peak_before,
-                                    result.cell_size_at_load <= load);
+                                    result.cell_size_at_load <= load,
+                                    change_of_ripples());
+  }
+
+
+
+  std::optional<double>
+  ImpactAnalysis::change_of_ripples() const
+  {
+    const ContactHistory &history = *current->result.history;
+    if (!history_before || !history.peak_is_on_ripples())
+      return {};
+    const ContactState &peak = history.peak();
+    const double around = history.difference_around(peak.time, *history_before);
+    if (around == 0.) // the mesh before was not watched until then
+      return {};
+    // what differs most is about twice the root of the mean square
+    return std::max(std::abs(peak.force - history_before->peak().force),
+                    2. * around) /
+      peak.force;
   }
 
 

@@ -128,8 +128,9 @@ namespace PlateImpact
   TimeControl::wanted_step(const Window &window, const CycleResult &seen) const
   {
     // steps of a history that the mesh spoils tell little
-    const double mesh_error =
-      seen.peak_force_error ? seen.peak_force_error->bar() : 0.;
+    const double mesh_error = seen.peak_force_bar ? seen.peak_force_bar->space :
+      seen.peak_force_error ? seen.peak_force_error->bar() :
+                              0.;
     const double most =
       std::max(share_of_time * scene.adaptivity.target_peak_force_error,
                0.1 * mesh_error);

@@ -57,6 +57,49 @@ namespace PlateImpact
 
 
 
+  bool
+  ContactHistory::peak_is_on_ripples() const
+  {
+    const ContactState &top = peak();
+    for (const ContactState *state = history.data(); state != &top; ++state)
+      if (state[1].force < state->force)
+        return true;
+    return false;
+  }
+
+
+
+  double
+  ContactHistory::difference_around(const double          time,
+                                    const ContactHistory &other) const
+  {
+    const double        neighbourhood = 0.1;
+    double              squares       = 0.;
+    unsigned int        n_states      = 0;
+    const ContactState *after         = other.history.data(),
+                       *end           = after + other.history.size();
+    for (const ContactState &state : history)
+      {
+        if (std::abs(state.time - time) > neighbourhood * time)
+          continue;
+        // against round-off of equal times
+        while (after != end && after->time < state.time - 1e-9 * time)
+          ++after;
+        if (after == end)
+          break;
+        const double before     = after == other.history.data() ?
+              0. :
+              (after->time - state.time) / (after->time - after[-1].time),
+                     difference = state.force - after->force +
+          (before > 0. ? before * (after->force - after[-1].force) : 0.);
+        squares += difference * difference;
+        ++n_states;
+      }
+    return n_states > 0 ? std::sqrt(squares / n_states) : 0.;
+  }
+
+
+
   double
   ContactHistory::rise_time() const
   {

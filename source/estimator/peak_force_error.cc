@@ -83,9 +83,12 @@ namespace PlateImpact
   peak_force_error_by_mesh(const PeakForceError            &estimate,
                            const double                     peak,
                            const std::optional<PeakOnMesh> &before,
-                           const bool                       resolves_load)
+                           const bool                       resolves_load,
+                           const std::optional<double>     &ripples)
   {
-    const double bar = estimate.bar();
+    double bar = estimate.bar();
+    if (ripples && bar < before->bar)
+      bar = std::min(bar, *ripples * bar / (before->bar - bar));
     if (!before &&
         (!resolves_load || bar > safety_of_bar * largest_on_first_mesh))
       return {};

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <utility>
 
 namespace PlateImpact
@@ -16,52 +15,14 @@ namespace PlateImpact
   {
     /// Steps to the peak with which its error is estimated: the weights take
     /// their square.
-    constexpr double most_steps_to_peak = 20000.;
+    constexpr double most_steps_to_peak = 60000.;
 
-    /// The neighbourhood of a peak, on both sides of it, over its time.
-    constexpr double neighbourhood = 0.1;
+    /// Until when steps of another length are taken, over the time of a peak on
+    /// ripples.
+    constexpr double past_ripples = 1.1;
 
     /// Of the force by Ritz vectors that serve its error alone.
     constexpr double tolerance_of_estimate = 1e-2;
-
-
-
-    /// Whether the force falls on the way to its peak: other humps lead there.
-    bool
-    peak_is_on_ripples(const ContactHistory &history)
-    {
-      const auto  &states = history.states();
-      const double peak   = history.peak().time;
-      for (std::size_t n = 1; n < states.size() && states[n].time <= peak; ++n)
-        if (states[n].force < states[n - 1].force)
-          return true;
-      return false;
-    }
-
-
-
-    /// Root of the mean square of what twice the step changes of the force in
-    /// the neighbourhood of the peak. [N]
-    double
-    change_around_peak(const ContactHistory &history,
-                       const ContactHistory &doubled,
-                       const double          peak)
-    {
-      double        squares  = 0.;
-      std::uint64_t n_states = 0;
-      for (std::size_t n = 1;
-           n < doubled.states().size() && 2 * n < history.states().size();
-           ++n)
-        {
-          const ContactState &state = history.states()[2 * n];
-          if (std::abs(state.time - peak) > neighbourhood * peak)
-            continue;
-          const double change = doubled.states()[n].force - state.force;
-          squares += change * change;
-          ++n_states;
-        }
-      return n_states > 0 ? std::sqrt(squares / n_states) : 0.;
-    }
 
 
 
@@ -138,10 +99,9 @@ namespace PlateImpact
       return {};
     const double time = history.peak().time;
     // three states make a peak
-    const bool   is_on_ripples = peak_is_on_ripples(history);
+    const bool   is_on_ripples = history.peak_is_on_ripples();
     const double until =
-      std::max(time + 3. * scheme.dt,
-               is_on_ripples ? (1. + neighbourhood) * time : 0.);
+      std::max(time + 3. * scheme.dt, is_on_ripples ? past_ripples * time : 0.);
     const ContactHistory doubled = in_longer_steps(2, until);
     double               change  = doubled.peak_of_curve() - peak;
     if (const unsigned int last = scheme.n_steps;
@@ -155,11 +115,11 @@ namespace PlateImpact
       {
         // such a peak may change little by accident where the ripples change
         // much, and these by less than the order tells while their phases do
-        const double around = change_around_peak(history, doubled, time),
-                     before = change_around_peak(doubled,
-                                                 in_longer_steps(4, until),
-                                                 time);
-        change              = std::max(change, 2. * around);
+        const double around = doubled.difference_around(time, history),
+                     before =
+                       in_longer_steps(4, until).difference_around(time,
+                                                                   doubled);
+        change = std::max(change, 2. * around);
         if (before < decay * around)
           decay = std::max(2., before / around);
       }

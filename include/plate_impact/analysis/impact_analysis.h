@@ -88,6 +88,10 @@ namespace PlateImpact
     /// Of the bar of the peak force; empty on blind meshes.
     std::optional<double>
     mesh_part_of_bar() const;
+    /// Of the force around a peak on ripples, from the mesh before, over the
+    /// peak; empty for others.
+    std::optional<double>
+    change_of_ripples() const;
     std::optional<Outcome>
     adapt(AdaptationControl &control, AnalysisListener &listener);
 
@@ -98,12 +102,13 @@ namespace PlateImpact
     const std::optional<TimeControl> time_control;
 
     std::unique_ptr<dealii::Triangulation<2>> mesh; ///< the next one
-    std::unique_ptr<Cycle>    current;              ///< null before the first
-    unsigned int              n_cycles         = 0;
-    double                    seconds_for_mesh = 0.;
-    std::vector<std::string>  adaptation_warnings;
-    std::optional<PeakOnMesh> peak_here, peak_before; ///< mesh before
-    Window                    window;                 ///< the last, or the next
+    std::unique_ptr<Cycle>        current;          ///< null before the first
+    unsigned int                  n_cycles         = 0;
+    double                        seconds_for_mesh = 0.;
+    std::vector<std::string>      adaptation_warnings;
+    std::optional<PeakOnMesh>     peak_here, peak_before;       ///< mesh before
+    std::optional<ContactHistory> history_here, history_before; ///< the same
+    Window                        window; ///< the last, or the next
 
     /// Of a mesh on which Ritz vectors were more than steps, or nearly so: a
     /// finer mesh needs more vectors, and one of about its size as many.

@@ -64,6 +64,16 @@ namespace PlateImpact
     double
     peak_of_curve() const;
 
+    /// Whether the force falls on its way to the peak: other humps lead there.
+    bool
+    peak_is_on_ripples() const;
+
+    /// Root of the mean square of the difference to the force of another
+    /// history of the same impact, between whose states it is interpolated,
+    /// from 0.9 to 1.1 of a time; 0 where one of them does not reach it. [N]
+    double
+    difference_around(double time, const ContactHistory &other) const;
+
     /// From the last state without contact before the peak to it. [s]
     double
     rise_time() const;

@@ -74,18 +74,27 @@ namespace PlateImpact
   {
     double                force = 0.; ///< [N]
     std::optional<double> space;      ///< of the bar
+    double                bar = 0.;   ///< PeakForceError::bar()
   };
 
   /// The part of a bar that is the mesh's: its bar(). Where the load is not
   /// resolved, no less than the change of the force from the mesh before, if
   /// that was more than the bar there; and empty on a first mesh, as is any
   /// estimate above a twentieth of the force there.
+  ///
+  /// What waves bring that have come back many times adds up with either sign,
+  /// and the sum of absolute values is many times the error. There the ripples
+  /// of the force tell: by as much as they change less than the bar from the
+  /// mesh before, the bar is too wide on both.
   /// @param resolves_load  whether cells at the load are no larger than it
+  /// @param ripples        change of the force around a peak on ripples from
+  ///                       the mesh before, over the peak
   std::optional<double>
   peak_force_error_by_mesh(const PeakForceError            &estimate,
                            double                           peak,
                            const std::optional<PeakOnMesh> &before,
-                           bool                             resolves_load);
+                           bool                             resolves_load,
+                           const std::optional<double>     &ripples = {});
 } // namespace PlateImpact
 
 #endif

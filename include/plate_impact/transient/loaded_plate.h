@@ -108,7 +108,7 @@ namespace PlateImpact
 
     /// In Ritz vectors wherever they are fewer than the steps, even if the mesh
     /// itself was stepped. Empty for schemes that do not conserve energy,
-    /// without a force, and with more than 20000 steps to the peak.
+    /// without a force, and with more than 60000 steps to the peak.
     std::optional<PeakForceProblem>
     peak_force_problem(const ContactHistory &history) const;
 
