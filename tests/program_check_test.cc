@@ -47,6 +47,27 @@ namespace PlateImpact
 
 
 
+    TEST_F(Program, CheckSaysWhatALatePeakCosts)
+    {
+      for (const std::string target : {"0.01", "0.003"})
+        {
+          const std::string changes =
+            " --set 'Adaptivity/Target peak force error=" + target + "'";
+          ASSERT_EQ(execute("check '" SCENES "/drop-weight.prm'" + changes), 0)
+            << err;
+          const std::string cost = "of the order of ";
+          const double      cells =
+            std::stod(out.substr(out.find(cost) + cost.size()));
+          ASSERT_EQ(run(SCENES "/drop-weight.prm", changes), 0) << err;
+          EXPECT_LT(std::abs(
+                      std::log2(cells / last_cycle()["cells"].get<int>())),
+                    1.)
+            << cells << " for " << last_cycle()["cells"];
+        }
+    }
+
+
+
     TEST_F(Program, CheckKnowsThinPlatesAsWell)
     {
       struct Case

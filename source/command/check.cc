@@ -106,16 +106,14 @@ namespace PlateImpact
     {
       const double speed = expected.zener.section.fastest_wave();
       const double back  = 2. * distance_to_edge(parameters) / speed;
-      const double peak  = expected.history.peak().time;
       text.line("first reflection",
                 format("back at {}; before, the supports do not matter",
                        about(back, "s")));
-      // the slower waves that carry the force are back a few times
-      if (peak > 5. * back)
+      if (const auto n = expected.crossings_before_peak(parameters))
         text.line("peak",
                   format("late: the fastest waves cross the plate {} times "
                          "before, and a small error takes many cells",
-                         rounded(std::floor(peak / back), 3)));
+                         rounded(std::floor(*n), 3)));
 
       // the first are those that the warnings of a run speak of
       const double      wavelength = expected.zener.wave().length;
@@ -169,12 +167,18 @@ namespace PlateImpact
                          "cannot be said for this plate");
       const TimeParameters &time = parameters.time;
       const double          rise = expected.history.peak().time;
+      const std::string     steps =
+        format("the scene's {} s is {} steps to the peak",
+               about(time.time_step),
+               about(rise / time.time_step));
       text.line("Time/Time step",
-                format("at most {} s for 0.1 %, or 0; the scene's {} s is {} "
-                       "steps to the peak",
-                       about(0.04 * rise),
-                       about(time.time_step),
-                       about(rise / time.time_step)));
+                expected.crossings_before_peak(parameters) ?
+                  "0: a late peak sits on ripples, which ask for far shorter "
+                  "steps than its rise; " +
+                    steps :
+                  format("at most {} s for 0.1 %, or 0; {}",
+                         about(0.04 * rise),
+                         steps));
       text.line("Time/End time",
                 format("about {} s covers the {}; the scene's is {}",
                        about(expected.contact_end ?
@@ -187,13 +191,12 @@ namespace PlateImpact
         text.line("Contact",
                   "under a point load the peak force has no limit under "
                   "refinement; choose Hertz disc");
-      const double cells = expected.cells(parameters);
+      const Expectation::Cost cost = expected.cost(parameters);
       text.line("cost",
                 format("of the order of {} cells, {} unknowns, {} steps a mesh",
-                       roughly(cells),
-                       roughly(12. * cells),
-                       roughly(expected.end_time(parameters) /
-                               time.time_step)));
+                       roughly(cost.cells),
+                       roughly(12. * cost.cells),
+                       roughly(cost.steps)));
     }
 
 

@@ -1,7 +1,8 @@
 #include "plate_impact/command/expectation.h"
 
-#include "plate_impact/analysis/cycle_result.h"
+#include "plate_impact/analysis/impact_analysis.h"
 #include "plate_impact/analysis/warnings.h"
+#include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/contact/make_contact.h"
 #include "plate_impact/plate/plate_geometry.h"
@@ -85,6 +86,26 @@ namespace PlateImpact
         geometry->n_parts();
       return 20. * area / (wave.length * wave.length) * 0.05 / target_error;
     }
+    /// The run itself, on its first two meshes: the bar of the force falls
+    /// about as the number of cells grows, eta as well.
+    Expectation::Cost
+    cost_by_two_meshes(Parameters parameters)
+    {
+      parameters.adaptivity.maximum_cycles = 2;
+      ImpactAnalysis analysis(parameters, nullptr, Wanted{true, false, 0});
+      analysis.run();
+      const CycleResult          &result     = analysis.last_cycle().result;
+      const AdaptivityParameters &adaptivity = parameters.adaptivity;
+      double                      ratio      = 1.;
+      if (!adaptivity.is_for_peak_force())
+        ratio = result.error->eta / adaptivity.target_error;
+      else if (result.peak_force_bar)
+        ratio = result.peak_force_bar->space /
+          (0.7 * adaptivity.target_peak_force_error);
+      return {std::min(result.cells * std::max(1., ratio),
+                       1. * adaptivity.maximum_cells),
+              1. * result.steps};
+    }
   } // namespace
 
 
@@ -154,6 +175,33 @@ namespace PlateImpact
   {
     return parameters.time.end_time > 0. ? parameters.time.end_time :
                                            contact_end.value_or(until);
+  }
+
+
+
+  std::optional<double>
+  Expectation::crossings_before_peak(const Parameters &parameters) const
+  {
+    const double crossings = history.peak().time *
+      zener.section.fastest_wave() / (2. * distance_to_edge(parameters));
+    return crossings > 5. ? std::optional<double>(crossings) : std::nullopt;
+  }
+
+
+
+  Expectation::Cost
+  Expectation::cost(const Parameters &parameters) const
+  {
+    if (parameters.adaptivity.is_adaptive() &&
+        crossings_before_peak(parameters))
+      try
+        {
+          return cost_by_two_meshes(parameters);
+        }
+      catch (const ComputationError &)
+        {}
+    return {cells(parameters),
+            end_time(parameters) / parameters.time.time_step};
   }
 
 

@@ -21,6 +21,10 @@ namespace PlateImpact
     /// ripples.
     constexpr double past_ripples = 1.1;
 
+    /// Of the change of a peak over the root of the mean square of that of the
+    /// ripples around it: covers 95 of 100 (doc/theory.md).
+    constexpr double peak_over_ripples = 1.25;
+
     /// Of the force by Ritz vectors that serve its error alone.
     constexpr double tolerance_of_estimate = 1e-2;
 
@@ -115,11 +119,13 @@ namespace PlateImpact
       {
         // such a peak may change little by accident where the ripples change
         // much, and these by less than the order tells while their phases do
-        const double around = doubled.difference_around(time, history),
-                     before =
-                       in_longer_steps(4, until).difference_around(time,
-                                                                   doubled);
-        change = std::max(change, 2. * around);
+        const ContactHistory fourfold = in_longer_steps(4, until);
+        const double         around = doubled.difference_around(time, history),
+                     before         = fourfold.difference_around(time, doubled),
+                     change_before  = std::abs(fourfold.peak_of_curve() -
+                                              doubled.peak_of_curve());
+        change =
+          std::max({change, change_before / 3., peak_over_ripples * around});
         if (before < decay * around)
           decay = std::max(2., before / around);
       }

@@ -23,12 +23,25 @@ namespace PlateImpact
     double
     end_time(const Parameters &parameters) const;
 
-    /// About how many cells the last mesh of a run has that reaches its target:
-    /// on the scenes of prm/ right to a factor of about four. How long that
-    /// takes cannot be said as well: seconds per unknown and cycle differ by a
-    /// hundred between scenes.
-    double
-    cells(const Parameters &parameters) const;
+    /// What a run is to cost that reaches its target.
+    struct Cost
+    {
+      double cells; ///< of the last mesh
+      double steps; ///< on a mesh
+    };
+
+    /// About: on the scenes of prm/ right to a factor of about four. Of a late
+    /// peak from the first two meshes, to a factor of about two. Seconds cannot
+    /// be said as well: per unknown and cycle they differ by a hundred between
+    /// scenes.
+    Cost
+    cost(const Parameters &parameters) const;
+
+    /// How many times the fastest waves have come back from the nearest edge
+    /// before the peak, where that is many: the slower ones that carry the
+    /// force are then back a few times.
+    std::optional<double>
+    crossings_before_peak(const Parameters &parameters) const;
 
     ZenerImpact zener; ///< on the infinite plate
 
@@ -40,6 +53,11 @@ namespace PlateImpact
 
     std::vector<std::string> warnings; ///< as model_warnings()
     std::string              contact;  ///< as Warnings::contact
+
+  private:
+    /// As cost() before a peak that is not late.
+    double
+    cells(const Parameters &parameters) const;
   };
 
 

@@ -89,9 +89,9 @@ namespace PlateImpact
     /// when the step is doubled by 2^p - 1, p the order of the scheme
     /// (Richardson), and what the peak of the curve exceeds the largest step.
     /// A peak after others sits on ripples, and a difference of two peaks may
-    /// be small by accident: there the change is at least twice the root of the
-    /// mean square of that of the force from 0.9 to 1.1 of the time of the
-    /// peak, and what it is divided by follows from steps of four times the
+    /// be small by accident: there the change is at least 1.25 times the root
+    /// of the mean square of that of the force from 0.9 to 1.1 of the time of
+    /// the peak, and what it is divided by follows from steps of four times the
     /// length. They are taken until then, on a mesh three quarters of the
     /// solves up to there, without ripples half of them; Newmark's local error
     /// (Zienkiewicz & Xie 1991, doi:10.1002/eqe.4290200907) needs no second run
