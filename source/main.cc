@@ -74,16 +74,28 @@ namespace
 
 
 
-  /// Reads a scene and computes what a command asks for.
-  /// @param command  run_scene() or compare_scene()
   void
-  compute(const std::function<void(const Scene &, bool)> &command,
-          const Arguments                                &arguments)
+  add_marking(CLI::App &command, Arguments &arguments)
+  {
+    command.add_option(
+      "--marking",
+      arguments.marking,
+      "Command that reads a mesh and its errors from the JSON file that it is "
+      "given, and answers which cells to refine and to coarsen, or their sizes");
+  }
+
+
+
+  /// Reads a scene and computes what a command asks for.
+  /// @param command  run_scene or compare_scene
+  template <typename Function>
+  void
+  compute(const Function &command, const Arguments &arguments)
   {
     const Scene scene =
       read_scene(arguments.path, arguments.overrides, arguments.output);
     throw_if_interrupted(); // results of before stay
-    command(scene, arguments.sweep.quiet);
+    command(scene, arguments.sweep.quiet, arguments.marking);
   }
 
 
@@ -94,24 +106,14 @@ namespace
     CLI::App &command =
       *app.add_subcommand("run", "Compute the impact that a scene describes");
     add_run_options(command, arguments);
-    command.add_option(
-      "--marking",
-      arguments.marking,
-      "Command that reads a mesh and its errors from the JSON file that it is "
-      "given, and answers which cells to refine and to coarsen, or their sizes");
+    add_marking(command, arguments);
     command.footer(
       "Writes report.html, summary.json, contact_history.csv, scene.prm and what "
       "the\nscene's section Output asks for. `plate-impact defaults` explains "
       "every entry.\n\n"
       "Example:\n"
       "  plate-impact run my.prm --set \"Impactor/Velocity=2\" --output fast");
-    command.callback([&arguments] {
-      compute(
-        [&arguments](const Scene &scene, const bool quiet) {
-          run_scene(scene, quiet, arguments.marking);
-        },
-        arguments);
-    });
+    command.callback([&arguments] { compute(run_scene, arguments); });
   }
 
 
@@ -123,6 +125,7 @@ namespace
       "compare",
       "Compare strategies and elements: error against run time");
     add_run_options(command, arguments);
+    add_marking(command, arguments);
     command.footer(
       "Reads the scene's section Comparison; writes comparison.html, "
       "comparison.csv\nand comparison.json. Ctrl-C leaves what is done, in whole "

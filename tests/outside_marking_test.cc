@@ -56,6 +56,41 @@ namespace PlateImpact
 
 
 
+    TEST_F(OutsideMarking, IsComparedWithTheStrategiesOfTheProgram)
+    {
+      const auto path = directory / "mark.py";
+      std::ofstream(path)
+        << "import json, sys\n"
+           "cells = json.load(open(sys.argv[1]))['cells']\n"
+           "print(json.dumps({'refine': list(range(len(cells)))}))\n";
+      const std::string command = "compare '" + main_scene + "' --output '" +
+        results().string() +
+        "' --set 'Time/Time step=1e-6' --set Comparison/Elements=MITC9 --set "
+        "'Comparison/Strategies=uniform' --set 'Comparison/Maximum cycles=3' "
+        "--set 'Comparison/Reference peak force=1353' --marking ";
+      ASSERT_EQ(execute(command + "\"python3 '" + path.string() + "'\""), 0)
+        << err;
+      const auto curves =
+        nlohmann::json::parse(text(results() / "comparison.json"))["curves"];
+      ASSERT_EQ(curves.size(), 2u);
+      EXPECT_EQ(curves[1]["strategy"], "outside marking");
+      // all cells refined are the uniform strategy's meshes
+      for (const unsigned int mesh : {0, 1, 2})
+        for (const std::string key : {"cells", "peak_force"})
+          EXPECT_EQ(curves[1]["meshes"][mesh][key],
+                    curves[0]["meshes"][mesh][key]);
+      EXPECT_NE(
+        text(results() / "comparison.csv").find("outside marking,MITC9"),
+        std::string::npos);
+      ASSERT_EQ(execute(command + "false"), 0) << err;
+      EXPECT_NE(err.find("outside marking, MITC9 failed: --marking ends with "
+                         "status 1"),
+                std::string::npos)
+        << err;
+    }
+
+
+
     TEST_F(OutsideMarking, MakesTheSizesThatAreWanted)
     {
       for (const auto *const strategy : {"hanging nodes", "remeshing"})

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 namespace PlateImpact
 {
   namespace
@@ -210,6 +212,45 @@ namespace PlateImpact
       EXPECT_EQ(execute("check '" + (directory / "bad.prm").string() + "'"), 1);
       EXPECT_NE(err.find("and 980 more mistakes"), std::string::npos);
       EXPECT_LT(err.size(), 20000u);
+    }
+
+
+
+    TEST_F(Program, SaysWhatToWriteInPlaceOfUnitsAndOtherWords)
+    {
+      const std::map<std::string, std::string> cases = {
+        {"Plate/Thickness=8 mm", "; write 0.008, in m"},
+        {"Plate/Thickness=8mm", "; write 0.008, in m"},
+        {"Plate/Thickness=0,008", "; write 0.008, with a point"},
+        {"Impactor/Mass=2000 g", "; write 2, in kg"},
+        {"Impactor/Velocity=200 mm/s", "; write 0.2, in m/s"},
+        {"Plate/Young's modulus=210 GPa", "; write 2.1e+11, in Pa"},
+        {"Plate/Density=2.7 g/cm^3", "; write 2700, in kg/m^3"},
+        {"Time/End time=80 us", "; write 8e-05, in s"},
+        {"Adaptivity/Target error=5%", "; write 0.05"},
+        {"Plate/Support=fixed", "; did you mean 'clamped'?"},
+        {"Plate/Support=hinged", "; did you mean 'simply supported'?"},
+        {"Impactor/Shape=ball", "; did you mean 'sphere'?"},
+        {"Plate/Young's modulus=210",
+         "210 Pa is softer than any solid; did you mean 210e9?"},
+        {"Plate/Density=7.8",
+         "7.8 kg/m^3 is lighter than any solid; did you mean 7800?"},
+        {"Impactor/Density=2.7", "did you mean 2700?"},
+        // not of this entry, and no unit at all
+        {"Plate/Thickness=8 kg", "expected a number above 0\n"},
+        {"Plate/Thickness=8 apples", "expected a number above 0\n"},
+        {"Plate/Support=glued", "pairs edge: word\n"}};
+      for (const auto &[change, hint] : cases)
+        {
+          EXPECT_EQ(execute("check '" + main_scene + "' --set \"" + change +
+                            '"'),
+                    1)
+            << change;
+          EXPECT_NE(err.find(hint), std::string::npos) << change << '\n' << err;
+        }
+      // other units, all of them
+      EXPECT_EQ(execute("check '" SCENES "/extremes/millimetres.prm'"), 0)
+        << err;
     }
   } // namespace
 } // namespace PlateImpact

@@ -12,23 +12,62 @@ from measure_performance import usage_of
 BALL = {"Plate/Thickness": 0.004, "Impactor/Radius": 0.02, "Impactor/Mass": 6.24,
         "Impactor/Velocity": 0.3, "Contact/Finite ball": "false", "Time/End time": 0,
         "Adaptivity/Maximum cycles": 14}
+ALUMINIUM = {"Plate/Young's modulus": 7e10, "Plate/Poisson's ratio": 0.33, "Plate/Density": 2700}
+GLASS = {"Plate/Young's modulus": 7e10, "Plate/Poisson's ratio": 0.22, "Plate/Density": 2500}
+
+
+def plate(sides, thickness, support, material=None, **more):
+    return {"Plate/Side lengths": sides, "Plate/Thickness": thickness, "Plate/Support": support,
+            **(material or {}), **{f"Plate/{key.replace('_', ' ')}": value
+                                   for key, value in more.items()}}
+
+
+def ball(radius, mass, velocity):
+    return {"Impactor/Radius": radius, "Impactor/Mass": mass, "Impactor/Velocity": velocity}
+
+
+# of 1 to 1000 plate masses
+SCENES = [
+    {**plate("0.3, 0.2", 0.005, "simply supported", ALUMINIUM), **ball(0.015, 0.81, 0.5)},
+    {**plate("0.2, 0.2", 0.006, "clamped"), **ball(0.01, 5, 1)},
+    BALL,
+    {**plate("0.25, 0.25", 0.005, "clamped", Impact_point="0.03, 0.02"), **ball(0.01, 7, 0.5)},
+    {**plate("0.5, 0.5", 0.008, "soft simply supported", ALUMINIUM), **ball(0.03, 16, 0.3)},
+    {**plate("0.4, 0.3", 0.008, "simply supported", GLASS), **ball(0.02, 24, 0.2)},
+    {**plate("0.2, 0.2", 0.003, "clamped", ALUMINIUM, Outline="circle"), **ball(0.01, 2.5, 0.3)},
+    {**plate("0.29, 0.29", 0.0103, "soft simply supported", ALUMINIUM, Outline="circle"),
+     **ball(0.0208, 30, 0.14)},
+    {**plate("0.2, 0.3", 0.006, "clamped, simply supported"), **ball(0.025, 280, 0.08)},
+    {**plate("0.15, 0.15", 0.006, "clamped", ALUMINIUM), **ball(0.012, 360, 0.05)}]
 GOAL = {"Time/Time step": 0, "Adaptivity/Goal": "peak force"}
 TARGET = "Adaptivity/Target peak force error"
 
 
-def process(program, more):
+def process(program, more, scene=BALL):
     """The last cycle of a run, with the CPU seconds of the whole process."""
     with tempfile.TemporaryDirectory() as directory:
-        sets = [word for path, value in {**BALL, **more}.items()
+        sets = [word for path, value in {"Time/End time": 0, **scene, **more}.items()
                 for word in ("--set", f"{path}={value}")]
         cpu, _ = usage_of(program, "run", "prm/sphere-on-steel-plate.prm", "--quiet", "--output",
                           directory, *sets)
         summary = json.loads((pathlib.Path(directory) / "summary.json").read_text())
     last = summary["cycles"][-1]
     kept = ("cells", "peak_force", "time_of_peak_force", "peak_force_error_bar", "steps",
-            "verification")
+            "time_step", "verification")
     return {"cpu": cpu, "cycles": len(summary["cycles"]),
             **{key: last[key] for key in kept if key in last}}
+
+
+def beside_equal_cells(program, scene):
+    """The mesh of the goal, and equal cells of about the same number in the same steps."""
+    goal = process(program, {**GOAL, TARGET: 0.01}, scene)
+    near = process(program, {**GOAL, TARGET: 2e-3, "Adaptivity/Verify": "true",
+                             "Adaptivity/Maximum cycles": 30}, scene)
+    parts = 4 / 3 if "Plate/Outline" in scene else 1
+    n = round((goal["cells"] / parts) ** 0.5)
+    equal = process(program, {"Adaptivity/Strategy": "none", "Time/Time step": goal["time_step"],
+                              "Discretization/Initial cells": f"{n},{n}"}, scene)
+    return {"goal": goal, "equal": equal, "near": near}
 
 
 def measure(program):
@@ -44,6 +83,7 @@ def measure(program):
                for target in (0.01, 0.003, 0.001)]
     damped = {"Plate/Loss factor": 0.01}
     near = {**GOAL, TARGET: 3e-4, "Adaptivity/Verify": "true", "Adaptivity/Maximum cycles": 30}
-    return {"rows": uniform + chosen, "near": process(program.program, near),
+    return {"scenes": [beside_equal_cells(program.program, scene) for scene in SCENES],
+            "rows": uniform + chosen, "near": process(program.program, near),
             "damped": process(program.program, {**GOAL, **damped, TARGET: 0.01}),
             "damped_near": process(program.program, {**damped, **near})}

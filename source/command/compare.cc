@@ -6,11 +6,13 @@
 #include "plate_impact/command/commands.h"
 #include "plate_impact/comparison/comparison_results.h"
 #include "plate_impact/comparison/strategy_comparison.h"
+#include "plate_impact/marking/outside_marking.h"
 #include "plate_impact/output/console.h"
 #include "plate_impact/output/result_directory.h"
 
 #include <algorithm>
 #include <chrono>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -91,7 +93,7 @@ namespace PlateImpact
         const std::chrono::duration<double> elapsed =
           std::chrono::steady_clock::now() - begin;
         std::string text = std::to_string(n_begun + 1) + " of " +
-          std::to_string(n) + "  " + word_for(strategy) + ", " +
+          std::to_string(n) + "  " + name_of(strategy) + ", " +
           word_for(element);
         if (n_begun > 0)
           text += ", about " +
@@ -133,16 +135,18 @@ namespace PlateImpact
 
 
     void
-    compare(const Scene           &scene,
-            const ResultDirectory &directory,
-            Console               &console)
+    compare(const Scene             &scene,
+            const ResultDirectory   &directory,
+            Console                 &console,
+            const AdaptationControl *marking)
     {
       StrategyComparison comparison(
         scene,
         [&console](const auto cycle, const auto step, const auto n_steps) {
           throw_if_interrupted();
           console.show(column(5, "{:.0f}", cycle) + "  step ", step, n_steps);
-        });
+        },
+        marking);
       const auto write_table = [&] {
         directory.write_file("comparison.csv", [&](std::ostream &out) {
           write_comparison_table(out, comparison.curves());
@@ -197,7 +201,7 @@ namespace PlateImpact
 
 
   void
-  compare_scene(const Scene &scene, const bool quiet)
+  compare_scene(Scene scene, const bool quiet, const std::string &command)
   {
     if (!scene.parameters.has_impactor())
       throw InputError(
@@ -206,9 +210,20 @@ namespace PlateImpact
     const ResultDirectory directory(scene.parameters.output.directory);
     directory.clear();
     directory.write_scene(scene.name, scene.text);
+    std::unique_ptr<OutsideMarking> marking;
+    if (!command.empty())
+      {
+        marking = std::make_unique<OutsideMarking>(command,
+                                                   scene.parameters.adaptivity,
+                                                   directory);
+        scene.parameters.comparison.strategies.push_back(
+          {AdaptationStrategy::hanging_nodes,
+           AdaptationGoal::energy_norm,
+           /*is_outside=*/true});
+      }
     try
       {
-        compare(scene, directory, console);
+        compare(scene, directory, console, marking.get());
       }
     catch (const Interruption &interruption)
       {

@@ -83,7 +83,7 @@ namespace PlateImpact
     Json
     to_json(const ComparisonCurve &curve)
     {
-      Json json = {{"strategy", word_for(curve.strategy)},
+      Json json = {{"strategy", curve.strategy_name()},
                    {"element", word_for(curve.element)},
                    {"end", curve.end},
                    {"meshes", Json::array()}};
@@ -107,7 +107,7 @@ namespace PlateImpact
           const Achievement  &first = row.achievements.front();
           const ComparedMesh &mesh  = *achievement.mesh;
           json["reached"].push_back(
-            {{"strategy", word_for(achievement.curve->strategy)},
+            {{"strategy", achievement.curve->strategy_name()},
              {"element", word_for(achievement.curve->element)},
              {"cycle", mesh.cycle},
              {"cells", mesh.cells},
@@ -127,8 +127,8 @@ namespace PlateImpact
       std::vector<Achievement> best;
       for (const Achievement &achievement : row.achievements)
         if (std::none_of(best.begin(), best.end(), [&](const Achievement &one) {
-              return word_for(one.curve->strategy) ==
-                word_for(achievement.curve->strategy);
+              return one.curve->strategy_name() ==
+                achievement.curve->strategy_name();
             }))
           best.push_back(achievement);
       return best;
@@ -158,7 +158,7 @@ namespace PlateImpact
       for (std::size_t i = 0; i < first.size(); ++i)
         {
           text += i == 0 ? "" : i + 1 == first.size() ? " and " : ", ";
-          text += word_for(first[i].curve->strategy);
+          text += first[i].curve->strategy_name();
           if (!is_alike)
             text += " (" + in_words(*first[i].mesh) + ')';
         }
@@ -199,7 +199,7 @@ namespace PlateImpact
         std::any_of(curves.begin(), curves.end(), is_uniform))
       return text + "; uniform meshes do not reach it.";
     if (other != best.end())
-      text += "; " + word_for(other->curve->strategy) + ", " +
+      text += "; " + other->curve->strategy_name() + ", " +
         in_words(*other->mesh) + ", " +
         rounded(other->mesh->cumulative_seconds /
                   best.front().mesh->cumulative_seconds,
@@ -242,7 +242,7 @@ namespace PlateImpact
       for (const ComparedMesh &mesh : curve.meshes)
         {
           const Json json = to_json(mesh);
-          out << word_for(curve.strategy) << ',' << word_for(curve.element);
+          out << curve.strategy_name() << ',' << word_for(curve.element);
           for (const std::string &column : columns_of_meshes)
             {
               out << ',';

@@ -2,7 +2,6 @@
 
 #include <deal.II/base/timer.h>
 
-#include "plate_impact/analysis/adaptation_control.h"
 #include "plate_impact/analysis/impact_analysis.h"
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/text.h"
@@ -48,11 +47,23 @@ namespace PlateImpact
     public:
       using End = std::function<std::optional<Outcome>(const CycleResult &)>;
 
-      /// @param end  why the analysis ends with a cycle; empty when it goes on
-      HalvedTargets(const AdaptivityParameters &adaptivity, const End &end)
+      /// @param end      why the analysis ends with a cycle; empty when it goes
+      ///                 on
+      /// @param marking  marks the cells in place of the target; null: none
+      HalvedTargets(const AdaptivityParameters &adaptivity,
+                    const End                  &end,
+                    const AdaptationControl    *marking = nullptr)
         : AdaptationControl(adaptivity)
         , end(end)
+        , marking(marking)
       {}
+
+      ErrorRatios
+      error_ratios(const Cycle &cycle) const override
+      {
+        return marking != nullptr ? marking->error_ratios(cycle) :
+                                    AdaptationControl::error_ratios(cycle);
+      }
 
       std::optional<Outcome>
       check(const CycleResult &result) override
@@ -74,7 +85,7 @@ namespace PlateImpact
       bool
       tighten() override
       {
-        if (n_halvings == 8)
+        if (n_halvings == 8 || marking != nullptr)
           return false;
         ++n_halvings;
         target *= 0.5;
@@ -82,9 +93,10 @@ namespace PlateImpact
       }
 
     private:
-      const End    end;
-      unsigned int n_halvings   = 0; ///< since the last cycle
-      double       error_before = std::numeric_limits<double>::infinity();
+      const End                end;
+      const AdaptationControl *marking;
+      unsigned int             n_halvings = 0; ///< since the last cycle
+      double error_before = std::numeric_limits<double>::infinity();
     };
 
 
@@ -300,7 +312,9 @@ namespace PlateImpact
         listener(curve);
       timer.restart();
     };
-    HalvedTargets control(parameters.adaptivity, end);
+    HalvedTargets control(parameters.adaptivity,
+                          end,
+                          curve.strategy.is_outside ? marking : nullptr);
     CurveListener teller(tell_step, tell_cycle);
     curve.end = word_for(analysis.run(control, teller));
   }

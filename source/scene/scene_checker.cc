@@ -91,6 +91,9 @@ namespace PlateImpact
   {
     const bool has_outline = read_plate();
     choose_contact();
+    ask_for_units("Plate", plate.youngs_modulus, plate.density);
+    if (parameters.has_impactor())
+      ask_for_units("Impactor", impactor.youngs_modulus, impactor.density);
     check_section();
     if (has_outline)
       check_shape();
@@ -98,6 +101,24 @@ namespace PlateImpact
     check_time();
     check_mesh();
     check_comparison();
+  }
+
+
+
+  void
+  SceneChecker::ask_for_units(const std::string &body,
+                              const double       modulus,
+                              const double       density)
+  {
+    // one of the two in SI units and the other in those of tables
+    if (modulus >= 1. && modulus < 1e3 && density > 100.)
+      refuse({body + "/Young's modulus"},
+             "Pa is softer than any solid; did you mean " + shortest(modulus) +
+               "e9?");
+    if (density > 0.5 && density < 30. && modulus > 1e6)
+      refuse({body + "/Density"},
+             "kg/m^3 is lighter than any solid; did you mean " +
+               shortest(1e3 * density) + "?");
   }
 
 

@@ -1,6 +1,7 @@
 #include "plate_impact/scene/scene_reader.h"
 
 #include "plate_impact/base/exceptions.h"
+#include "plate_impact/scene/value_hint.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -184,7 +185,8 @@ namespace PlateImpact
         else if (!entries.at(path).set(value, assignment.origin))
           refused.push_back(refusal + (value.empty() ? "(nothing)" : value) +
                             " is not allowed; expected " +
-                            entries.at(path).allowed);
+                            entries.at(path).allowed +
+                            hint_for(value, entries.at(path)));
       }
     return refused;
   }

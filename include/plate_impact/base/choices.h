@@ -112,17 +112,20 @@ namespace PlateImpact
   {
     AdaptationStrategy strategy;
     AdaptationGoal     goal;
+    bool               is_outside = false; ///< a command marks the cells
 
     bool
     operator==(const ComparedStrategy &other) const
     {
-      return strategy == other.strategy && goal == other.goal;
+      return strategy == other.strategy && goal == other.goal &&
+        is_outside == other.is_outside;
     }
 
     bool
     operator<(const ComparedStrategy &other) const
     {
-      return std::tie(strategy, goal) < std::tie(other.strategy, other.goal);
+      return std::tie(strategy, goal, is_outside) <
+        std::tie(other.strategy, other.goal, other.is_outside);
     }
   };
 

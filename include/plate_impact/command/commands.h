@@ -24,11 +24,13 @@ namespace PlateImpact
   /// comparison.csv, a row per mesh as soon as it is known; comparison.json
   /// with the reference and who reaches which error first, and comparison.html,
   /// after every curve.
-  /// @param quiet  only warnings and errors are printed
+  /// @param quiet    only warnings and errors are printed
+  /// @param marking  a command whose meshes are compared as well
+  ///                 (OutsideMarking); empty: none
   /// @throws InputError for a scene without an impactor
   /// @throws ComputationError; files written so far are then valid
   void
-  compare_scene(const Scene &scene, bool quiet);
+  compare_scene(Scene scene, bool quiet, const std::string &marking = "");
 
 
   struct SweepOptions

@@ -1,6 +1,7 @@
 #ifndef plate_impact_comparison_strategy_comparison_h
 #define plate_impact_comparison_strategy_comparison_h
 
+#include "plate_impact/analysis/adaptation_control.h"
 #include "plate_impact/analysis/cycle.h"
 #include "plate_impact/analysis/cycle_result.h"
 #include "plate_impact/contact/contact_history.h"
@@ -61,6 +62,14 @@ namespace PlateImpact
   };
 
 
+  /// Its word in a scene, or "outside marking".
+  inline std::string
+  name_of(const ComparedStrategy &strategy)
+  {
+    return strategy.is_outside ? "outside marking" : word_for(strategy);
+  }
+
+
   /// What a strategy achieves with an element, mesh by mesh.
   struct ComparisonCurve
   {
@@ -72,11 +81,18 @@ namespace PlateImpact
     std::vector<std::string>      warnings;
     Json picture; ///< of the mesh that meets eta; null: none was drawn
 
+    /// "hanging nodes"
+    std::string
+    strategy_name() const
+    {
+      return name_of(strategy);
+    }
+
     /// "hanging nodes, MITC9"
     std::string
     name() const
     {
-      return word_for(strategy) + ", " + word_for(element);
+      return strategy_name() + ", " + word_for(element);
     }
   };
 
@@ -140,11 +156,14 @@ namespace PlateImpact
     using Progress =
       std::function<void(unsigned int, unsigned int, unsigned int)>;
 
-    /// @param scene  must outlive the comparison
-    explicit StrategyComparison(const Scene    &scene,
-                                const Progress &progress = {})
+    /// @param scene    must outlive the comparison
+    /// @param marking  of strategies that are outside; outlives it as well
+    explicit StrategyComparison(const Scene             &scene,
+                                const Progress          &progress = {},
+                                const AdaptationControl *marking  = nullptr)
       : scene(scene)
       , progress(progress)
+      , marking(marking)
     {}
 
     /// The given peak force, or that of a mesh far finer than any compared:
@@ -198,6 +217,7 @@ namespace PlateImpact
 
     const Scene                 &scene;
     const Progress               progress;
+    const AdaptationControl     *marking;
     Reference                    the_reference;
     std::vector<ComparisonCurve> the_curves;
   };

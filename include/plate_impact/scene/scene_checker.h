@@ -69,6 +69,11 @@ namespace PlateImpact
     void
     choose_contact();
 
+    /// Asks about a modulus in GPa and a density in g/cm^3.
+    /// @param body  Plate or Impactor
+    void
+    ask_for_units(const std::string &body, double modulus, double density);
+
     // of the plate, in plate_checker.cc
 
     /// Reads the plate from its file, unless it is there already.
