@@ -340,6 +340,27 @@ def changes_of_the_force(changes):
     return svg(figure)
 
 
+def force_and_wave(run, *until):
+    """The force on the last mesh, and the deflection along the x axis at the ends of runs
+    with `Output/Field samples=1`."""
+    figure, (left, right) = new_figure(2)
+    history = run.histories[-1]
+    left.plot(1e6 * history["time"], history["force"], "k")
+    left.set(xlabel="time [us]", ylabel="force [N]", ylim=(0, None))
+    for number, one in enumerate(until):
+        x, y, _, deflection = one.field("deflection")
+        x, nodes = np.unique(np.where(abs(y) < 1e-9, x, np.nan), return_index=True)
+        x, nodes = x[~np.isnan(x)], nodes[~np.isnan(x)]
+        line = 1e6 * deflection[nodes]
+        time = 1e6 * one.last["end_time"]
+        left.axvline(time, color=f"C{number}", linewidth=0.8)
+        right.plot(1e3 * x, line, color=f"C{number}", label=f"{time:.0f} us")
+    right.invert_yaxis()
+    right.set(xlabel="x [mm]", ylabel="deflection [um]")
+    right.legend()
+    return svg(figure)
+
+
 def stress_contours(run, side=50, decades=None):
     """The von Mises stress at the faces around the impact, so many mm along both axes, at
     the end of a run with `Output/Field samples=1`; by decades from one number of MPa to another."""
