@@ -28,6 +28,7 @@ import jinja2
 import digits
 import figures
 import measured
+import page_picture
 import runs
 import typed
 import theory
@@ -48,6 +49,14 @@ class Pictures:
             (root / path).write_text(picture)
         elif not figures.alike(picture, (root / path).read_text()):
             self.drifted.append(f"{path} is not what its runs give\n")
+
+    def put_page(self, path, run):
+        """The beginning of the report of a run."""
+        report = run.results / "report.html"
+        if self.checks:
+            self.drifted.append(page_picture.difference(root / path, report))
+        else:
+            page_picture.write(root / path, report)
 
 
 def holds(condition, claim):
@@ -91,7 +100,13 @@ def rendered(name, program, pictures):
         pictures.put(path, getattr(figures, figure)(*arguments, **named))
         return os.path.relpath(path, pathlib.Path(name).parent)
 
+    def draw_page(path, run):
+        """The same with a picture of a report."""
+        pictures.put_page(path, run)
+        return os.path.relpath(path, pathlib.Path(name).parent)
+
     environment.globals.update(
+        page_picture=draw_page,
         run=program.run, sweep=program.sweep, compare=program.compare, check=program.check, mistakes_of=program.mistakes_of,
         chosen_for_zero=program.chosen_for_zero,
         test=program.test, measured=measured.stored, compared=measured.Compared, figure=draw, holds=holds, given=given,

@@ -5,7 +5,7 @@ it into the pages.
     measure.py BUILD_DIRECTORY [NAME]...
 
 Without a name all are measured: comparison, error_bars, late_peaks, performance, portable,
-report, sweeps and true_forces. The last takes an hour and a half; error_bars, which holds bars
+sweeps and true_forces. The last takes an hour and a half; error_bars, which holds bars
 against these forces, ten minutes. Seconds are those of a machine that does nothing else.
 """
 
@@ -16,7 +16,7 @@ import json
 import measured
 import runs
 
-NAMES = ("comparison", "true_forces", "error_bars", "late_peaks", "performance", "portable", "report", "sweeps")
+NAMES = ("comparison", "true_forces", "error_bars", "late_peaks", "performance", "portable", "sweeps")
 
 
 def rounded(value):
