@@ -211,6 +211,52 @@ def meshes(run):
     return svg(figure)
 
 
+def mesh_film(run, seconds=1.5):
+    """The meshes of all cycles one after the other, for so many seconds each."""
+    n = len(run.meshes)
+    begin = re.match(r"<svg[^>]*>\n", run.meshes[0])[0]
+    frames = []
+    for i, picture in enumerate(run.meshes):
+        times, values = [0, i / n, (i + 1) / n], ["hidden", "visible", "hidden"]
+        shown = slice(1 if i == 0 else 0, 2 if i == n - 1 else 3)
+        frames.append(
+            f'<g visibility="hidden"><animate attributeName="visibility" calcMode="discrete" '
+            f'dur="{seconds * n}s" repeatCount="indefinite" '
+            f'values="{";".join(values[shown])}" '
+            f'keyTimes="{";".join(f"{time:.4g}" for time in times[shown])}"/>\n'
+            + re.sub(r"</?svg[^>]*>\n?", "", picture) + "</g>\n")
+    return begin + "".join(frames) + "</svg>\n"
+
+
+def two_ways(compared, ways=("hanging nodes", "remeshing")):
+    """Error of the peak force against seconds, by strategy."""
+    figure, axes = new_figure()
+    least = 0.1 * compared.reference["uncertainty"]
+    for way, marker in zip(ways, "os"):
+        meshes = compared.best[way]
+        axes.loglog([mesh["seconds"] for mesh in meshes],
+                    [100 * max(mesh["error"], least) for mesh in meshes], marker + "-", label=way)
+    axes.set(xlabel="seconds, start-up not included", ylabel="error of the peak force [%]")
+    axes.legend()
+    return svg(figure)
+
+
+def deflection_and_distance(runs_by_load):
+    """Deflection against the distance from the load, along the x axis, at the end of runs
+    with `Output/Field samples=1`."""
+    figure, axes = new_figure()
+    for (load, run), marker in zip(runs_by_load.items(), ("o-", "s-")):
+        x, y, _, deflection = run.field("deflection")
+        along = (abs(y) < 1e-9) & (x > 0)
+        distance, nodes = np.unique(x[along], return_index=True)
+        axes.semilogx(1e3 * distance, 1e6 * deflection[along][nodes], marker, markersize=2.5,
+                      label=load)
+    axes.invert_yaxis()
+    axes.set(xlabel="distance from the load [mm]", ylabel="deflection [um]")
+    axes.legend()
+    return svg(figure)
+
+
 def patch(found):
     """A patch of the recovery, and how far the shear forces of the elements, at the samples
     and of the polynomial are from Navier's along a line (a test records the numbers)."""
