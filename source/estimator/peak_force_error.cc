@@ -87,7 +87,8 @@ namespace PlateImpact
                            const std::optional<double>     &ripples)
   {
     double bar = estimate.bar();
-    if (ripples && bar < before->bar)
+    // a mesh that is hardly better changes little, whatever its error
+    if (ripples && bar < 0.5 * before->bar)
       bar = std::min(bar, *ripples * bar / (before->bar - bar));
     if (!before &&
         (!resolves_load || bar > safety_of_bar * largest_on_first_mesh))

@@ -85,7 +85,8 @@ namespace PlateImpact
   /// What waves bring that have come back many times adds up with either sign,
   /// and the sum of absolute values is many times the error. There the ripples
   /// of the force tell: by as much as they change less than the bar from the
-  /// mesh before, the bar is too wide on both.
+  /// mesh before, the bar is too wide on both; on a mesh whose sum is less than
+  /// half of that before.
   /// @param resolves_load  whether cells at the load are no larger than it
   /// @param ripples        change of the force around a peak on ripples from
   ///                       the mesh before, over the peak
