@@ -204,10 +204,15 @@ namespace PlateImpact
       EXPECT_NEAR(bar(estimate, before, true).value(), 0.02, 1e-12);
       EXPECT_NEAR(bar(estimate, before, true, 0.006).value(), 0.002, 1e-12);
       EXPECT_NEAR(bar(estimate, before, false, 0.006).value(), 0.002, 1e-12);
-      // never more than the sum, nor by a mesh that is no better
+      // never more than the sum, nor by a mesh that is no better or has much
+      // the same cells
       EXPECT_NEAR(bar(estimate, before, true, 0.5).value(), 0.02, 1e-12);
       EXPECT_NEAR(
-        bar(estimate, PeakOnMesh{100., {}, 0.01}, true, 0.001).value(),
+        bar(estimate, PeakOnMesh{100., {}, 0.01, 1}, true, 0.001).value(),
+        0.02,
+        1e-12);
+      EXPECT_NEAR(
+        bar(estimate, PeakOnMesh{100., {}, 0.08, 2}, true, 0.001).value(),
         0.02,
         1e-12);
     }

@@ -163,7 +163,8 @@ namespace PlateImpact
       {
         peak_here    = PeakOnMesh{result.history->peak().force,
                                mesh_part_of_bar(),
-                               result.peak_force_error->bar()};
+                               result.peak_force_error->bar(),
+                               result.cells};
         history_here = result.history;
       }
     if (result.new_vectors > 0.7 * result.steps ||

@@ -87,8 +87,9 @@ namespace PlateImpact
                            const std::optional<double>     &ripples)
   {
     double bar = estimate.bar();
-    // a mesh that is hardly better changes little, whatever its error
-    if (ripples && bar < 0.5 * before->bar)
+    // a mesh of much the same cells changes little, whatever its error
+    if (ripples && bar < before->bar &&
+        estimate.cells.size() >= 1.5 * before->n_cells)
       bar = std::min(bar, *ripples * bar / (before->bar - bar));
     if (!before &&
         (!resolves_load || bar > safety_of_bar * largest_on_first_mesh))

@@ -72,9 +72,10 @@ namespace PlateImpact
   /// The peak on a mesh, for the next one.
   struct PeakOnMesh
   {
-    double                force = 0.; ///< [N]
-    std::optional<double> space;      ///< of the bar
-    double                bar = 0.;   ///< PeakForceError::bar()
+    double                force = 0.;   ///< [N]
+    std::optional<double> space;        ///< of the bar
+    double                bar     = 0.; ///< PeakForceError::bar()
+    std::size_t           n_cells = 0;
   };
 
   /// The part of a bar that is the mesh's: its bar(). Where the load is not
@@ -85,8 +86,9 @@ namespace PlateImpact
   /// What waves bring that have come back many times adds up with either sign,
   /// and the sum of absolute values is many times the error. There the ripples
   /// of the force tell: by as much as they change less than the bar from the
-  /// mesh before, the bar is too wide on both; on a mesh whose sum is less than
-  /// half of that before.
+  /// mesh before, the bar is too wide on both; where there are half as many
+  /// cells again at least, for much the same cells change little, whatever
+  /// their error.
   /// @param resolves_load  whether cells at the load are no larger than it
   /// @param ripples        change of the force around a peak on ripples from
   ///                       the mesh before, over the peak
