@@ -296,7 +296,7 @@ namespace PlateImpact
           "above 0"},
         Mistake{in_section("Plate", "set Thickness = 8 mm"),
                 "scene:2: Plate/Thickness = 8 mm is not allowed; expected a "
-                "number above 0"},
+                "number above 0; write 0.008, in m"},
         Mistake{
           in_section("Plate", "set Poisson's ratio = 0.5"),
           "scene:2: Plate/Poisson's ratio = 0.5 is not allowed; expected a "
