@@ -106,7 +106,7 @@ namespace PlateImpact
           const unsigned int c = cell->active_cell_index();
           model.cell_values(c, z, values);
           const Eigen::VectorXd strains =
-            model.shape(c).strains_at_quadrature * values;
+            model.shape(c).at_quadrature.linear * values;
           for (unsigned int q = 0; q < quadrature.size(); ++q)
             {
               Resultants r;
@@ -275,9 +275,9 @@ namespace PlateImpact
         samples[cell] = resultants_at(model,
                                       cell,
                                       stiffness,
-                                      model.shape(cell).strains_at_samples,
+                                      model.shape(cell).at_samples,
                                       z);
-      const RowMajorMatrix a = patch->coefficients(samples);
+      const RowMajorMatrix a = patch->coefficients(samples, 5);
 
       // the cells to the left and to the right, at the lower of the samples
       const double        place = 0.5 + 0.5 / std::sqrt(3.);

@@ -42,8 +42,8 @@ namespace PlateImpact
         for (unsigned int c = 0; c < model.mesh().n_active_cells(); ++c)
           {
             model.cell_values(c, z, values);
-            for (const CellOperator *B : {&model.shape(c).strains_at_quadrature,
-                                          &model.shape(c).strains_at_samples})
+            for (const CellOperator *B : {&model.shape(c).at_quadrature.linear,
+                                          &model.shape(c).at_samples.linear})
               {
                 const Eigen::VectorXd strains = *B * values;
                 for (Eigen::Index q = 0; q < strains.size(); q += 5)

@@ -34,7 +34,7 @@ namespace PlateImpact
             field(mapping.transform_unit_to_real_cell(cell, gauss.point(g)));
 
       const StressRecovery  recovery(mesh);
-      RecoveredField        recovered(recovery, [&](const unsigned int cell) {
+      RecoveredField        recovered(recovery, 5, [&](const unsigned int cell) {
         return samples[cell];
       });
       std::vector<Point<2>> unit_points;

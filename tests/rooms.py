@@ -22,7 +22,7 @@ ROOMS = {
     "estimator": "base plate transient",
     "adaptation": "base plate estimator",
     "analysis": "base plate contact transient estimator adaptation",
-    "scene": "base contact plate/plate_section plate/ply plate/layer_response plate/plate_geometry plate/plate_file",
+    "scene": "base contact plate/plate_section plate/ply plate/layer_response plate/plate_geometry plate/plate_mesh plate/plate_file",
     "page": "base plate",
     "output": "base plate contact estimator adaptation analysis scene page",
     "marking": "base plate estimator adaptation analysis page output/result_directory",

@@ -150,7 +150,7 @@ namespace PlateImpact
               fine,
               cell->active_cell_index(),
               stiffness,
-              fine.shape(cell->active_cell_index()).strains_at_quadrature,
+              fine.shape(cell->active_cell_index()).at_quadrature,
               z_fine) -
             resultants_at(model,
                           c,

@@ -1,6 +1,7 @@
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/contact/hertz_law.h"
 #include "plate_impact/transient/full_system.h"
+#include "plate_impact/transient/plate_stepper.h"
 #include "plate_impact/transient/time_stepper.h"
 #include "test_plate.h"
 
@@ -8,6 +9,7 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
 
 namespace PlateImpact
 {
@@ -52,6 +54,12 @@ namespace PlateImpact
       damping() const override
       {
         return b;
+      }
+
+      std::unique_ptr<PlateMotion>
+      motion(const NewmarkScheme &scheme) override
+      {
+        return std::make_unique<PlateStepper>(scheme, *this);
       }
 
       double

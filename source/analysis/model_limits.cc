@@ -184,17 +184,23 @@ namespace PlateImpact
     const double deflection = history.max_plate_displacement(),
                  to_edge    = geometry_of(plate)->distance_to_edge(),
                  thickness  = plate.thickness;
-    // the static stiffness of a clamped plate grows by about 0.5 (w/h)^2
-    // (Timoshenko & Woinowsky-Krieger, Theory of Plates and Shells, sec.
-    // 100)
-    leaves("deflection",
-           0.5 * std::pow(peak.plate_displacement / thickness, 2));
-    limit(deflection / thickness,
-          0.2,
-          "the plate deflects by {}, {} of its thickness: beyond 0.2 it "
-          "stiffens by membrane forces, which a linear plate does not have",
-          about(deflection, "m"),
-          about(deflection / thickness));
+    if (plate.has_large_deflection())
+      check_slopes(deflection / to_edge);
+    else
+      {
+        // the static stiffness of a clamped plate grows by about 0.5 (w/h)^2
+        // (Timoshenko & Woinowsky-Krieger, Theory of Plates and Shells, sec.
+        // 100)
+        leaves("deflection",
+               0.5 * std::pow(peak.plate_displacement / thickness, 2));
+        limit(deflection / thickness,
+              0.2,
+              "the plate deflects by {}, {} of its thickness: beyond 0.2 it "
+              "stiffens by membrane forces, which a linear plate does not "
+              "have; choose Plate/Deflection = large",
+              about(deflection, "m"),
+              about(deflection / thickness));
+      }
     if (is_layer)
       limit(2. * thickness / to_edge,
             1.,
@@ -202,6 +208,24 @@ namespace PlateImpact
             "the plate answers other than a layer that goes on for ever",
             about(to_edge, "m"),
             about(to_edge / thickness));
+  }
+
+
+
+  void
+  ModelLimits::check_slopes(const double mean_slope)
+  {
+    // of a dent that grows straight to the load, and twice that in a clamped
+    // plate; von Karman leaves out the fourth power beside the square
+    const double slope = 2. * mean_slope;
+    leaves("slopes", slope * slope);
+    limit(slope,
+          0.3,
+          "the plate deflects by {} of the distance to its edge, which makes "
+          "slopes of the order of {}: beyond 0.3 von Karman's strains are not "
+          "those of the plate",
+          about(mean_slope),
+          about(slope));
   }
 
 

@@ -50,6 +50,11 @@ namespace PlateImpact
     const Eigen::Ref<const Eigen::MatrixXd> &vectors,
     const Eigen::MatrixXd                   &coordinates)
   {
+    // of states of a nonlinear plate each is one of its own
+    if (discretization.is_nonlinear())
+      return evaluate(times,
+                      vectors * coordinates,
+                      Eigen::MatrixXd::Identity(times.size(), times.size()));
     const Eigen::MatrixXd combinations =
       leading_combinations(coordinates, span_tolerance);
     const Eigen::Index batch =
@@ -76,6 +81,7 @@ namespace PlateImpact
   {
     const Triangulation<2> &mesh = discretization.mesh();
     EnergyRoots             roots(discretization, recovery, fields);
+    const unsigned int      m = discretization.section().n_resultants();
     Eigen::MatrixXd         e2(mesh.n_active_cells(), times.size());
     // energies of pairs of fields
     Eigen::MatrixXd regular_u2 =
@@ -87,10 +93,10 @@ namespace PlateImpact
         const unsigned int c = cell->active_cell_index();
         roots.evaluate(cell);
         e2.row(c) =
-          (by_resultant(roots.errors) * coordinates).colwise().squaredNorm();
+          (by_resultant(roots.errors, m) * coordinates).colwise().squaredNorm();
         (is_regular[c] == 0. ? u2 : regular_u2)
           .selfadjointView<Eigen::Upper>()
-          .rankUpdate(by_resultant(roots.resultants).transpose());
+          .rankUpdate(by_resultant(roots.resultants, m).transpose());
         update_max_stress(cell, roots.recovered, coordinates, vertex_is_done);
         roots.recovered.finish(cell);
       }
@@ -136,10 +142,10 @@ namespace PlateImpact
                                          const Eigen::MatrixXd &coordinates,
                                          std::vector<bool>     &vertex_is_done)
   {
-    const Eigen::Matrix3d unscaled = discretization.section()
-                                       .root_of_compliance()
-                                       .topLeftCorner<3, 3>()
-                                       .inverse();
+    const PlateSection   &section = discretization.section();
+    const unsigned int    n       = section.n_for_stresses();
+    const Eigen::MatrixXd unscaled =
+      section.root_of_compliance().topLeftCorner(n, n).inverse();
     Eigen::MatrixXd &max_stresses = samples.max_stresses;
     RowMajorMatrix   recovered;
     for (const unsigned int v : cell->vertex_indices())
@@ -149,14 +155,13 @@ namespace PlateImpact
           continue;
         vertex_is_done[cell->vertex_index(v)] = true;
         field.evaluate(cell, {GeometryInfo<2>::unit_cell_vertex(v)}, recovered);
-        const Eigen::MatrixXd moments =
-          unscaled * by_resultant(recovered).topRows<3>() * coordinates;
-        for (Eigen::Index n = 0; n < moments.cols(); ++n)
+        const Eigen::MatrixXd resultants = unscaled *
+          by_resultant(recovered, section.n_resultants()).topRows(n) *
+          coordinates;
+        for (Eigen::Index state = 0; state < resultants.cols(); ++state)
           {
             const Eigen::MatrixXd stresses =
-              discretization.section().stresses(moments(0, n),
-                                                moments(1, n),
-                                                moments(2, n));
+              section.stresses(resultants.col(state));
             max_stresses = max_stresses.size() == 0 ?
               stresses :
               max_stresses.cwiseMax(stresses).eval();

@@ -36,11 +36,13 @@ namespace PlateImpact
         errors.push_back(&jumps[n]);
       }
     // jumps of slopes and of rotations as energies
+    const PlateSection &section = discretization.section();
     std::vector<double> roots(
-      n_components,
-      std::sqrt(discretization.section().mean_bending_stiffness()));
-    roots[deflection] =
-      std::sqrt(discretization.section().mean_shear_stiffness());
+      discretization.element().finite_element().n_components(),
+      std::sqrt(section.membrane_stiffness.topLeftCorner<2, 2>().trace() / 2.));
+    roots[deflection] = std::sqrt(section.mean_shear_stiffness());
+    roots[rotation_x] = roots[rotation_y] =
+      std::sqrt(section.mean_bending_stiffness());
     const Functions::ConstantFunction<2> coefficients(roots);
     KellyErrorEstimator<2>::estimate(mapping_of(discretization.mesh()),
                                      discretization.dof_handler(),

@@ -69,7 +69,8 @@ namespace PlateImpact
     for (const auto &cell : discretization.mesh().active_cell_iterators())
       {
         roots.evaluate(cell);
-        const auto e = by_resultant(roots.errors);
+        const auto e =
+          by_resultant(roots.errors, discretization.section().n_resultants());
         result.cells[cell->active_cell_index()] =
           factor * (e * products.of_coordinates).cwiseProduct(e).sum();
         roots.recovered.finish(cell);

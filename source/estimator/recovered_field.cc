@@ -12,8 +12,10 @@ namespace PlateImpact
   using namespace dealii;
 
   RecoveredField::RecoveredField(const StressRecovery &recovery,
+                                 const unsigned int    n_resultants,
                                  Sampler               sampler)
     : recovery(recovery)
+    , n_resultants(n_resultants)
     , sampler(std::move(sampler))
     , samples(recovery.n_cells())
     , coefficients(recovery.patches().size())
@@ -34,15 +36,16 @@ namespace PlateImpact
   RecoveredField::RecoveredField(
     const PlateDiscretization               &discretization,
     const StressRecovery                    &recovery,
-    const Eigen::Matrix<double, 5, 5>       &factor,
+    const Eigen::MatrixXd                   &factor,
     const Eigen::Ref<const Eigen::MatrixXd> &fields)
     : RecoveredField(
         recovery,
+        factor.rows(),
         [&discretization, factor, fields](const unsigned int cell) {
           return resultants_at(discretization,
                                cell,
                                factor,
-                               discretization.shape(cell).strains_at_samples,
+                               discretization.shape(cell).at_samples,
                                fields);
         })
   {}
@@ -56,7 +59,7 @@ namespace PlateImpact
     for (const StressRecovery::Image &image : it.images)
       if (samples[image.cell].size() == 0)
         samples[image.cell] = sampler(image.cell);
-    coefficients[patch] = it.coefficients(samples);
+    coefficients[patch] = it.coefficients(samples, n_resultants);
     for (const StressRecovery::Image &image : it.images)
       if (--n_patches_to_come[image.cell] == 0)
         samples[image.cell] = {};
@@ -134,7 +137,7 @@ namespace PlateImpact
     resultants             = resultants_at(discretization,
                                cell->active_cell_index(),
                                factor,
-                               shape.strains_at_quadrature,
+                               shape.at_quadrature,
                                fields);
     recovered.evaluate(cell,
                        discretization.element().quadrature().get_points(),
@@ -150,9 +153,11 @@ namespace PlateImpact
 
 
   Eigen::Map<const RowMajorMatrix>
-  by_resultant(const RowMajorMatrix &values)
+  by_resultant(const RowMajorMatrix &values, const unsigned int n_resultants)
   {
-    return {values.data(), 5 * values.rows(), values.cols() / 5};
+    return {values.data(),
+            n_resultants * values.rows(),
+            values.cols() / n_resultants};
   }
 
 
@@ -160,18 +165,29 @@ namespace PlateImpact
   RowMajorMatrix
   resultants_at(const PlateDiscretization               &discretization,
                 const unsigned int                       cell,
-                const Eigen::Matrix<double, 5, 5>       &factor,
-                const CellOperator                      &strains,
+                const Eigen::MatrixXd                   &factor,
+                const CellStrains                       &strains,
                 const Eigen::Ref<const Eigen::MatrixXd> &fields)
   {
-    CellOperator values(strains.rows(), strains.cols());
-    for (Eigen::Index row = 0; row < strains.rows(); row += 5)
-      values.middleRows<5>(row).noalias() = factor * strains.middleRows<5>(row);
-    Eigen::MatrixXd nodal_values;
+    const CellOperator &linear = strains.linear;
+    const Eigen::Index  m = factor.rows(), n = fields.cols();
+    Eigen::MatrixXd     nodal_values;
     discretization.cell_values(cell, fields, nodal_values);
-    RowMajorMatrix result(strains.rows() / 5, 5 * fields.cols());
-    Eigen::Map<RowMajorMatrix>(result.data(), strains.rows(), fields.cols())
-      .noalias() = values * nodal_values;
+    RowMajorMatrix             result(linear.rows() / m, m * n);
+    Eigen::Map<RowMajorMatrix> by_row(result.data(), linear.rows(), n);
+    if (!discretization.is_nonlinear())
+      {
+        CellOperator values(linear.rows(), linear.cols());
+        for (Eigen::Index row = 0; row < linear.rows(); row += m)
+          values.middleRows(row, m).noalias() =
+            factor * linear.middleRows(row, m);
+        by_row.noalias() = values * nodal_values;
+        return result;
+      }
+    const Eigen::MatrixXd all =
+      discretization.element().evaluate(strains, nodal_values);
+    for (Eigen::Index row = 0; row < linear.rows(); row += m)
+      by_row.middleRows(row, m).noalias() = factor * all.middleRows(row, m);
     return result;
   }
 
@@ -183,18 +199,19 @@ namespace PlateImpact
                        const Eigen::VectorXd       &unknowns,
                        const std::vector<Point<2>> &unit_points)
   {
-    RecoveredField  field(discretization,
+    RecoveredField     field(discretization,
                          recovery,
                          discretization.section().stiffness(),
                          unknowns);
-    Eigen::MatrixXd result(5 * unit_points.size(),
+    const unsigned int m = discretization.section().n_resultants();
+    Eigen::MatrixXd    result(m * unit_points.size(),
                            discretization.mesh().n_active_cells());
-    RowMajorMatrix  values;
+    RowMajorMatrix     values;
     for (const auto &cell : discretization.mesh().active_cell_iterators())
       {
         field.evaluate(cell, unit_points, values);
         field.finish(cell);
-        result.col(cell->active_cell_index()) = by_resultant(values);
+        result.col(cell->active_cell_index()) = by_resultant(values, m);
       }
     return result;
   }

@@ -18,7 +18,8 @@ namespace PlateImpact
 
   namespace
   {
-    /// Resultants at the quadrature points of a cell, 5 per point, by state.
+    /// Resultants at the quadrature points of a cell, point by point, a column
+    /// per state.
     Eigen::MatrixXd
     resultants(const PlateDiscretization &discretization,
                const unsigned int         cell,
@@ -28,8 +29,9 @@ namespace PlateImpact
         resultants_at(discretization,
                       cell,
                       discretization.section().stiffness(),
-                      discretization.shape(cell).strains_at_quadrature,
-                      states));
+                      discretization.shape(cell).at_quadrature,
+                      states),
+        discretization.section().n_resultants());
     }
 
 
@@ -55,12 +57,13 @@ namespace PlateImpact
     const Eigen::MatrixXd        states = columns(snapshots);
     const std::vector<Point<2>> &unit_points =
       fine.element().quadrature().get_points();
-    exact.resize(5 * unit_points.size() * fine.mesh().n_active_cells(),
+    const unsigned int m = fine.section().n_resultants();
+    exact.resize(m * unit_points.size() * fine.mesh().n_active_cells(),
                  times.size());
     for (const auto &cell : fine.mesh().active_cell_iterators())
       {
         const unsigned int c = cell->active_cell_index();
-        exact.middleRows(5 * points.size(), 5 * unit_points.size()) =
+        exact.middleRows(m * points.size(), m * unit_points.size()) =
           resultants(fine, c, states);
         for (unsigned int q = 0; q < unit_points.size(); ++q)
           {
@@ -78,7 +81,9 @@ namespace PlateImpact
   ReferenceError::of(const PlateDiscretization   &discretization,
                      const std::vector<Snapshot> &snapshots) const
   {
-    const Eigen::MatrixXd        states = columns(snapshots);
+    const PlateSection          &section = discretization.section();
+    const unsigned int           m       = section.n_resultants();
+    const Eigen::MatrixXd        states  = columns(snapshots);
     std::vector<Eigen::MatrixXd> of_cell(
       discretization.mesh().n_active_cells());
     const Quadrature<2> &quadrature = discretization.element().quadrature();
@@ -107,18 +112,16 @@ namespace PlateImpact
         if (cell_field.size() == 0)
           cell_field =
             resultants(discretization, cell->active_cell_index(), states);
-        Eigen::MatrixXd field = Eigen::MatrixXd::Zero(5, times.size());
+        Eigen::MatrixXd field = Eigen::MatrixXd::Zero(m, times.size());
         for (unsigned int q = 0; q < quadrature.size(); ++q)
           field += interpolation.shape_value(q, unit_point) *
-            cell_field.middleRows<5>(5 * q);
+            cell_field.middleRows(m * q, m);
         for (unsigned int n = 0; n < times.size(); ++n)
           {
-            const Resultants reference = exact.col(n).segment<5>(5 * p);
-            const Resultants error     = reference - field.col(n);
-            e2[n] +=
-              weights[p] * discretization.section().squared_energy_norm(error);
-            u2[n] += weights[p] *
-              discretization.section().squared_energy_norm(reference);
+            const Eigen::VectorXd reference = exact.col(n).segment(m * p, m),
+                                  error     = reference - field.col(n);
+            e2[n] += weights[p] * section.squared_energy_norm(error);
+            u2[n] += weights[p] * section.squared_energy_norm(reference);
           }
       }
     TimeIntegral<Eigen::Array2d> norms(Eigen::Array2d::Zero());

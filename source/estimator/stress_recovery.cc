@@ -35,14 +35,15 @@ namespace PlateImpact
 
 
 
-    /// Whether a resultant (M_x, M_y, M_xy, Q_x, Q_y) changes its sign in a
-    /// mirror image.
+    /// Whether a resultant (M_x, M_y, M_xy, Q_x, Q_y, N_x, N_y, N_xy) changes
+    /// its sign in a mirror image.
     bool
     changes_sign(const unsigned int           resultant,
                  const StressRecovery::Image &image)
     {
-      const bool odd_in_x = resultant == 2 || resultant == 3;
-      const bool odd_in_y = resultant == 2 || resultant == 4;
+      const bool is_twist = resultant == 2 || resultant == 7,
+                 odd_in_x = is_twist || resultant == 3,
+                 odd_in_y = is_twist || resultant == 4;
       return (image.mirrored_x && odd_in_x) != (image.mirrored_y && odd_in_y);
     }
   } // namespace
@@ -267,7 +268,8 @@ namespace PlateImpact
 
   RowMajorMatrix
   StressRecovery::Patch::coefficients(
-    const std::vector<RowMajorMatrix> &samples) const
+    const std::vector<RowMajorMatrix> &samples,
+    const unsigned int                 n_resultants) const
   {
     const Eigen::Index n_columns = samples[images.front().cell].cols(),
                        n_fields  = n_columns / n_resultants;

@@ -70,21 +70,21 @@ namespace PlateImpact
     {
       const PlateDiscretization &plate = cycle.discretization();
       const QGauss<2>            samples(2);
+      const unsigned int         m = plate.section().n_resultants();
       const Eigen::MatrixXd      recovered =
         cycle.recovered_resultants(state.unknowns, samples.get_points());
       for (const auto &cell : cycle.mesh().active_cell_iterators())
         {
-          const unsigned int   c = cell->active_cell_index();
-          const RowMajorMatrix raw =
-            resultants_at(plate,
-                          c,
-                          plate.section().stiffness(),
-                          plate.shape(c).strains_at_samples,
-                          state.unknowns);
+          const unsigned int   c   = cell->active_cell_index();
+          const RowMajorMatrix raw = resultants_at(plate,
+                                                   c,
+                                                   plate.section().stiffness(),
+                                                   plate.shape(c).at_samples,
+                                                   state.unknowns);
           for (unsigned int q = 0; q < samples.size(); ++q)
             {
               const Eigen::VectorXd own    = raw.row(q),
-                                    smooth = recovered.col(c).segment<5>(5 * q);
+                                    smooth = recovered.col(c).segment(m * q, m);
               cells[c]["samples"].push_back(
                 {{"point",
                   as_json(mapping_of(cell).transform_unit_to_real_cell(

@@ -61,9 +61,9 @@ namespace PlateImpact
                 const std::vector<Point<2>>         &unit_points)
     {
       const FESystem<2> &element = discretization.element().finite_element();
-      Eigen::MatrixXd    shapes(unit_points.size(), n_cell_dofs);
+      Eigen::MatrixXd    shapes(unit_points.size(), element.n_dofs_per_cell());
       for (std::size_t p = 0; p < unit_points.size(); ++p)
-        for (int i = 0; i < n_cell_dofs; ++i)
+        for (unsigned int i = 0; i < element.n_dofs_per_cell(); ++i)
           shapes(p, i) =
             element.shape_value_component(i, unit_points[p], deflection);
       const unsigned int n_cells = discretization.mesh().n_active_cells();
@@ -94,13 +94,14 @@ namespace PlateImpact
       for (unsigned int frame = 0; frame < n_frames; ++frame)
         states.col(frame) = frames[frame]->unknowns;
       // of all frames at once, since what a patch costs most is its place
-      RecoveredField                                        recovered(plate,
+      RecoveredField               recovered(plate,
                                cycle.recovery(),
                                plate.section().stiffness(),
                                states);
-      std::vector<Eigen::Matrix<double, 5, Eigen::Dynamic>> of_frames(n_frames);
+      const unsigned int           m = plate.section().n_resultants();
+      std::vector<Eigen::MatrixXd> of_frames(n_frames);
       for (auto &resultants : of_frames)
-        resultants.resize(5, cycle.result.cells * unit_points.size());
+        resultants.resize(m, cycle.result.cells * unit_points.size());
       RowMajorMatrix values;
       Eigen::Index   point = 0;
       for (const auto &cell : cycle.mesh().active_cell_iterators())
@@ -109,7 +110,7 @@ namespace PlateImpact
           recovered.finish(cell);
           for (Eigen::Index p = 0; p < values.rows(); ++p, ++point)
             for (unsigned int frame = 0; frame < n_frames; ++frame)
-              for (unsigned int i = 0; i < 5; ++i)
+              for (unsigned int i = 0; i < m; ++i)
                 of_frames[frame](i, point) = values(p, i * n_frames + frame);
         }
       std::vector<std::vector<SectionField>> fields;
@@ -178,7 +179,8 @@ namespace PlateImpact
                            n_points * (2 + n_fields) + 2 * n_cells);
     };
     std::vector<std::size_t> chosen =
-      frames_with(5 + discretization.section().stress_names().size());
+      frames_with(discretization.section().n_resultants() +
+                  discretization.section().stress_names().size());
     const bool has_stresses =
       chosen.size() >= std::min(result.frames.size(), min_frames_of_stresses);
     if (!has_stresses)

@@ -6,9 +6,11 @@
 
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/text.h"
+#include "plate_impact/output/section_fields.h"
 #include "plate_impact/plate/plate_mesh.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -85,20 +87,29 @@ namespace PlateImpact
   void
   write_fields(const ResultDirectory &directory, const Cycle &cycle)
   {
-    const CycleResult         &result       = cycle.result;
-    const PlateDiscretization &plate        = cycle.discretization();
-    std::vector<std::string>   field_names  = {"deflection",
-                                               "rotation_x",
-                                               "rotation_y",
-                                               "moment_x",
-                                               "moment_y",
-                                               "moment_xy",
-                                               "shear_force_x",
-                                               "shear_force_y"};
-    const auto                &stress_names = plate.section().stress_names();
-    field_names.insert(field_names.end(),
-                       stress_names.begin(),
-                       stress_names.end());
+    const CycleResult         &result        = cycle.result;
+    const PlateDiscretization &plate         = cycle.discretization();
+    const FESystem<2>         &plate_element = plate.element().finite_element();
+    const unsigned int         n_unknowns    = plate_element.n_components(),
+                       n_resultants          = plate.section().n_resultants();
+    std::vector<std::string> field_names     = {"deflection",
+                                                "rotation_x",
+                                                "rotation_y",
+                                                "displacement_x",
+                                                "displacement_y"};
+    field_names.resize(n_unknowns);
+    // across x = 0 and y = 0
+    std::array<std::set<std::string>, 2> odd = {
+      {{"rotation_x", "displacement_x"}, {"rotation_y", "displacement_y"}}};
+    for (const SectionField &field :
+         section_fields(plate.section(),
+                        Eigen::MatrixXd::Zero(n_resultants, 1)))
+      {
+        field_names.push_back(field.name_in_file);
+        for (const unsigned int d : {0, 1})
+          if (field.is_odd[d])
+            odd[d].insert(field.name_in_file);
+      }
     // values of every cell at its own nine nodes: what is recovered may differ
     // from cell to cell at hanging nodes
     const FE_DGQ<2>   nodal(2);
@@ -107,7 +118,6 @@ namespace PlateImpact
     dof_handler.distribute_dofs(fields_element);
     const std::vector<unsigned int> hierarchic =
       FETools::lexicographic_to_hierarchic_numbering<2>(2);
-    const FESystem<2> &plate_element = plate.element().finite_element();
 
     std::vector<std::pair<double, std::string>> record;
     Vector<double>                              fields(dof_handler.n_dofs());
@@ -124,6 +134,10 @@ namespace PlateImpact
           {
             const unsigned int c = cell->active_cell_index();
             plate.cell_values(c, snapshot.unknowns, values);
+            const std::vector<SectionField> of_section = section_fields(
+              plate.section(),
+              resultants.col(c).reshaped(n_resultants,
+                                         nodal.n_dofs_per_cell()));
             cell->get_dof_indices(dofs);
             for (unsigned int node = 0; node < nodal.n_dofs_per_cell(); ++node)
               {
@@ -133,21 +147,13 @@ namespace PlateImpact
                                                                        node)]] =
                     value;
                 };
-                for (unsigned int k = 0; k < n_components; ++k)
+                for (unsigned int k = 0; k < n_unknowns; ++k)
                   set(k,
                       values(plate_element
                                .component_to_system_index(k, hierarchic[node]),
                              0));
-                const Resultants r = resultants.col(c).segment<5>(5 * node);
-                for (unsigned int k = 0; k < 5; ++k)
-                  set(n_components + k, r[k]);
-                const Eigen::RowVectorXd stresses =
-                  plate.section()
-                    .stresses(r[0], r[1], r[2])
-                    .colwise()
-                    .maxCoeff();
-                for (unsigned int k = 0; k < stress_names.size(); ++k)
-                  set(n_components + 5 + k, stresses[k]);
+                for (unsigned int k = 0; k < of_section.size(); ++k)
+                  set(n_unknowns + k, of_section[k].values[node]);
               }
           }
         require_finite(fields, snapshot.time);
@@ -160,10 +166,9 @@ namespace PlateImpact
         data_out.build_patches(curved_mapping(),
                                2,
                                DataOut<2>::CurvedCellRegion::curved_boundary);
-        if (plate.is_symmetric()[0])
-          data_out.mirror(0, {"rotation_x", "moment_xy", "shear_force_x"});
-        if (plate.is_symmetric()[1])
-          data_out.mirror(1, {"rotation_y", "moment_xy", "shear_force_y"});
+        for (const unsigned int d : {0, 1})
+          if (plate.is_symmetric()[d])
+            data_out.mirror(d, odd[d]);
         const std::string name =
           "fields_" + std::to_string(record.size()) + ".vtu";
         directory.write_file(name, [&](std::ostream &out) {

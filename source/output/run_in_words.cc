@@ -3,6 +3,7 @@
 #include "plate_impact/base/text.h"
 #include "plate_impact/contact/impactor.h"
 #include "plate_impact/plate/plate_geometry.h"
+#include "plate_impact/plate/plate_section.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,10 +30,10 @@ namespace PlateImpact
 
 
 
+    template <typename Support>
     std::string
-    supports_in_words(const PlateParameters &plate)
+    supports_in_words(const std::vector<OnEdge<Support>> &supports)
     {
-      const auto &supports = plate.supports;
       if (supports.front().edge.empty())
         return word_for(supports.front().support) +
           (supports.back().support == supports.front().support ?
@@ -44,6 +45,18 @@ namespace PlateImpact
         text +=
           (text.empty() ? "" : ", ") + word_for(support) + " (" + edge + ")";
       return text;
+    }
+
+
+
+    std::string
+    stretching_in_words(const PlateParameters &plate)
+    {
+      if (PlateSection(plate).stretching() == Stretching::none)
+        return "";
+      return ", " + supports_in_words(plate.in_plane_supports) +
+        " in its plane" +
+        (plate.has_large_deflection() ? ", with large deflections" : "");
     }
   } // namespace
 
@@ -68,7 +81,7 @@ namespace PlateImpact
     const std::string target = extent + thickness.text(plate.thickness) +
       " thick, " +
       (plate.is_laminate() ? "plies " + plate.layup.text + ", " : "") +
-      supports_in_words(plate);
+      supports_in_words(plate.supports) + stretching_in_words(plate);
     if (!parameters.has_impactor())
       return "A " + target + ". Nothing strikes it.";
 

@@ -66,11 +66,8 @@ namespace PlateImpact
       return cells;
     }
 
-    /// Columns for resultants of points to come.
-    using PointResultants = Eigen::Matrix<double, 5, Eigen::Dynamic>;
-
     Json
-    values_on_page(const PlateSection &section, const PointResultants &points)
+    values_on_page(const PlateSection &section, const Eigen::MatrixXd &points)
     {
       Json result = Json::array();
       for (const SectionField &field : section_fields(section, points))
@@ -92,7 +89,8 @@ namespace PlateImpact
       std::vector<double>        distances;
       const double               gap = std::numeric_limits<double>::quiet_NaN();
       const auto                 n   = cells.size() * (points_per_cell + 1);
-      PointResultants            raw = PointResultants::Constant(5, n, gap),
+      const auto                 m   = plate.section().n_resultants();
+      Eigen::MatrixXd            raw = Eigen::MatrixXd::Constant(m, n, gap),
                       recovered      = raw;
       for (const auto &[enters, rest] : cells)
         {
@@ -110,11 +108,9 @@ namespace PlateImpact
             }
           distances.push_back(leaves); // the gap
           const auto stiffness = plate.section().stiffness();
-          const auto set       = [&](PointResultants      &to,
+          const auto set       = [&](Eigen::MatrixXd      &to,
                                const RowMajorMatrix &from) {
-            to.middleCols<points_per_cell>(column) =
-              Eigen::Map<const Eigen::Matrix<double, 5, points_per_cell>>(
-                from.data());
+            to.middleCols(column, points_per_cell) = from.transpose();
           };
           set(raw,
               resultants_at(plate,
@@ -140,7 +136,9 @@ namespace PlateImpact
     const PlateDiscretization &plate  = cycle.discretization();
     Json                       fields = Json::array(), lines = Json::array();
     for (const SectionField &field :
-         section_fields(plate.section(), PointResultants::Zero(5, 1)))
+         section_fields(plate.section(),
+                        Eigen::MatrixXd::Zero(plate.section().n_resultants(),
+                                              1)))
       fields.push_back({{"name", field.name}, {"unit", field.unit}});
     RecoveredField recovered(plate,
                              cycle.recovery(),

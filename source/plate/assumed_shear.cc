@@ -6,20 +6,15 @@ namespace PlateImpact
 {
   using namespace dealii;
 
-  namespace
+  double
+  lagrange(const Quadrature<1> &rule, const unsigned int i, const double x)
   {
-    /// Lagrange polynomial of the points of a rule that is 1 at point i.
-    double
-    lagrange(const Quadrature<1> &rule, const unsigned int i, const double x)
-    {
-      double value = 1.;
-      for (unsigned int j = 0; j < rule.size(); ++j)
-        if (j != i)
-          value *=
-            (x - rule.point(j)[0]) / (rule.point(i)[0] - rule.point(j)[0]);
-      return value;
-    }
-  } // namespace
+    double value = 1.;
+    for (unsigned int j = 0; j < rule.size(); ++j)
+      if (j != i)
+        value *= (x - rule.point(j)[0]) / (rule.point(i)[0] - rule.point(j)[0]);
+    return value;
+  }
 
 
 
@@ -31,7 +26,7 @@ namespace PlateImpact
                                                    const FEValues<2> &,
                                                    const FEValues<2> &values) {
       const unsigned int n_points = values.n_quadrature_points;
-      CellOperator       result = CellOperator::Zero(2 * n_points, n_cell_dofs);
+      CellOperator       result = CellOperator::Zero(2 * n_points, tied.cols());
       for (unsigned int q = 0; q < n_points; ++q)
         {
           const Point<2> &p = values.get_quadrature().point(q);
@@ -50,7 +45,7 @@ namespace PlateImpact
   AssumedShear
   mixed_shear()
   {
-    using Row = Eigen::Matrix<double, 1, n_cell_dofs>;
+    using Row = Eigen::RowVectorXd;
     const QGauss<1>        linear(2);
     const QGaussLobatto<1> quadratic(3);
 
@@ -73,11 +68,11 @@ namespace PlateImpact
         return J[0][a] * tied.row(2 * t) + J[1][a] * tied.row(2 * t + 1);
       };
       const unsigned int n      = values.n_quadrature_points;
-      CellOperator       result = CellOperator::Zero(2 * n, n_cell_dofs);
+      CellOperator       result = CellOperator::Zero(2 * n, tied.cols());
       for (unsigned int q = 0; q < n; ++q)
         {
-          const Point<2> &p        = values.get_quadrature().point(q);
-          Row             along[2] = {Row::Zero(), Row::Zero()};
+          const Point<2> &p = values.get_quadrature().point(q);
+          Row along[2]      = {Row::Zero(tied.cols()), Row::Zero(tied.cols())};
           for (unsigned int j = 0; j < 3; ++j)
             for (unsigned int i = 0; i < 2; ++i)
               {

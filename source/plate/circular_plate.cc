@@ -49,10 +49,10 @@ namespace PlateImpact
           std::abs(plate.impact_point[axis]);
       }
 
-      std::map<types::boundary_id, EdgeSupport>
-      supports() const override
+      std::map<types::boundary_id, std::string>
+      edges() const override
       {
-        return {{edge_round, plate.supports.front().support}};
+        return {{edge_round, ""}};
       }
 
       void

@@ -16,6 +16,7 @@ namespace PlateImpact
                        const AffineConstraints<double> &homogeneous_constraints)
   {
     constraints = &homogeneous_constraints;
+    n_cell_dofs = dof_handler.get_fe().n_dofs_per_cell();
     unknown_of_dof.assign(dof_handler.n_dofs(), -1);
     unsigned int n_free = 0;
     for (types::global_dof_index dof = 0; dof < dof_handler.n_dofs(); ++dof)
@@ -104,6 +105,26 @@ namespace PlateImpact
       for (Row entry(nodal_values_of_cells, n_cell_dofs * cell + i); entry;
            ++entry)
         values.row(i) += entry.value() * unknowns.row(entry.col());
+  }
+
+
+
+  Eigen::MatrixXd
+  FreeUnknowns::values_of_cells(const Eigen::VectorXd &unknowns) const
+  {
+    const Eigen::VectorXd values = nodal_values_of_cells * unknowns;
+    return Eigen::Map<const Eigen::MatrixXd>(values.data(),
+                                             n_cell_dofs,
+                                             values.size() / n_cell_dofs);
+  }
+
+
+
+  Eigen::VectorXd
+  FreeUnknowns::forces(const Eigen::MatrixXd &of_cells) const
+  {
+    return nodal_values_of_cells.transpose() *
+      Eigen::Map<const Eigen::VectorXd>(of_cells.data(), of_cells.size());
   }
 
 

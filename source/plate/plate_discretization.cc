@@ -3,6 +3,7 @@
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_values.h>
+#include <deal.II/grid/grid_tools.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/numerics/rtree.h>
 #include <deal.II/numerics/vector_tools_interpolate.h>
@@ -22,6 +23,7 @@
 #include <iterator>
 #include <map>
 #include <optional>
+#include <stdexcept>
 
 namespace PlateImpact
 {
@@ -120,11 +122,18 @@ namespace PlateImpact
     , multiplicity(multiplicity)
     , dofs(mesh)
     , holds_deflection(hold_deflection(geometry_of(plate)->supports()))
+    , holds_in_plane(hold_in_plane(geometry_of(plate)->supports(),
+                                   geometry_of(plate)->in_plane_supports()))
   {
+    if (element.stretching() != plate_section.stretching())
+      throw std::logic_error("the element has not the unknowns of the section");
     dofs.distribute_dofs(element.finite_element());
     DoFTools::make_hanging_node_constraints(dofs, constraints);
     plate_element.add_internal_constraints(dofs, constraints);
-    hold_edges(dofs, geometry_of(plate)->supports(), constraints);
+    hold_edges(dofs,
+               geometry_of(plate)->supports(),
+               geometry_of(plate)->in_plane_supports(),
+               constraints);
     constraints.close();
     unknowns.reinit(dofs, constraints);
     find_shapes();
@@ -192,6 +201,23 @@ namespace PlateImpact
         add_cell_matrix(cell, K_of_shape[shape_of_cell[cell]], *K);
         add_cell_matrix(cell, M_of_shape[shape_of_cell[cell]], *M);
       }
+  }
+
+
+
+  std::unique_ptr<Epetra_CrsMatrix>
+  PlateDiscretization::assemble(
+    const std::function<void(unsigned int, CellMatrix &)> &of_cell) const
+  {
+    auto sum = std::make_unique<Epetra_CrsMatrix>(*K);
+    sum->PutScalar(0.);
+    CellMatrix matrix;
+    for (unsigned int cell = 0; cell < shape_of_cell.size(); ++cell)
+      {
+        of_cell(cell, matrix);
+        add_cell_matrix(cell, multiplicity * matrix, *sum);
+      }
+    return sum;
   }
 
 
@@ -292,7 +318,8 @@ namespace PlateImpact
   {
     const FESystem<2> &fe = plate_element.finite_element();
     const unsigned int c  = cell->active_cell_index();
-    for (int node = 0; node < n_cell_dofs / int(n_components); ++node)
+    for (unsigned int node = 0; node < fe.base_element(0).n_dofs_per_cell();
+         ++node)
       unknowns.add_force(c,
                          fe.component_to_system_index(deflection, node),
                          force * fe.base_element(0).shape_value(node, unit),
@@ -304,9 +331,9 @@ namespace PlateImpact
                        Quadrature<2>(unit),
                        update_gradients);
     values.reinit(cell);
-    for (int i = 0; i < n_cell_dofs; ++i)
+    for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
       if (const unsigned int component = fe.system_to_component_index(i).first;
-          component != deflection)
+          component == rotation_x || component == rotation_y)
         unknowns.add_force(c,
                            i,
                            force * beta *
@@ -325,6 +352,16 @@ namespace PlateImpact
                              field,
                              values);
     return unknowns.of_nodal_values(values);
+  }
+
+
+
+  double
+  PlateDiscretization::square_of_bending() const
+  {
+    const double area = GridTools::volume(mesh());
+    return plate_section.mean_bending_stiffness() /
+      plate_section.mass_per_area / (area * area);
   }
 
 

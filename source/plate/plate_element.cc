@@ -2,6 +2,7 @@
 
 #include "plate_impact/base/entries.h"
 #include "plate_impact/plate/plate_mesh.h"
+#include "plate_impact/plate/slope_squares.h"
 
 #include <string>
 
@@ -13,42 +14,66 @@ namespace PlateImpact
   {
     struct ElementRow
     {
-      ElementType                    choice;
-      std::string                    word;
-      std::array<bool, n_components> centre_is_constrained;
-      AssumedShear                   assumed_shear;
+      ElementType  choice;
+      std::string  word;
+      bool         constrains_deflection, constrains_others; ///< at the centre
+      AssumedShear assumed_shear;
     };
 
     const std::vector<ElementRow> elements = {
       {ElementType::serendipity,
        "serendipity",
-       {{true, true, true}},
+       true,
+       true,
        shear_at_gauss_points(2)},
       {ElementType::serendipity_full,
        "serendipity full",
-       {{true, true, true}},
+       true,
+       true,
        shear_at_gauss_points(3)},
       {ElementType::heterosis,
        "heterosis",
-       {{true, false, false}},
+       true,
+       false,
        shear_at_gauss_points(2)},
       {ElementType::Lagrange,
        "Lagrange",
-       {{false, false, false}},
+       false,
+       false,
        shear_at_gauss_points(2)},
-      {ElementType::MITC9, "MITC9", {{false, false, false}}, mixed_shear()}};
+      {ElementType::MITC9, "MITC9", false, false, mixed_shear()}};
+
+
+
+    unsigned int
+    n_components(const Stretching stretching)
+    {
+      return stretching == Stretching::none ? 3 : 5;
+    }
   } // namespace
 
 
 
-  PlateElement::PlateElement(const ElementType type)
-    : centre_is_constrained(row_of(type, elements).centre_is_constrained)
+  PlateElement::PlateElement(const ElementType type,
+                             const Stretching  stretching)
+    : type(type)
+    , how_it_stretches(stretching)
     , assumed_shear(row_of(type, elements).assumed_shear)
     , scalar_element(2)
-    , element(scalar_element, n_components)
+    , element(scalar_element, n_components(stretching))
     , quadrature_points(3)
     , samples(2)
   {}
+
+
+
+  bool
+  PlateElement::centre_is_constrained(const unsigned int component) const
+  {
+    const ElementRow &row = row_of(type, elements);
+    return component == deflection ? row.constrains_deflection :
+                                     row.constrains_others;
+  }
 
 
 
@@ -60,12 +85,12 @@ namespace PlateImpact
     // FE_Q(2) numbers the four corners first, then the midsides, then the
     // centre
     const unsigned int                   centre = 8;
-    std::vector<types::global_dof_index> dofs(n_cell_dofs);
+    std::vector<types::global_dof_index> dofs(element.n_dofs_per_cell());
     for (const auto &cell : dof_handler.active_cell_iterators())
       {
         cell->get_dof_indices(dofs);
-        for (unsigned int c = 0; c < n_components; ++c)
-          if (centre_is_constrained[c])
+        for (unsigned int c = 0; c < element.n_components(); ++c)
+          if (centre_is_constrained(c))
             {
               const auto line =
                 dofs[element.component_to_system_index(c, centre)];
@@ -81,7 +106,7 @@ namespace PlateImpact
 
 
 
-  CellOperator
+  CellStrains
   PlateElement::strains(const Triangulation<2>::active_cell_iterator &cell,
                         const FEValues<2> &values) const
   {
@@ -93,20 +118,28 @@ namespace PlateImpact
     const unsigned int n_tying = tying.n_quadrature_points,
                        n       = values.n_quadrature_points;
 
-    CellOperator result = CellOperator::Zero(5 * n, n_cell_dofs);
-    CellOperator tied   = CellOperator::Zero(2 * n_tying, n_cell_dofs);
-    for (unsigned int i = 0; i < n_cell_dofs; ++i)
+    const int n_dofs    = element.n_dofs_per_cell(),
+              n_strains = how_it_stretches == Stretching::none ? 5 : 8;
+    CellStrains  result;
+    CellOperator tied = CellOperator::Zero(2 * n_tying, n_dofs);
+    result.linear     = CellOperator::Zero(n_strains * n, n_dofs);
+    for (int i = 0; i < n_dofs; ++i)
       {
         const auto [component, node] = element.system_to_component_index(i);
-        // curvatures
+        // curvatures, and strains of the middle surface
+        const unsigned int row = component < displacement_x ? 0 : 5;
         for (unsigned int q = 0; q < n; ++q)
           {
             const Tensor<1, 2> dN = values.shape_grad(node, q);
-            if (component == rotation_x)
-              result.col(i).segment<3>(5 * q) << dN[0], 0., dN[1];
-            else if (component == rotation_y)
-              result.col(i).segment<3>(5 * q) << 0., dN[1], dN[0];
+            if (component == rotation_x || component == displacement_x)
+              result.linear.col(i).segment<3>(n_strains * q + row) << dN[0], 0.,
+                dN[1];
+            else if (component == rotation_y || component == displacement_y)
+              result.linear.col(i).segment<3>(n_strains * q + row) << 0., dN[1],
+                dN[0];
           }
+        if (component >= displacement_x)
+          continue;
         // gamma = grad w - theta
         for (unsigned int t = 0; t < n_tying; ++t)
           {
@@ -121,13 +154,16 @@ namespace PlateImpact
 
     const CellOperator shear = assumed_shear.interpolate(tied, tying, values);
     for (unsigned int q = 0; q < n; ++q)
-      result.middleRows<2>(5 * q + 3) = shear.middleRows<2>(2 * q);
+      result.linear.middleRows<2>(n_strains * q + 3) =
+        shear.middleRows<2>(2 * q);
+    if (how_it_stretches == Stretching::large)
+      result.of_squares = SlopeSquares::strains(values);
     return result;
   }
 
 
 
-  CellOperator
+  CellStrains
   PlateElement::strains_at(const Triangulation<2>::active_cell_iterator &cell,
                            const std::vector<Point<2>> &unit_points) const
   {
@@ -138,6 +174,32 @@ namespace PlateImpact
                          update_inverse_jacobians);
     values.reinit(cell);
     return strains(cell, values);
+  }
+
+
+
+  Eigen::MatrixXd
+  PlateElement::evaluate(const CellStrains     &strains,
+                         const Eigen::MatrixXd &nodal_values) const
+  {
+    Eigen::MatrixXd result = strains.linear * nodal_values;
+    if (how_it_stretches != Stretching::large)
+      return result;
+    Eigen::MatrixXd deflections(scalar_element.n_dofs_per_cell(),
+                                nodal_values.cols());
+    for (Eigen::Index node = 0; node < deflections.rows(); ++node)
+      deflections.row(node) =
+        nodal_values.row(element.component_to_system_index(deflection, node));
+    const Eigen::MatrixXd slopes = SlopeSquares::slopes() * deflections;
+    for (Eigen::Index state = 0; state < result.cols(); ++state)
+      {
+        const Eigen::VectorXd of_squares =
+          strains.of_squares * SlopeSquares::squares(slopes.col(state));
+        for (Eigen::Index q = 0; 3 * q < of_squares.size(); ++q)
+          result.col(state).segment<3>(8 * q + 5) +=
+            of_squares.segment<3>(3 * q);
+      }
+    return result;
   }
 
 
@@ -154,9 +216,9 @@ namespace PlateImpact
     sample_values.reinit(cell);
 
     CellShape shape;
-    shape.strains_at_quadrature = strains(cell, values);
-    shape.strains_at_samples    = strains(cell, sample_values);
-    shape.weights               = values.get_JxW_values();
+    shape.at_quadrature = strains(cell, values);
+    shape.at_samples    = strains(cell, sample_values);
+    shape.weights       = values.get_JxW_values();
     shape.shape_values.resize(quadrature_points.size(),
                               scalar_element.n_dofs_per_cell());
     for (unsigned int q = 0; q < quadrature_points.size(); ++q)
@@ -172,16 +234,15 @@ namespace PlateImpact
   PlateElement::stiffness(const CellShape    &shape,
                           const PlateSection &section) const
   {
-    CellMatrix K = CellMatrix::Zero();
+    const int n_dofs                 = element.n_dofs_per_cell(),
+              n_strains              = section.n_resultants();
+    const Eigen::MatrixXd by_strains = section.stiffness();
+    CellMatrix            K          = CellMatrix::Zero(n_dofs, n_dofs);
     for (unsigned int q = 0; q < shape.weights.size(); ++q)
       {
-        const auto   B = shape.strains_at_quadrature.middleRows<5>(5 * q);
-        CellOperator resultants = shape.weights[q] * B;
-        resultants.topRows<3>() =
-          section.bending_stiffness * resultants.topRows<3>().eval();
-        resultants.bottomRows<2>() =
-          section.shear_stiffness * resultants.bottomRows<2>().eval();
-        K.noalias() += B.transpose() * resultants;
+        const auto B =
+          shape.at_quadrature.linear.middleRows(n_strains * q, n_strains);
+        K.noalias() += B.transpose() * (shape.weights[q] * by_strains * B);
       }
     return K;
   }
@@ -195,9 +256,10 @@ namespace PlateImpact
                                                     shape.weights.size());
     const Eigen::MatrixXd scalar_mass = shape.shape_values.transpose() *
       weights.asDiagonal() * shape.shape_values;
-    CellMatrix M = CellMatrix::Zero();
-    for (unsigned int i = 0; i < n_cell_dofs; ++i)
-      for (unsigned int j = 0; j < n_cell_dofs; ++j)
+    const unsigned int n_dofs = element.n_dofs_per_cell();
+    CellMatrix         M      = CellMatrix::Zero(n_dofs, n_dofs);
+    for (unsigned int i = 0; i < n_dofs; ++i)
+      for (unsigned int j = 0; j < n_dofs; ++j)
         {
           const auto [component_i, node_i] =
             element.system_to_component_index(i);
@@ -205,8 +267,9 @@ namespace PlateImpact
             element.system_to_component_index(j);
           if (component_i == component_j)
             M(i, j) = scalar_mass(node_i, node_j) *
-              (component_i == deflection ? section.mass_per_area :
-                                           section.rotary_inertia);
+              (component_i == rotation_x || component_i == rotation_y ?
+                 section.rotary_inertia :
+                 section.mass_per_area);
         }
     return M;
   }

@@ -29,19 +29,21 @@ namespace PlateImpact
 
 
     /// One or two words, or pairs of an edge of a file and a word.
-    Allowed<std::vector<EdgeSupports>>
-    edge_supports()
+    template <typename Support>
+    Allowed<std::vector<OnEdge<Support>>>
+    on_edges()
     {
-      const auto word = one_of<EdgeSupport>();
+      const auto word = one_of<Support>();
       return {list(word, 1, 2).words +
                 "; or, for an outline from a file, pairs edge: word",
-              [word](const std::string         &text,
-                     std::vector<EdgeSupports> &supports) {
+              [word](const std::string            &text,
+                     std::vector<OnEdge<Support>> &supports) {
+                supports.clear();
                 const bool is_named = text.find(':') != std::string::npos;
                 for (const std::string &item : split_list(text))
                   {
                     const std::size_t colon = item.rfind(':');
-                    EdgeSupports     &one   = supports.emplace_back();
+                    OnEdge<Support>  &one   = supports.emplace_back();
                     if (colon != std::string::npos)
                       one.edge = Utilities::trim(item.substr(0, colon));
                     if (one.edge.empty() == is_named ||
@@ -52,6 +54,18 @@ namespace PlateImpact
                 return is_named || supports.size() <= 2;
               }};
     }
+
+
+
+    struct TheoryRow
+    {
+      DeflectionTheory choice;
+      std::string      word;
+    };
+
+    const std::vector<TheoryRow> deflection_theories = {
+      {DeflectionTheory::linear, "linear"},
+      {DeflectionTheory::large, "large"}};
 
 
 
@@ -129,12 +143,27 @@ namespace PlateImpact
              "shear stress (Reissner). 0: the shear stiffness by equilibrium, "
              "which a laminate has where the factor is not given and the law "
              "is not Sun. [-]");
-    entry("Support", "clamped", edge_supports(), supports)
+    entry("Support", "clamped", on_edges<EdgeSupport>(), supports)
       .means("One word for all four edges, or two: for the edges x = +-a/2 and "
              "for the edges y = +-b/2. 'simply supported' also stops the "
              "rotation along the edge (hard support), 'soft simply supported' "
              "the deflection only. Edges of a file may have each its own, as "
              "rim: clamped, hole: free.");
+    entry("Deflection", "linear", one_of(deflection_theories), deflection)
+      .means("large: a plate that deflects by more than a fifth of its "
+             "thickness stretches, and its membrane forces stiffen it (von "
+             "Karman). It has displacements in its plane beside the others "
+             "and costs several solves a step.");
+    entry("In-plane support",
+          "held",
+          on_edges<InPlaneSupport>(),
+          in_plane_supports)
+      .means("Of the middle surface, on edges that hold the deflection, for "
+             "plates that stretch: under large deflections or with a lay-up "
+             "that is not symmetric. 'held along' the edge leaves it free "
+             "to slide across, as in Navier's solution of cross-plies; 'held "
+             "across' the other way round. One word, two, or one by edge, as "
+             "Support.");
     entry("Outline", "rectangle", word_or_file(), outline)
       .means("Of the plate. A circle has one edge and one support. A mesh of "
              "Gmsh, of quadrilaterals and in metres, brings its own lengths "

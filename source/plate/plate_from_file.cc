@@ -51,15 +51,13 @@ namespace PlateImpact
         return false; // whatever it is, its mesh is whole
       }
 
-      std::map<types::boundary_id, EdgeSupport>
-      supports() const override
+      std::map<types::boundary_id, std::string>
+      edges() const override
       {
-        std::map<types::boundary_id, EdgeSupport> supports;
+        std::map<types::boundary_id, std::string> edges;
         for (unsigned int edge = 0; edge < file.edges.size(); ++edge)
-          for (const EdgeSupports &named : plate.supports)
-            if (named.edge.empty() || named.edge == file.edges[edge])
-              supports[edge_named + edge] = named.support;
-        return supports;
+          edges[edge_named + edge] = file.edges[edge];
+        return edges;
       }
 
       void

@@ -15,7 +15,7 @@ namespace PlateImpact
   bool
   PlateGeometry::is_symmetric(const unsigned int d) const
   {
-    return !plate.twists_when_bent && plate.impact_point[d] == 0.;
+    return !plate.is_skew && plate.impact_point[d] == 0.;
   }
 
 
@@ -24,6 +24,44 @@ namespace PlateImpact
   PlateGeometry::n_parts() const
   {
     return (is_symmetric(0) ? 2. : 1.) * (is_symmetric(1) ? 2. : 1.);
+  }
+
+
+
+  template <typename Support>
+  std::map<types::boundary_id, Support>
+  PlateGeometry::by_edge(const std::vector<OnEdge<Support>> &written) const
+  {
+    std::map<types::boundary_id, Support> result;
+    const bool  is_named = !written.front().edge.empty();
+    std::size_t n_edges  = 0;
+    for (const auto &[id, name] : edges())
+      {
+        // one word is for all edges, or the first for the first of two
+        const OnEdge<Support> *one =
+          &written[std::min(n_edges++, written.size() - 1)];
+        for (const OnEdge<Support> &named : written)
+          if (is_named && named.edge == name)
+            one = &named;
+        result[id] = one->support;
+      }
+    return result;
+  }
+
+
+
+  SupportOfEdge
+  PlateGeometry::supports() const
+  {
+    return by_edge(plate.supports);
+  }
+
+
+
+  InPlaneSupportOfEdge
+  PlateGeometry::in_plane_supports() const
+  {
+    return by_edge(plate.in_plane_supports);
   }
 
 

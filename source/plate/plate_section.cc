@@ -30,6 +30,18 @@ namespace PlateImpact
       return T;
     }
 
+
+
+    /// Moment per curvature of cylindrical bending along a direction. [N m]
+    /// @param D      moments per curvatures
+    /// @param angle  to x
+    double
+    stiffness_along(const Eigen::Matrix3d &D, const double angle)
+    {
+      const double          c = std::cos(angle), s = std::sin(angle);
+      const Eigen::Vector3d curvature(c * c, s * s, 2. * c * s);
+      return curvature.dot(D * curvature);
+    }
   } // namespace
 
 
@@ -48,10 +60,11 @@ namespace PlateImpact
       set_laminate(plate);
     else
       set_isotropic(plate);
-    bending_compliance = bending_stiffness.inverse();
-    shear_compliance   = shear_stiffness.inverse();
-    for (Eigen::Matrix3d &stress : stress_of_ply)
-      stress *= bending_compliance;
+    if (plate.has_large_deflection())
+      how_it_stretches = Stretching::large;
+    else if (is_unsymmetric())
+      how_it_stretches = Stretching::linear;
+    set_compliance();
   }
 
 
@@ -65,8 +78,9 @@ namespace PlateImpact
     bending_stiffness << D, D * nu, 0., //
       D * nu, D, 0.,                    //
       0., 0., D * (1. - nu) / 2.;
-    shear_modulus   = E / (2. * (1. + nu));
-    shear_stiffness = shear_correction_factor * E / (2. * (1. + nu)) * t *
+    membrane_stiffness = 12. / (t * t) * bending_stiffness;
+    shear_modulus      = E / (2. * (1. + nu));
+    shear_stiffness    = shear_correction_factor * E / (2. * (1. + nu)) * t *
       Eigen::Matrix2d::Identity();
     poissons_ratio        = nu;
     contact_modulus       = E;
@@ -87,6 +101,7 @@ namespace PlateImpact
     std::vector<Eigen::Matrix3d> plane_stiffness;
     std::vector<Eigen::Matrix2d> shear_moduli;
     bending_stiffness.setZero();
+    membrane_stiffness.setZero();
     shear_stiffness.setZero();
     for (std::size_t k = 0; k < angles.size(); ++k)
       {
@@ -98,7 +113,8 @@ namespace PlateImpact
         plane_stiffness.push_back(T.transpose() * Q * T);
         bending_stiffness +=
           (far * far * far - near * near * near) / 3. * plane_stiffness.back();
-        coupling_stiffness +=
+        membrane_stiffness += t * plane_stiffness.back();
+        coupling_stiffness -=
           (far * far - near * near) / 2. * plane_stiffness.back();
         Eigen::Matrix2d turn;
         turn << c, s, -s, c;
@@ -109,9 +125,8 @@ namespace PlateImpact
             .asDiagonal() *
           turn);
         shear_stiffness += shear_correction_factor * t * shear_moduli.back();
-        // the farther face; sigma = Q T z kappa
-        stress_of_ply.push_back(std::max(std::abs(near), std::abs(far)) * Q *
-                                T);
+        for (const double z : {near, far})
+          ply_faces.push_back({z, Q * T, Eigen::Matrix3d::Zero()});
       }
     if (plate.shear_correction_factor == 0.)
       shear_stiffness = thickness *
@@ -125,12 +140,53 @@ namespace PlateImpact
 
 
 
-  double
-  PlateSection::bending_stiffness_along(const double angle) const
+  void
+  PlateSection::set_compliance()
   {
-    const double    c = std::cos(angle), s = std::sin(angle);
-    Eigen::Vector3d curvature(c * c, s * s, 2. * c * s);
-    return curvature.dot(bending_stiffness * curvature);
+    const bool stretches = how_it_stretches != Stretching::none;
+    const int  n         = stretches ? 8 : 5;
+    compliance.setZero(n, n);
+    compliance.topLeftCorner<3, 3>() = bending_stiffness.inverse();
+    compliance.block<2, 2>(3, 3)     = shear_stiffness.inverse();
+    if (is_unsymmetric())
+      {
+        Eigen::Matrix<double, 6, 6> both;
+        both << bending_stiffness, coupling_stiffness, coupling_stiffness,
+          membrane_stiffness;
+        const Eigen::Matrix<double, 6, 6> inverse = both.inverse();
+        compliance.topLeftCorner<3, 3>()    = inverse.topLeftCorner<3, 3>();
+        compliance.topRightCorner<3, 3>()   = inverse.topRightCorner<3, 3>();
+        compliance.bottomLeftCorner<3, 3>() = inverse.bottomLeftCorner<3, 3>();
+        compliance.bottomRightCorner<3, 3>() =
+          inverse.bottomRightCorner<3, 3>();
+      }
+    else if (stretches)
+      compliance.bottomRightCorner<3, 3>() = membrane_stiffness.inverse();
+    if (stretches)
+      return;
+    // moments cause the largest stresses of a ply at its outer face
+    std::vector<PlyFace> outer;
+    for (std::size_t k = 0; k < ply_faces.size(); k += 2)
+      {
+        outer.push_back(
+          ply_faces[std::abs(ply_faces[k].z) > std::abs(ply_faces[k + 1].z) ?
+                      k :
+                      k + 1]);
+        outer.back().stress_per_moment = std::abs(outer.back().z) *
+          outer.back().stress_per_strain * compliance.topLeftCorner<3, 3>();
+      }
+    ply_faces = outer;
+  }
+
+
+
+  Eigen::Matrix3d
+  PlateSection::relaxed_stiffness() const
+  {
+    if (!is_unsymmetric())
+      return bending_stiffness;
+    return bending_stiffness -
+      coupling_stiffness * membrane_stiffness.inverse() * coupling_stiffness;
   }
 
 
@@ -138,24 +194,19 @@ namespace PlateImpact
   double
   PlateSection::mean_bending_stiffness() const
   {
-    if (twists_when_bent())
+    const Eigen::Matrix3d D = relaxed_stiffness();
+    if (is_skew())
       {
         // Olsson's formula holds in the axes of an orthotropic plate; this is
         // the mean over directions that it stands for
         const unsigned int n    = 180;
         double             mean = 0.;
         for (unsigned int i = 0; i < n; ++i)
-          mean +=
-            1. / std::sqrt(bending_stiffness_along(std::acos(-1.) * i / n));
+          mean += 1. / std::sqrt(stiffness_along(D, std::acos(-1.) * i / n));
         return n / mean * (n / mean);
       }
-    const double along =
-      std::sqrt(bending_stiffness(0, 0)) * std::sqrt(bending_stiffness(1, 1));
-    return std::sqrt(0.5 *
-                     (1. +
-                      (bending_stiffness(0, 1) + 2. * bending_stiffness(2, 2)) /
-                        along)) *
-      along;
+    const double along = std::sqrt(D(0, 0)) * std::sqrt(D(1, 1));
+    return std::sqrt(0.5 * (1. + (D(0, 1) + 2. * D(2, 2)) / along)) * along;
   }
 
 
@@ -175,7 +226,8 @@ namespace PlateImpact
     const unsigned int n       = 180;
     for (unsigned int i = 0; i < n; ++i)
       largest =
-        std::max(largest, bending_stiffness_along(std::acos(-1.) * i / n));
+        std::max(largest,
+                 stiffness_along(bending_stiffness, std::acos(-1.) * i / n));
     return std::sqrt(largest / rotary_inertia);
   }
 
@@ -192,6 +244,19 @@ namespace PlateImpact
 
 
   bool
+  PlateSection::is_skew() const
+  {
+    return twists_when_bent() ||
+      membrane_stiffness.topRightCorner<2, 1>().cwiseAbs().maxCoeff() >
+      negligible * membrane_stiffness.norm() ||
+      coupling_stiffness.topRightCorner<2, 1>().cwiseAbs().maxCoeff() *
+        thickness >
+      negligible * bending_stiffness.norm();
+  }
+
+
+
+  bool
   PlateSection::is_unsymmetric() const
   {
     return coupling_stiffness.norm() * thickness >
@@ -201,33 +266,36 @@ namespace PlateImpact
 
 
   double
-  PlateSection::squared_energy_norm(const Resultants &resultants) const
+  PlateSection::squared_energy_norm(
+    const Eigen::Ref<const Eigen::VectorXd> &resultants) const
   {
-    const auto M = resultants.head<3>();
-    const auto Q = resultants.tail<2>();
-    return M.dot(bending_compliance * M) + Q.dot(shear_compliance * Q);
+    return resultants.dot(compliance * resultants);
   }
 
 
 
-  Eigen::Matrix<double, 5, 5>
+  Eigen::MatrixXd
   PlateSection::stiffness() const
   {
-    Eigen::Matrix<double, 5, 5> matrix = Eigen::Matrix<double, 5, 5>::Zero();
-    matrix.topLeftCorner<3, 3>()       = bending_stiffness;
-    matrix.bottomRightCorner<2, 2>()   = shear_stiffness;
+    const int       n            = n_resultants();
+    Eigen::MatrixXd matrix       = Eigen::MatrixXd::Zero(n, n);
+    matrix.topLeftCorner<3, 3>() = bending_stiffness;
+    matrix.block<2, 2>(3, 3)     = shear_stiffness;
+    if (how_it_stretches != Stretching::none)
+      {
+        matrix.topRightCorner<3, 3>()    = coupling_stiffness;
+        matrix.bottomLeftCorner<3, 3>()  = coupling_stiffness;
+        matrix.bottomRightCorner<3, 3>() = membrane_stiffness;
+      }
     return matrix;
   }
 
 
 
-  Eigen::Matrix<double, 5, 5>
+  Eigen::MatrixXd
   PlateSection::root_of_compliance() const
   {
-    Eigen::Matrix<double, 5, 5> root = Eigen::Matrix<double, 5, 5>::Zero();
-    root.topLeftCorner<3, 3>()       = bending_compliance.llt().matrixU();
-    root.bottomRightCorner<2, 2>()   = shear_compliance.llt().matrixU();
-    return root;
+    return compliance.llt().matrixU();
   }
 
 
@@ -239,27 +307,50 @@ namespace PlateImpact
                                           of_plies  = {"fibre_stress",
                                                        "transverse_stress",
                                                        "ply_shear_stress"};
-    return stress_of_ply.empty() ? isotropic : of_plies;
+    return ply_faces.empty() ? isotropic : of_plies;
   }
 
 
 
   Eigen::MatrixXd
-  PlateSection::stresses(const double m_x,
-                         const double m_y,
-                         const double m_xy) const
+  PlateSection::stresses(
+    const Eigen::Ref<const Eigen::VectorXd> &resultants) const
   {
-    if (stress_of_ply.empty())
-      // sigma = 6 M / t^2
-      return Eigen::MatrixXd::Constant(
-        1,
-        1,
-        6. / (thickness * thickness) *
-          std::sqrt(m_x * m_x - m_x * m_y + m_y * m_y + 3. * m_xy * m_xy));
-    Eigen::MatrixXd result(stress_of_ply.size(), 3);
-    for (std::size_t k = 0; k < stress_of_ply.size(); ++k)
-      result.row(k) =
-        (stress_of_ply[k] * Eigen::Vector3d(m_x, m_y, m_xy)).cwiseAbs();
+    const bool            stretches = how_it_stretches != Stretching::none;
+    const Eigen::Vector3d moments   = resultants.head<3>();
+    if (ply_faces.empty())
+      {
+        const auto von_mises = [](const Eigen::Vector3d &s) {
+          return std::sqrt(s[0] * s[0] - s[0] * s[1] + s[1] * s[1] +
+                           3. * s[2] * s[2]);
+        };
+        // sigma = N / t -+ 6 M / t^2
+        const Eigen::Vector3d bending = 6. / (thickness * thickness) * moments;
+        double                largest = von_mises(bending);
+        if (stretches)
+          {
+            const Eigen::Vector3d mean = resultants.segment<3>(5) / thickness;
+            largest =
+              std::max(von_mises(mean + bending), von_mises(mean - bending));
+          }
+        return Eigen::MatrixXd::Constant(1, 1, largest);
+      }
+    if (!stretches)
+      {
+        Eigen::MatrixXd result(ply_faces.size(), 3);
+        for (std::size_t k = 0; k < ply_faces.size(); ++k)
+          result.row(k) = (ply_faces[k].stress_per_moment * moments).cwiseAbs();
+        return result;
+      }
+    const Eigen::VectorXd strains = compliance * resultants.head<8>();
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(ply_faces.size() / 2, 3);
+    for (std::size_t k = 0; k < ply_faces.size(); ++k)
+      {
+        const Eigen::Vector3d strain =
+          strains.tail<3>() - ply_faces[k].z * strains.head<3>();
+        result.row(k / 2) = result.row(k / 2).cwiseMax(
+          (ply_faces[k].stress_per_strain * strain).cwiseAbs().transpose());
+      }
     return result;
   }
 } // namespace PlateImpact

@@ -43,11 +43,10 @@ namespace PlateImpact
         return 0.5 * side_length(axis) - std::abs(plate.impact_point[axis]);
       }
 
-      std::map<types::boundary_id, EdgeSupport>
-      supports() const override
+      std::map<types::boundary_id, std::string>
+      edges() const override
       {
-        return {{edge_x, plate.supports.front().support},
-                {edge_y, plate.supports.back().support}};
+        return {{edge_x, ""}, {edge_y, ""}};
       }
 
       double

@@ -21,77 +21,147 @@ namespace PlateImpact
 
   namespace
   {
-    /// What a support holds on an edge of the plate.
-    struct Support
+    /// What a support holds on an edge of the plate, of two components across
+    /// and along it.
+    struct Held
     {
-      bool deflection;
-      bool normal_rotation;     ///< theta_n, in the plane across the edge
-      bool tangential_rotation; ///< theta_s, in the plane along the edge
+      bool normal, tangential;
     };
 
     struct SupportRow
     {
       EdgeSupport choice;
       std::string word;
-      Support     held;
+      bool        deflection;
+      Held        rotations;
     };
 
     const std::vector<SupportRow> support_rows = {
-      {EdgeSupport::clamped, "clamped", {true, true, true}},
-      {EdgeSupport::simply_supported, "simply supported", {true, false, true}},
+      {EdgeSupport::clamped, "clamped", true, {true, true}},
+      {EdgeSupport::simply_supported, "simply supported", true, {false, true}},
       {EdgeSupport::soft_simply_supported,
        "soft simply supported",
-       {true, false, false}},
-      {EdgeSupport::free, "free", {false, false, false}}};
+       true,
+       {false, false}},
+      {EdgeSupport::free, "free", false, {false, false}}};
 
-    /// It mirrors the plate.
-    constexpr Support symmetry_plane = {false, true, false};
-
-
-
-    /// Holds components on an edge: the deflection and rotations in the planes
-    /// xz and yz.
-    void
-    hold(const DoFHandler<2>                  &dof_handler,
-         const types::boundary_id              edge,
-         const std::array<bool, n_components> &components,
-         AffineConstraints<double>            &constraints)
+    struct InPlaneRow
     {
-      ComponentMask mask(n_components, false);
-      for (unsigned int c = 0; c < n_components; ++c)
-        mask.set(c, components[c]);
-      if (mask.n_selected_components() > 0)
+      InPlaneSupport choice;
+      std::string    word;
+      Held           displacements;
+    };
+
+    const std::vector<InPlaneRow> in_plane_rows = {
+      {InPlaneSupport::held, "held", {true, true}},
+      {InPlaneSupport::sliding, "sliding", {false, false}},
+      {InPlaneSupport::held_along, "held along", {false, true}},
+      {InPlaneSupport::held_across, "held across", {true, false}}};
+
+    /// Of both rotations and displacements in a plane of symmetry.
+    constexpr Held mirrored = {true, false};
+
+
+
+    /// Of the middle surface at an edge.
+    Held
+    held_in_plane(const types::boundary_id    edge,
+                  const EdgeSupport           support,
+                  const InPlaneSupportOfEdge &in_plane)
+    {
+      return row_of(support, support_rows).deflection ?
+        row_of(in_plane.at(edge), in_plane_rows).displacements :
+        Held{false, false};
+    }
+
+
+
+    /// Holds components on edges.
+    class EdgeHolder
+    {
+    public:
+      EdgeHolder(const DoFHandler<2>       &dof_handler,
+                 AffineConstraints<double> &constraints)
+        : dof_handler(dof_handler)
+        , constraints(constraints)
+      {}
+
+      void
+      hold(const types::boundary_id edge, const unsigned int component)
+      {
+        ComponentMask mask(dof_handler.get_fe().n_components(), false);
+        mask.set(component, true);
         DoFTools::make_zero_boundary_constraints(dof_handler,
                                                  edge,
                                                  constraints,
                                                  mask);
-    }
+      }
 
 
 
-    /// An edge whose normal is x or y.
+      /// A vector whose first component is given.
+      void
+      hold(const types::boundary_id edge,
+           const Held              &held,
+           const unsigned int       first)
+      {
+        const bool is_across_y = edge == symmetry_y || edge == edge_y;
+        const bool is_straight =
+          is_across_y || edge == symmetry_x || edge == edge_x;
+        if (is_straight || held.normal == held.tangential)
+          {
+            if (held.normal)
+              hold(edge, first + is_across_y);
+            if (held.tangential)
+              hold(edge, first + !is_across_y);
+          }
+        else
+          (held.normal ? held_across : held_along)[first].insert(edge);
+      }
+
+
+
+      /// Edges that run in any direction, after all others.
+      void
+      hold_oblique()
+      {
+        for (const auto &[first, edges] : held_along)
+          {
+            hold_corners(edges, first);
+            VectorTools::compute_normal_flux_constraints(dof_handler,
+                                                         first,
+                                                         edges,
+                                                         constraints,
+                                                         curved_mapping());
+          }
+        for (const auto &[first, edges] : held_across)
+          {
+            hold_corners(edges, first);
+            VectorTools::compute_no_normal_flux_constraints(dof_handler,
+                                                            first,
+                                                            edges,
+                                                            constraints,
+                                                            curved_mapping());
+          }
+      }
+
+    private:
+      using Edges = std::set<types::boundary_id>;
+
+      /// Both components where two edges, or two sides of one, meet at an angle
+      /// and each holds that along its own tangent or normal.
+      void
+      hold_corners(const Edges &edges, unsigned int first);
+
+      const DoFHandler<2>          &dof_handler;
+      AffineConstraints<double>    &constraints;
+      std::map<unsigned int, Edges> held_along, held_across; ///< by component
+    };
+
+
+
     void
-    hold_straight(const DoFHandler<2>       &dof_handler,
-                  const types::boundary_id   edge,
-                  const Support             &support,
-                  AffineConstraints<double> &constraints)
-    {
-      std::array<bool, n_components> held = {{support.deflection,
-                                              support.normal_rotation,
-                                              support.tangential_rotation}};
-      if (edge == symmetry_y || edge == edge_y)
-        std::swap(held[rotation_x], held[rotation_y]);
-      hold(dof_handler, edge, held, constraints);
-    }
-
-
-
-    /// Both rotations where two edges, or two sides of one, meet at an angle
-    /// and each holds the rotation along its own tangent.
-    void
-    hold_corners(const DoFHandler<2>                &dof_handler,
-                 const std::set<types::boundary_id> &edges,
-                 AffineConstraints<double>          &constraints)
+    EdgeHolder::hold_corners(const Edges &edges, const unsigned int first)
     {
       // a mean normal, which deal.II takes at vertices of several cells, is
       // that of a smooth edge
@@ -112,7 +182,7 @@ namespace PlateImpact
                   normals.insert({face->vertex_index(v), normal});
                 if (is_new || std::abs(known->second * normal) > least_cosine)
                   continue;
-                for (const unsigned int component : {rotation_x, rotation_y})
+                for (const unsigned int component : {first, first + 1})
                   if (const auto dof = face->vertex_dof_index(v, component);
                       !constraints.is_constrained(dof))
                     constraints.add_line(dof);
@@ -127,53 +197,65 @@ namespace PlateImpact
   const std::vector<Word<EdgeSupport>>
     Choices<EdgeSupport>::words = words_of(support_rows);
 
+  template <>
+  const std::vector<Word<InPlaneSupport>>
+    Choices<InPlaneSupport>::words = words_of(in_plane_rows);
+
 
 
   bool
   hold_deflection(const SupportOfEdge &supports)
   {
-    return std::any_of(
-      supports.begin(),
-      supports.end(),
-      [](const auto &of_edge) {
-        return row_of(of_edge.second, support_rows).held.deflection;
-      });
+    return std::any_of(supports.begin(),
+                       supports.end(),
+                       [](const auto &of_edge) {
+                         return row_of(of_edge.second, support_rows).deflection;
+                       });
+  }
+
+
+
+  bool
+  hold_in_plane(const SupportOfEdge        &supports,
+                const InPlaneSupportOfEdge &in_plane)
+  {
+    return std::any_of(supports.begin(),
+                       supports.end(),
+                       [&](const auto &of_edge) {
+                         const Held held = held_in_plane(of_edge.first,
+                                                         of_edge.second,
+                                                         in_plane);
+                         return held.normal || held.tangential;
+                       });
   }
 
 
 
   void
-  hold_edges(const DoFHandler<2>       &dof_handler,
-             const SupportOfEdge       &supports,
-             AffineConstraints<double> &constraints)
+  hold_edges(const DoFHandler<2>        &dof_handler,
+             const SupportOfEdge        &supports,
+             const InPlaneSupportOfEdge &in_plane,
+             AffineConstraints<double>  &constraints)
   {
-    hold_straight(dof_handler, symmetry_x, symmetry_plane, constraints);
-    hold_straight(dof_handler, symmetry_y, symmetry_plane, constraints);
-    // edges that run in any direction and hold the rotation along it
-    std::set<types::boundary_id> held_along;
-    for (const auto &[edge, name] : supports)
+    EdgeHolder holder(dof_handler, constraints);
+    const bool stretches = dof_handler.get_fe().n_components() > displacement_x;
+    for (const types::boundary_id plane : {symmetry_x, symmetry_y})
       {
-        const Support &support = row_of(name, support_rows).held;
-        if (edge == edge_x || edge == edge_y)
-          {
-            hold_straight(dof_handler, edge, support, constraints);
-            continue;
-          }
-        const bool holds_both = support.normal_rotation;
-        hold(dof_handler,
-             edge,
-             {{support.deflection, holds_both, holds_both}},
-             constraints);
-        if (support.tangential_rotation && !holds_both)
-          held_along.insert(edge);
+        holder.hold(plane, mirrored, rotation_x);
+        if (stretches)
+          holder.hold(plane, mirrored, displacement_x);
       }
-    if (held_along.empty())
-      return;
-    hold_corners(dof_handler, held_along, constraints);
-    VectorTools::compute_normal_flux_constraints(dof_handler,
-                                                 rotation_x,
-                                                 held_along,
-                                                 constraints,
-                                                 curved_mapping());
+    for (const auto &[edge, support] : supports)
+      {
+        const SupportRow &row = row_of(support, support_rows);
+        if (row.deflection)
+          holder.hold(edge, deflection);
+        holder.hold(edge, row.rotations, rotation_x);
+        if (stretches)
+          holder.hold(edge,
+                      held_in_plane(edge, support, in_plane),
+                      displacement_x);
+      }
+    holder.hold_oblique();
   }
 } // namespace PlateImpact

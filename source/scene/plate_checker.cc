@@ -3,6 +3,7 @@
 #include "plate_impact/base/text.h"
 #include "plate_impact/plate/plate_file.h"
 #include "plate_impact/plate/plate_geometry.h"
+#include "plate_impact/plate/plate_mesh.h"
 #include "plate_impact/plate/plate_section.h"
 #include "plate_impact/plate/ply.h"
 #include "plate_impact/scene/scene_checker.h"
@@ -75,13 +76,7 @@ namespace PlateImpact
                  0.);
         check_ply();
       }
-    const PlateSection section(plate);
-    if (section.is_unsymmetric())
-      refuse({"Plate/Layup"},
-             "is not symmetric, so that bending stretches the middle surface, "
-             "for which the plate has no unknowns; expected a symmetric "
-             "lay-up, as with an s at the end");
-    plate.twists_when_bent = section.twists_when_bent();
+    plate.is_skew = PlateSection(plate).is_skew();
   }
 
 
@@ -115,33 +110,34 @@ namespace PlateImpact
 
 
 
+  template <typename Support>
   void
-  SceneChecker::check_edges()
+  SceneChecker::check_edges(const std::string                  &entry,
+                            const std::vector<OnEdge<Support>> &supports)
   {
-    const auto &supports = plate.supports;
-    const bool  is_named = !supports.front().edge.empty();
+    const bool is_named = !supports.front().edge.empty();
     if (!plate.is_from_file())
       {
         if (is_named)
-          refuse({"Plate/Support", "Plate/Outline"},
+          refuse({entry, "Plate/Outline"},
                  "names edges, which only an outline from a file has; expected "
                  "one word, or two for the x and the y edges");
         else if (plate.is_circle() && supports.size() > 1)
-          refuse({"Plate/Support", "Plate/Outline"},
+          refuse({entry, "Plate/Outline"},
                  "are two supports, and a circle has one edge; expected one "
                  "word");
         return;
       }
     const auto              &edges = plate.file->edges;
     std::vector<std::string> named, quoted;
-    for (const EdgeSupports &support : supports)
+    for (const OnEdge<Support> &support : supports)
       named.push_back(support.edge);
     for (const std::string &edge : edges)
       quoted.push_back(edge.empty() ? "sides in no physical group" :
                                       "'" + edge + "'");
     const std::string names = fmt::format("{}", fmt::join(quoted, ", "));
     if (!is_named && supports.size() > 1)
-      return refuse({"Plate/Support", "Plate/Outline"},
+      return refuse({entry, "Plate/Outline"},
                     "are two supports without edges; expected one word, or "
                     "pairs edge: word for the edges of " +
                       plate.outline.file + ", " + names);
@@ -149,14 +145,14 @@ namespace PlateImpact
       return;
     for (const std::string &edge : named)
       if (std::count(edges.begin(), edges.end(), edge) == 0)
-        refuse({"Plate/Support", "Plate/Outline"},
+        refuse({entry, "Plate/Outline"},
                "names an edge '" + edge + "', which " + plate.outline.file +
                  " does not have; expected " + names);
       else if (std::count(named.begin(), named.end(), edge) > 1)
-        return refuse({"Plate/Support"}, "names the edge '" + edge + "' twice");
+        return refuse({entry}, "names the edge '" + edge + "' twice");
     for (const std::string &edge : edges)
       if (std::count(named.begin(), named.end(), edge) == 0)
-        refuse({"Plate/Support", "Plate/Outline"},
+        refuse({entry, "Plate/Outline"},
                edge.empty() ?
                  "names no support for sides of " + plate.outline.file +
                    " that belong to no physical group; expected a group for "
@@ -197,7 +193,8 @@ namespace PlateImpact
              "m is too thick for a plate theory; expected at most half the "
              "shorter side, " +
                number(half_side) + " m");
-    check_edges();
+    check_edges("Plate/Support", plate.supports);
+    check_edges("Plate/In-plane support", plate.in_plane_supports);
     check_extent();
     const double to_edge = parameters.has_impactor() ?
       geometry_of(plate)->distance_to_edge() :

@@ -214,6 +214,11 @@ namespace PlateImpact
              "is below half of Newmark gamma, so that the scheme is unstable "
              "on fine meshes; expected at least " +
                number(0.5 * time.newmark_gamma));
+    if (plate.has_large_deflection() &&
+        (time.newmark_beta != 0.25 || time.newmark_gamma != 0.5))
+      refuse({"Plate/Deflection", "Time/Newmark beta", "Time/Newmark gamma"},
+             "is integrated by the midpoint rule, which conserves energy; "
+             "expected Newmark beta = 0.25 and Newmark gamma = 0.5");
     if (contact.integration == ForceIntegration::energy_conserving &&
         (time.newmark_beta != 0.25 || time.newmark_gamma != 0.5))
       refuse({"Contact/Integration", "Time/Newmark beta", "Time/Newmark gamma"},
@@ -252,6 +257,11 @@ namespace PlateImpact
                "and Coarsened share of " + what + " are together more than 1");
     if (adaptivity.goal != AdaptationGoal::peak_force)
       return;
+    if (plate.has_large_deflection())
+      refuse({"Adaptivity/Goal", "Plate/Deflection"},
+             "needs a linear plate, whose forces answer in proportion; "
+             "expected Goal = energy norm under large deflections, with Verify "
+             "= true for an error of the force");
     if (contact.load_is_singular())
       refuse({"Adaptivity/Goal", "Contact/Load distribution"},
              "has no meaning under a point load, whose peak force has no limit "

@@ -1,72 +1,14 @@
 #include "plate_impact/transient/full_system.h"
 
 #include "plate_impact/base/exceptions.h"
-#include "plate_impact/base/stage_clock.h"
+#include "plate_impact/transient/large_deflection_stepper.h"
+#include "plate_impact/transient/plate_stepper.h"
 
 #include <limits>
 #include <utility>
 
 namespace PlateImpact
 {
-  namespace
-  {
-    /// A += c B, of which every entry has one in A. Columns are in order.
-    void
-    add(const double c, const Epetra_CrsMatrix &B, Epetra_CrsMatrix &A)
-    {
-      int    *A_rows, *A_columns, *B_rows, *B_columns;
-      double *A_values, *B_values;
-      A.ExtractCrsDataPointers(A_rows, A_columns, A_values);
-      B.ExtractCrsDataPointers(B_rows, B_columns, B_values);
-      for (int row = 0; row < B.NumMyRows(); ++row)
-        for (int b = B_rows[row], a = A_rows[row]; b < B_rows[row + 1]; ++a)
-          if (A_columns[a] == B_columns[b])
-            A_values[a] += c * B_values[b++];
-    }
-  } // namespace
-
-
-
-  void
-  EffectiveStiffness::factorize(const double c)
-  {
-    if (c == factorized_for)
-      return;
-    StageClock clock;
-    factorized_for.reset();
-    sum = std::make_unique<Epetra_CrsMatrix>(discretization.stiffness());
-    add(c, discretization.mass(), *sum);
-    solver->factorize(*sum);
-    factorized_for = c;
-    ++done.factorizations;
-    clock.charge(done.factorization_seconds);
-  }
-
-
-
-  void
-  EffectiveStiffness::solve(const double           c,
-                            const Eigen::VectorXd &b,
-                            Eigen::VectorXd       &x)
-  {
-    factorize(c);
-    solver->solve(b, x);
-    ++done.linear_solves;
-  }
-
-
-
-  void
-  EffectiveStiffness::multiply(const double           c,
-                               const Eigen::VectorXd &x,
-                               Eigen::VectorXd       &y)
-  {
-    factorize(c);
-    y.noalias() = as_eigen(*sum) * x;
-  }
-
-
-
   FullSystem::FullSystem(std::shared_ptr<EffectiveStiffness> shared_matrices,
                          const Eigen::VectorXd              &load)
     : matrices(std::move(shared_matrices))
@@ -94,6 +36,16 @@ namespace PlateImpact
 
 
 
+  std::unique_ptr<PlateMotion>
+  FullSystem::motion(const NewmarkScheme &scheme)
+  {
+    if (is_linear())
+      return std::make_unique<PlateStepper>(scheme, *this);
+    return std::make_unique<LargeDeflectionStepper>(scheme, *matrices, u);
+  }
+
+
+
   double
   FullSystem::static_compliance()
   {
@@ -107,13 +59,21 @@ namespace PlateImpact
   double
   FullSystem::computed_compliance()
   {
-    const double infinite = std::numeric_limits<double>::infinity();
-    if (matrices->discretization.is_free())
+    const double infinite            = std::numeric_limits<double>::infinity();
+    const PlateDiscretization &plate = matrices->discretization;
+    // strains of the middle surface that fit no displacements may take less
+    // energy than those of a linear plate where bending causes them
+    if (plate.is_free() ||
+        (plate.is_nonlinear() && plate.section().is_unsymmetric()))
       return infinite;
     Eigen::VectorXd x, residual;
     try
       {
-        solve(0., u, x);
+        // a rigid motion in the plane, which the load does not excite, is kept
+        // out by a little of M
+        solve(plate.is_free_in_plane() ? 1e-6 * plate.square_of_bending() : 0.,
+              u,
+              x);
       }
     catch (const ComputationError &)
       {

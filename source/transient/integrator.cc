@@ -13,7 +13,8 @@ namespace PlateImpact
   {
     const NewmarkScheme scheme(time);
     // the work of the force is the plate's energy where nothing dissipates it
-    if (scheme.conserves_energy() && system.damping() == 0.)
+    if (scheme.conserves_energy() && system.damping() == 0. &&
+        system.is_linear())
       return response(system).impact(contact, impactor, n_steps);
     TimeStepper stepper(scheme, system, contact, integration, impactor);
     stepper.advance(n_steps);

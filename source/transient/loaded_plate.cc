@@ -157,7 +157,8 @@ namespace PlateImpact
   std::optional<Sensitivity>
   LoadedPlate::sensitivity(const ContactHistory &history) const
   {
-    if (history.n_contacts() < 2)
+    // a plate with large deflections would have to be stepped once more
+    if (history.n_contacts() < 2 || !system.is_linear())
       return {};
     const double change = 1e-6, unpredictable = 1e-3;
     Impactor     faster = impactor;
@@ -196,7 +197,8 @@ namespace PlateImpact
   std::optional<PeakForceProblem>
   LoadedPlate::peak_force_problem(const ContactHistory &history) const
   {
-    if (!scheme.conserves_energy() || history.peak().force <= 0. ||
+    if (!scheme.conserves_energy() || !system.is_linear() ||
+        history.peak().force <= 0. ||
         history.peak().time > most_steps_to_peak * scheme.dt)
       return {};
     // on the mesh it would take three more transients up to the peak

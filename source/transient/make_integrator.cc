@@ -30,7 +30,9 @@ namespace PlateImpact
                   const ContactIntegration &integration,
                   const bool                needs_fields)
   {
-    return row_of(time.integrator, integrators)
+    const IntegratorType type =
+      mesh.system.is_linear() ? time.integrator : IntegratorType::Newmark;
+    return row_of(type, integrators)
       .make(mesh, time, integration, needs_fields);
   }
 

@@ -1,7 +1,5 @@
 #include "plate_impact/transient/natural_frequencies.h"
 
-#include <deal.II/grid/grid_tools.h>
-
 #include "plate_impact/base/exceptions.h"
 
 // Anasazi's and Teuchos' templates make warnings of their own.
@@ -57,19 +55,6 @@ namespace PlateImpact
             Eigen::Map<Eigen::VectorXd>(Y[column], Y.MyLength()) = multiply(
               Eigen::Map<const Eigen::VectorXd>(X[column], X.MyLength()));
         }));
-    }
-
-
-
-    /// Of the order of the square of the lowest frequency: bending of a square
-    /// of the area of the mesh. [1/s^2]
-    double
-    shift(const PlateDiscretization &discretization)
-    {
-      const PlateSection &section = discretization.section();
-      const double area = dealii::GridTools::volume(discretization.mesh());
-      return section.mean_bending_stiffness() / section.mass_per_area /
-        (area * area);
     }
 
 
@@ -161,14 +146,16 @@ namespace PlateImpact
   {
     const PlateDiscretization &discretization = matrices.discretization;
     // planes of symmetry let a free plate move, but not turn across them
-    const unsigned int n_rigid  = !discretization.is_free() ? 0 :
-       discretization.n_parts() > 2.                        ? 1 :
-       discretization.n_parts() > 1.                        ? 2 :
-                                                              3;
+    const bool is_free          = discretization.is_free(),
+               is_free_in_plane = discretization.is_free_in_plane();
+    const double       n_parts  = discretization.n_parts();
+    const unsigned int n_rigid  = n_parts > 2. ? is_free :
+       n_parts > 1. ? 2 * is_free + is_free_in_plane :
+                      3 * is_free + 3 * is_free_in_plane;
     const unsigned int n_wanted = std::min(n, discretization.n_unknowns() / 4);
     if (n_wanted == 0)
       return {};
-    const double              c = shift(discretization);
+    const double              c = discretization.square_of_bending();
     const std::vector<double> squares =
       lowest_squares(matrices, c, n_wanted + n_rigid);
     std::vector<double> result;

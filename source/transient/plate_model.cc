@@ -38,7 +38,7 @@ namespace PlateImpact
   PlateModel::PlateModel(const PlateParameters          &plate,
                          const DiscretizationParameters &discretization,
                          std::unique_ptr<dealii::Triangulation<2>> part)
-    : element(discretization.element)
+    : element(discretization.element, PlateSection(plate).stretching())
     , mesh(std::move(part))
     , linear_solver(discretization.linear_solver)
     , loss_factor(plate.loss_factor)
@@ -167,7 +167,7 @@ namespace PlateImpact
     for (const auto &[key, loaded] : loaded_meshes)
       work.ritz_vectors += loaded->n_vectors();
     if (matrices != nullptr)
-      static_cast<EffectiveStiffness::Work &>(work) = matrices->work();
+      static_cast<SolverWork &>(work) = matrices->work();
     return work;
   }
 } // namespace PlateImpact

@@ -47,7 +47,7 @@ namespace PlateImpact
 
 
 
-  void
+  std::optional<double>
   PlateStepper::end_step(const double at_begin, const double at_end)
   {
     const double force = at_end + scheme.c2 * at_begin;
@@ -96,6 +96,7 @@ namespace PlateImpact
         if (Kv.size() > 0)
           Kv = from_increment * K_increment + from_v * Kv;
       }
+    return {};
   }
 
 

@@ -1,5 +1,7 @@
 #include "plate_impact/transient/reduced_system.h"
 
+#include "plate_impact/transient/plate_stepper.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -144,4 +146,11 @@ namespace PlateImpact
       x[i - 1] -= factor[i] * x[i];
   }
 
+
+
+  std::unique_ptr<PlateMotion>
+  ReducedSystem::motion(const NewmarkScheme &scheme)
+  {
+    return std::make_unique<PlateStepper>(scheme, *this);
+  }
 } // namespace PlateImpact

@@ -1,6 +1,10 @@
 #include "plate_impact/transient/time_stepper.h"
 
+#include "plate_impact/base/exceptions.h"
+#include "plate_impact/base/text.h"
+
 #include <cmath>
+#include <fmt/format.h>
 
 namespace PlateImpact
 {
@@ -11,19 +15,41 @@ namespace PlateImpact
     const double at_begin = integration.acts_at_begin() ? 1. : 0.;
     for (unsigned int step = 0; step < n_steps; ++step)
       {
-        const double free =
-          plate_stepper.begin_step(impactor_stepper.begin_step());
-        const double phi =
-          impactor_stepper.contact_force(free,
-                                         (1. + scheme.c2 * at_begin) *
-                                           plate_stepper.unit_displacement());
-        plate_stepper.end_step(at_begin * phi, phi);
+        std::optional<double> free =
+          plate_motion->begin_step(impactor_stepper.begin_step());
+        double phi = 0.;
+        while (free)
+          {
+            phi = impactor_stepper.contact_force(
+              *free,
+              (1. + scheme.c2 * at_begin) * plate_motion->unit_displacement());
+            free = end_plate_step(at_begin * phi, phi);
+          }
         impactor_stepper.end_step(phi,
-                                  plate_stepper.displacement(),
-                                  plate_stepper.energy(),
-                                  plate_stepper.dissipated_energy());
+                                  plate_motion->displacement(),
+                                  plate_motion->energy(),
+                                  plate_motion->dissipated_energy());
         if (!impact().separation_time && is_out_of_reach())
           impactor_stepper.separate();
+      }
+  }
+
+
+
+  std::optional<double>
+  TimeStepper::end_plate_step(const double at_begin, const double at_end)
+  {
+    try
+      {
+        return plate_motion->end_step(at_begin, at_end);
+      }
+    catch (const ComputationError &error)
+      {
+        const double time = state().time + scheme.dt;
+        throw ComputationError(fmt::format("step {} (t = {}): {}",
+                                           std::lround(time / scheme.dt),
+                                           number(time, "s"),
+                                           error.what()));
       }
   }
 

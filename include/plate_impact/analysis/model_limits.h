@@ -80,6 +80,8 @@ namespace PlateImpact
     void
     check_plate();
     void
+    check_slopes(double mean_slope);
+    void
     check_contact();
     /// The local response is a static one: measured (tests/layer/layer.py,
     /// doc/theory.md), a force is 0.3 % too large where the contact lasts ten

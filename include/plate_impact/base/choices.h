@@ -28,6 +28,21 @@ namespace PlateImpact
     free
   };
 
+  /// What holds the middle surface of an edge that holds the deflection.
+  enum class InPlaneSupport
+  {
+    held,
+    sliding,
+    held_along,
+    held_across
+  };
+
+  enum class DeflectionTheory
+  {
+    linear,
+    large ///< von Karman
+  };
+
   enum class ImpactorShape
   {
     sphere,
@@ -179,6 +194,8 @@ namespace PlateImpact
 
   template <>
   const std::vector<Word<EdgeSupport>> Choices<EdgeSupport>::words;
+  template <>
+  const std::vector<Word<InPlaneSupport>> Choices<InPlaneSupport>::words;
   template <>
   const std::vector<Word<ImpactorShape>> Choices<ImpactorShape>::words;
   template <>

@@ -28,10 +28,11 @@ namespace PlateImpact
 
   /// A support and the edge that it is on; empty: those of a file without
   /// names, the one edge or the x and the y edges.
-  struct EdgeSupports
+  template <typename Support>
+  struct OnEdge
   {
     std::string edge;
-    EdgeSupport support;
+    Support     support;
   };
 
 
@@ -72,23 +73,33 @@ namespace PlateImpact
     double                loss_factor;    ///< at the first natural frequency
     double                shear_correction_factor; ///< 0: by equilibrium
     /// one, x edges and y edges, or those of a file by their names
-    std::vector<EdgeSupports> supports;
-    std::array<double, 2>     impact_point = {{0., 0.}}; ///< from the centre
-    Outline                   outline;
-    Layup                     layup;
-    PlyParameters             ply;
+    std::vector<OnEdge<EdgeSupport>> supports;
+    /// of edges that hold the deflection
+    std::vector<OnEdge<InPlaneSupport>> in_plane_supports = {
+      {"", InPlaneSupport::held}};
+    DeflectionTheory      deflection   = DeflectionTheory::linear;
+    std::array<double, 2> impact_point = {{0., 0.}}; ///< from the centre
+    Outline               outline;
+    Layup                 layup;
+    PlyParameters         ply;
 
     void
     declare_entries(Entries &entries);
 
     // what follows from the entries
-    bool twists_when_bent = false;         ///< D_16 or D_26 is not zero
+    bool is_skew = false;                  ///< the section mirrors in no line
     std::shared_ptr<const PlateFile> file; ///< for an outline from one
 
     bool
     is_laminate() const
     {
       return !layup.angles.empty();
+    }
+
+    bool
+    has_large_deflection() const
+    {
+      return deflection == DeflectionTheory::large;
     }
 
     bool

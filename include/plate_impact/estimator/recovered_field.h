@@ -23,21 +23,24 @@ namespace PlateImpact
     using Cell = dealii::Triangulation<2>::active_cell_iterator;
 
     /// Resultants at the 2x2 Gauss points of a cell, by active index: 4 rows by
-    /// 5 n columns, resultant n + field.
+    /// m n columns, resultant n + field.
     using Sampler = std::function<RowMajorMatrix(unsigned int cell)>;
 
     /// @param recovery  must outlive this object
-    RecoveredField(const StressRecovery &recovery, Sampler sampler);
+    RecoveredField(const StressRecovery &recovery,
+                   unsigned int          n_resultants,
+                   Sampler               sampler);
 
-    /// A factor times the strains of fields, recovered.
+    /// A factor times the strains of fields, recovered. With large deflections
+    /// each of them is a state, and not a combination of some.
     /// @param discretization, recovery, fields  must outlive this object
     RecoveredField(const PlateDiscretization               &discretization,
                    const StressRecovery                    &recovery,
-                   const Eigen::Matrix<double, 5, 5>       &factor,
+                   const Eigen::MatrixXd                   &factor,
                    const Eigen::Ref<const Eigen::MatrixXd> &fields);
 
     /// Recovered resultants at points of the reference cell.
-    /// @param values  set to a row per point by 5 n columns
+    /// @param values  set to a row per point by m n columns
     void
     evaluate(const Cell                          &cell,
              const std::vector<dealii::Point<2>> &unit_points,
@@ -52,6 +55,7 @@ namespace PlateImpact
     fit(unsigned int patch);
 
     const StressRecovery &recovery;
+    const unsigned int    n_resultants;
     const Sampler         sampler;
 
     /// of cells and of patches; empty when not needed yet or no longer
@@ -64,7 +68,8 @@ namespace PlateImpact
 
   /// Resultants of n fields at the quadrature points of a cell, and what the
   /// recovery changes of them, as the roots of energies: the squares of a
-  /// column, five rows per point, sum up to the integral over the cell.
+  /// column, a row per point and resultant, sum up to the integral over the
+  /// cell.
   struct EnergyRoots
   {
     /// All must outlive this object.
@@ -77,30 +82,31 @@ namespace PlateImpact
     void
     evaluate(const RecoveredField::Cell &cell);
 
-    const PlateDiscretization        &discretization;
-    const Eigen::MatrixXd            &fields;
-    const Eigen::Matrix<double, 5, 5> factor; ///< of resultants, from strains
-    RecoveredField                    recovered; ///< with that factor
-    RowMajorMatrix                    resultants, errors;
+    const PlateDiscretization &discretization;
+    const Eigen::MatrixXd     &fields;
+    const Eigen::MatrixXd      factor;    ///< of resultants, from strains
+    RecoveredField             recovered; ///< with that factor
+    RowMajorMatrix             resultants, errors;
   };
 
 
   /// A factor times the strains of n fields at points of a cell.
-  /// @param strains  of the cell at the points, five rows each
+  /// @param strains  of the cell at the points
   /// @param fields   unknowns of the plate, a column per field
-  /// @return a row per point by 5 n columns, resultant n + field
+  /// @return a row per point by m n columns, resultant n + field, with m
+  ///         resultants of the section
   RowMajorMatrix
   resultants_at(const PlateDiscretization               &discretization,
                 unsigned int                             cell,
-                const Eigen::Matrix<double, 5, 5>       &factor,
-                const CellOperator                      &strains,
+                const Eigen::MatrixXd                   &factor,
+                const CellStrains                       &strains,
                 const Eigen::Ref<const Eigen::MatrixXd> &fields);
 
-  /// The same, five rows per point by n columns.
+  /// The same, a row per point and resultant by n columns.
   Eigen::Map<const RowMajorMatrix>
-  by_resultant(const RowMajorMatrix &values);
+  by_resultant(const RowMajorMatrix &values, unsigned int n_resultants);
 
-  /// Recovered resultants of one state: 5 point + resultant for points of a
+  /// Recovered resultants of one state: m point + resultant for points of a
   /// cell, a column each.
   /// @param unit_points  on the reference cell
   Eigen::MatrixXd

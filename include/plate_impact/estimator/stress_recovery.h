@@ -23,7 +23,7 @@ namespace PlateImpact
 
 
   /// Superconvergent patch recovery (Zienkiewicz & Zhu 1992,
-  /// doi:10.1002/nme.1620330702; eqs. 9-15 of the paper) of the five stress
+  /// doi:10.1002/nme.1620330702; eqs. 9-15 of the paper) of the stress
   /// resultants from samples at the 2x2 Gauss points of every cell.
   ///
   /// Around each vertex a polynomial P a, P = [1, x, y, x^2, xy, y^2, x^2 y,
@@ -40,8 +40,8 @@ namespace PlateImpact
   /// the fit uses a rank-revealing orthogonal decomposition, not eq. 14.
   ///
   /// Samples are mirrored across the planes of symmetry: M_x and M_y are even,
-  /// M_xy odd across both, Q_x odd across x = 0 and even across y = 0, Q_y the
-  /// other way round.
+  /// M_xy odd across both, membrane forces the same, Q_x odd across x = 0 and
+  /// even across y = 0, Q_y the other way round.
   ///
   /// At a vertex on an edge of the plate the patches of neighbouring vertices
   /// in the interior are used, averaged. So they are at hanging vertices: the
@@ -61,8 +61,7 @@ namespace PlateImpact
   class StressRecovery
   {
   public:
-    static constexpr unsigned int n_terms = 8, n_resultants = 5,
-                                  samples_per_cell = 4;
+    static constexpr unsigned int n_terms = 8, samples_per_cell = 4;
 
     using Terms = Eigen::Matrix<double, 1, n_terms>;
 
@@ -94,12 +93,13 @@ namespace PlateImpact
       Terms
       polynomial(const dealii::Point<2> &point) const;
 
-      /// Coefficients a from samples of n fields at once: a row per term by 5 n
-      /// columns.
-      /// @param samples  of each cell: a row per Gauss point by 5 n columns,
+      /// Coefficients a from samples of n fields with m resultants at once: a
+      /// row per term by m n columns.
+      /// @param samples  of each cell: a row per Gauss point by m n columns,
       ///                 resultant n + field
       RowMajorMatrix
-      coefficients(const std::vector<RowMajorMatrix> &samples) const;
+      coefficients(const std::vector<RowMajorMatrix> &samples,
+                   unsigned int                       n_resultants) const;
     };
 
     /// Tells points across which no polynomial fits, as under a line load,

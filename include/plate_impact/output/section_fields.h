@@ -15,16 +15,18 @@ namespace PlateImpact
   struct SectionField
   {
     std::string         name, unit; ///< "moment M_x", "N"
-    std::array<bool, 2> is_odd;     ///< changes its sign across x = 0, y = 0
+    std::string         name_in_file;
+    std::array<bool, 2> is_odd; ///< changes its sign across x = 0, y = 0
     Eigen::VectorXd     values;
   };
 
-  /// The five resultants, and the largest stresses of the section under the
-  /// moments: von Mises at the faces, or the three of the plies.
-  /// @param resultants  M_x, M_y, M_xy [N], Q_x, Q_y [N/m], a column per point
+  /// The resultants, and the largest stresses of the section under them: von
+  /// Mises at the faces, or the three of the plies.
+  /// @param resultants  M_x, M_y, M_xy [N], Q_x, Q_y [N/m] and, of plates that
+  ///                    stretch, N_x, N_y, N_xy [N/m], a column per point
   std::vector<SectionField>
-  section_fields(const PlateSection                             &section,
-                 const Eigen::Matrix<double, 5, Eigen::Dynamic> &resultants);
+  section_fields(const PlateSection    &section,
+                 const Eigen::MatrixXd &resultants);
 } // namespace PlateImpact
 
 #endif

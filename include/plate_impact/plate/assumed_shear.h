@@ -10,12 +10,14 @@
 
 namespace PlateImpact
 {
-  /// Unknowns of a cell before constraints: nine nodes, three components.
-  constexpr int n_cell_dofs = 27;
+  /// Lagrange polynomial of the points of a rule that is 1 at point i.
+  double
+  lagrange(const dealii::Quadrature<1> &rule, unsigned int i, double x);
+
 
   /// Rows: numbers for each of some points of a cell, point by point. Columns:
   /// the unknowns of the cell in the order of the finite element.
-  using CellOperator = Eigen::Matrix<double, Eigen::Dynamic, n_cell_dofs>;
+  using CellOperator = Eigen::MatrixXd;
 
 
   /// The transverse shear strain that an element assumes in place of the one

@@ -19,7 +19,6 @@ namespace PlateImpact
   class FreeUnknowns
   {
   public:
-    /// @param dof_handler  one cell has n_cell_dofs
     /// @param constraints  closed; both must outlive this object
     void
     reinit(const dealii::DoFHandler<2>             &dof_handler,
@@ -53,11 +52,20 @@ namespace PlateImpact
 
     /// Values of a cell's nodal quantities.
     /// @param unknowns  size() x n
-    /// @param values    set to n_cell_dofs x n
+    /// @param values    set to dofs of the cell x n
     void
     cell_values(unsigned int                             cell,
                 const Eigen::Ref<const Eigen::MatrixXd> &unknowns,
                 Eigen::MatrixXd                         &values) const;
+
+    /// Values of the nodal quantities of all cells, a column each.
+    Eigen::MatrixXd
+    values_of_cells(const Eigen::VectorXd &unknowns) const;
+
+    /// Forces on the unknowns from those on the nodal quantities of all cells,
+    /// a column each.
+    Eigen::VectorXd
+    forces(const Eigen::MatrixXd &of_cells) const;
 
     /// Adds a force on nodal value i of a cell to the forces on the unknowns.
     void
@@ -76,6 +84,7 @@ namespace PlateImpact
 
   private:
     const dealii::AffineConstraints<double> *constraints = nullptr;
+    int                                      n_cell_dofs = 0;
     std::vector<int>          unknown_of_dof; ///< -1 for constrained ones
     std::vector<unsigned int> components;
 

@@ -15,6 +15,7 @@
 #include <Epetra_CrsMatrix.h>
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -80,10 +81,10 @@ namespace PlateImpact
     Eigen::VectorXd
     interpolate(const dealii::Function<2> &field) const;
 
-    /// Values of a cell's 27 nodal quantities, constraints resolved.
+    /// Values of a cell's nodal quantities, constraints resolved.
     /// @param cell      active cell index
     /// @param vectors  n_unknowns() x n
-    /// @param values   set to n_cell_dofs x n
+    /// @param values   set to dofs of a cell x n
     void
     cell_values(unsigned int                             cell,
                 const Eigen::Ref<const Eigen::MatrixXd> &vectors,
@@ -136,6 +137,50 @@ namespace PlateImpact
       return !holds_deflection;
     }
 
+    /// Of the order of the square of the lowest frequency: bending of a square
+    /// of the area of the mesh. [1/s^2]
+    double
+    square_of_bending() const;
+
+    /// Whether a plate that stretches can move as a rigid body in its plane.
+    bool
+    is_free_in_plane() const
+    {
+      return stretches() && !holds_in_plane;
+    }
+
+    bool
+    stretches() const
+    {
+      return plate_section.stretching() != Stretching::none;
+    }
+
+    /// Whether its strains are no linear function of the unknowns.
+    bool
+    is_nonlinear() const
+    {
+      return plate_section.stretching() == Stretching::large;
+    }
+
+    /// A matrix with the entries of K, summed over the parts of the plate.
+    /// @param of_cell  sets that of a cell, by active index
+    std::unique_ptr<Epetra_CrsMatrix>
+    assemble(
+      const std::function<void(unsigned int, CellMatrix &)> &of_cell) const;
+
+    /// As those of FreeUnknowns.
+    Eigen::MatrixXd
+    values_of_cells(const Eigen::VectorXd &vector) const
+    {
+      return unknowns.values_of_cells(vector);
+    }
+
+    Eigen::VectorXd
+    forces(const Eigen::MatrixXd &of_cells) const
+    {
+      return unknowns.forces(of_cells);
+    }
+
     const PlateElement &
     element() const
     {
@@ -172,7 +217,7 @@ namespace PlateImpact
     dealii::DoFHandler<2>             dofs;
     dealii::AffineConstraints<double> constraints;
 
-    const bool   holds_deflection;
+    const bool   holds_deflection, holds_in_plane;
     FreeUnknowns unknowns;
 
     std::vector<unsigned int> shape_of_cell;

@@ -15,7 +15,6 @@
 
 #include <Eigen/Core>
 
-#include <array>
 #include <vector>
 
 namespace PlateImpact
@@ -23,23 +22,37 @@ namespace PlateImpact
   /// Components of the unknowns at a node: deflection [m], positive in the
   /// direction of impact, and the rotations of the normal in the planes xz and
   /// yz [rad], which equal the slopes of the deflection where there is no
-  /// transverse shear: gamma = grad w - theta.
+  /// transverse shear: gamma = grad w - theta. Of plates that stretch the
+  /// displacements of the middle surface [m] as well.
   enum PlateComponent : unsigned int
   {
-    deflection = 0,
-    rotation_x = 1,
-    rotation_y = 2,
-    n_components
+    deflection     = 0,
+    rotation_x     = 1,
+    rotation_y     = 2,
+    displacement_x = 3,
+    displacement_y = 4
   };
 
-  using CellMatrix = Eigen::Matrix<double, n_cell_dofs, n_cell_dofs>;
+  using CellMatrix = Eigen::MatrixXd;
+
+  /// The strains of the section at some points of a cell, PlateSection::
+  /// n_resultants() numbers a point.
+  struct CellStrains
+  {
+    /// From the unknowns of the cell: curvatures, shear strains, strains of the
+    /// middle surface.
+    CellOperator linear;
+
+    /// Strains of the middle surface, three numbers a point, from the squares
+    /// of slopes (SlopeSquares). Of plates with large deflections only.
+    Eigen::MatrixXd of_squares;
+  };
 
   /// Everything about a cell that depends on its shape only, so that congruent
   /// cells share it.
   struct CellShape
   {
-    /// Curvatures and shear strains, five numbers a point.
-    CellOperator strains_at_quadrature, strains_at_samples;
+    CellStrains at_quadrature, at_samples;
 
     /// Weights of the quadrature points times the Jacobian determinant. [m^2]
     std::vector<double> weights;
@@ -49,10 +62,11 @@ namespace PlateImpact
   };
 
 
-  /// A Reissner-Mindlin plate element: FE_Q(2) for the deflection and both
-  /// rotations, 3x3 Gauss points, and an assumed transverse shear strain. What
-  /// is constrained at the centre node and how the shear is assumed makes the
-  /// element.
+  /// A Reissner-Mindlin plate element: FE_Q(2) for the deflection, both
+  /// rotations and, where the plate stretches, the displacements in its plane,
+  /// 3x3 Gauss points, and an assumed transverse shear strain. What is
+  /// constrained at the centre node and how the shear is assumed makes the
+  /// element. In its plane the plate has the nodes of the rotations.
   ///
   /// Constrained to -1/4 of the corners plus 1/2 of the midsides, the centre
   /// node turns FE_Q(2) into the 8-node serendipity element exactly.
@@ -68,12 +82,20 @@ namespace PlateImpact
   class PlateElement
   {
   public:
-    explicit PlateElement(ElementType type);
+    explicit PlateElement(ElementType type,
+                          Stretching  stretching = Stretching::none);
 
     const dealii::FESystem<2> &
     finite_element() const
     {
       return element;
+    }
+
+    /// Whether and how the plate stretches.
+    Stretching
+    stretching() const
+    {
+      return how_it_stretches;
     }
 
     const dealii::Quadrature<2> &
@@ -88,11 +110,16 @@ namespace PlateImpact
       const dealii::DoFHandler<2>       &dof_handler,
       dealii::AffineConstraints<double> &constraints) const;
 
-    /// Curvatures and shear strains at points of the reference cell, five rows
-    /// each.
-    CellOperator
+    /// Strains at points of the reference cell.
+    CellStrains
     strains_at(const dealii::Triangulation<2>::active_cell_iterator &cell,
                const std::vector<dealii::Point<2>> &unit_points) const;
+
+    /// Strains of states of a cell, with the squares of slopes.
+    /// @param nodal_values  dofs of the cell, a column per state
+    Eigen::MatrixXd
+    evaluate(const CellStrains     &strains,
+             const Eigen::MatrixXd &nodal_values) const;
 
     CellShape
     shape(const dealii::Triangulation<2>::active_cell_iterator &cell) const;
@@ -106,16 +133,19 @@ namespace PlateImpact
     mass(const CellShape &shape, const PlateSection &section) const;
 
   private:
-    CellOperator
+    CellStrains
     strains(const dealii::Triangulation<2>::active_cell_iterator &cell,
             const dealii::FEValues<2>                            &values) const;
+    bool
+    centre_is_constrained(unsigned int component) const;
 
-    std::array<bool, n_components> centre_is_constrained;
-    const AssumedShear             assumed_shear;
-    const dealii::FE_Q<2>          scalar_element;
-    const dealii::FESystem<2>      element;
-    const dealii::QGauss<2>        quadrature_points;
-    const dealii::QGauss<2>        samples; ///< 2x2, superconvergent
+    const ElementType         type;
+    const Stretching          how_it_stretches;
+    const AssumedShear        assumed_shear;
+    const dealii::FE_Q<2>     scalar_element;
+    const dealii::FESystem<2> element;
+    const dealii::QGauss<2>   quadrature_points;
+    const dealii::QGauss<2>   samples; ///< 2x2, superconvergent
   };
 } // namespace PlateImpact
 

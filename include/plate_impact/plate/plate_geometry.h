@@ -8,6 +8,8 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace PlateImpact
 {
@@ -21,6 +23,14 @@ namespace PlateImpact
     edge_round = 4, ///< the edge of a circle
     edge_named = 5  ///< the first edge of a file, followed by the others
   };
+
+
+  /// What holds each edge of a mesh, by its boundary id.
+  using SupportOfEdge = std::map<dealii::types::boundary_id, EdgeSupport>;
+
+  /// What holds the middle surface of those that hold the deflection.
+  using InPlaneSupportOfEdge =
+    std::map<dealii::types::boundary_id, InPlaneSupport>;
 
 
   /// What follows from the outline of a plate and the place of the impact:
@@ -56,8 +66,8 @@ namespace PlateImpact
     distance_to_edge(unsigned int axis) const = 0;
 
     /// Whether the plate mirrors in the line x = 0 (d = 0) or y = 0 (d = 1)
-    /// through the impact: what is meshed is then one side of it. A plate that
-    /// twists when bent mirrors in no line.
+    /// through the impact: what is meshed is then one side of it. A skew
+    /// section mirrors in no line.
     virtual bool
     is_symmetric(unsigned int d) const;
 
@@ -71,9 +81,17 @@ namespace PlateImpact
     double
     end(unsigned int d) const;
 
-    /// What holds the edges, by their boundary ids.
-    virtual std::map<dealii::types::boundary_id, EdgeSupport>
-    supports() const = 0;
+    /// Boundary ids of the edges and, from a file, their names.
+    virtual std::map<dealii::types::boundary_id, std::string>
+    edges() const = 0;
+
+    /// What holds each of them.
+    SupportOfEdge
+    supports() const;
+
+    /// What holds the middle surface there, where the deflection is held.
+    InPlaneSupportOfEdge
+    in_plane_supports() const;
 
     /// The part that symmetry leaves, with boundary and manifold ids.
     virtual void
@@ -90,6 +108,11 @@ namespace PlateImpact
 
   protected:
     const PlateParameters &plate;
+
+  private:
+    template <typename Support>
+    std::map<dealii::types::boundary_id, Support>
+    by_edge(const std::vector<OnEdge<Support>> &written) const;
   };
 
 

@@ -12,18 +12,27 @@ namespace PlateImpact
 {
   /// Stress resultants M_x, M_y, M_xy [N] and Q_x, Q_y [N/m], or the
   /// generalized strains conjugate to them: curvatures [1/m] and transverse
-  /// shear strains.
+  /// shear strains. Plates that stretch have the membrane forces N_x, N_y, N_xy
+  /// [N/m] and the strains of the middle surface after these.
   using Resultants = Eigen::Matrix<double, 5, 1>;
 
+  /// What a plate needs displacements in its plane for.
+  enum class Stretching
+  {
+    none,
+    linear, ///< a lay-up that is not symmetric
+    large   ///< slopes whose squares count
+  };
+
   /// The section of a Reissner-Mindlin plate, homogeneous and isotropic or a
-  /// symmetric laminate (classical lamination theory with first-order shear,
+  /// laminate (classical lamination theory with first-order shear,
   /// Reddy, Mechanics of Laminated Composite Plates and Shells, 2nd ed., secs.
   /// 2.4 and 3.4): what its strains cost, what it weighs, and which isotropic
   /// layer answers a contact as it does. The only place of the material. A flat
-  /// plate under transverse load has no membrane response, so the paper's
-  /// in-plane unknowns are left out; stresses are linear through the thickness,
-  /// or through each ply, so that resultants give the energies of its
-  /// through-thickness Gauss points.
+  /// plate of a symmetric section has no membrane response to a transverse load
+  /// as long as it deflects little, and the paper's in-plane unknowns are left
+  /// out; stresses are linear through the thickness, or through each ply, so
+  /// that resultants give the energies of its through-thickness Gauss points.
   struct PlateSection
   {
     explicit PlateSection(const PlateParameters &plate);
@@ -36,8 +45,12 @@ namespace PlateImpact
     /// moduli, or what equilibrium asks for (Ply). [N/m]
     Eigen::Matrix2d shear_stiffness;
 
-    /// Membrane forces per curvature, which a symmetric section does not have.
-    /// [N]
+    /// Membrane forces per strain of the middle surface. [N/m]
+    Eigen::Matrix3d membrane_stiffness;
+
+    /// Membrane forces per curvature, which a symmetric section does not have:
+    /// with z from the middle to the far face a fibre is strained by -z times
+    /// the curvature. [N]
     Eigen::Matrix3d coupling_stiffness;
 
     /// rho t. [kg/m^2]
@@ -67,13 +80,10 @@ namespace PlateImpact
     /// sqrt(D_11 D_22 (1 + eta) / 2), eta = (D_12 + 2 D_66) / sqrt(D_11 D_22)
     /// (Olsson, AIAA J. 30, 1992, p. 1587). [N m]
     /// With D_16 or D_26 the mean over directions of D^{-1/2}, to the power -2.
+    /// Of a section that is not symmetric with the middle surface relaxed, D - B
+    /// A^-1 B.
     double
     mean_bending_stiffness() const;
-
-    /// Moment per curvature of cylindrical bending along a direction. [N m]
-    /// @param angle  to x
-    double
-    bending_stiffness_along(double angle) const;
 
     /// Of all directions. [N/m]
     double
@@ -83,29 +93,53 @@ namespace PlateImpact
     double
     fastest_wave() const;
 
-    /// Whether bending is coupled with twisting, so that the plate mirrors in
-    /// no line.
+    /// Whether bending is coupled with twisting.
     bool
     twists_when_bent() const;
+
+    /// Whether the plate mirrors in no line: it twists when bent or stretched.
+    bool
+    is_skew() const;
 
     /// Whether bending stretches the middle surface.
     bool
     is_unsymmetric() const;
 
+    Stretching
+    stretching() const
+    {
+      return how_it_stretches;
+    }
+
+    /// 5, or 8 of plates that stretch.
+    unsigned int
+    n_resultants() const
+    {
+      return compliance.rows();
+    }
+
     /// sigma^T D^-1 sigma of resultants, the square of the energy norm in Table
     /// 1 of the paper per area: twice their strain energy. [J/m^2]
     double
-    squared_energy_norm(const Resultants &resultants) const;
+    squared_energy_norm(
+      const Eigen::Ref<const Eigen::VectorXd> &resultants) const;
 
     /// Resultants per strains; its bending part is bending_stiffness.
-    Eigen::Matrix<double, 5, 5>
+    Eigen::MatrixXd
     stiffness() const;
 
     /// R, upper triangular, with squared_energy_norm(s) = |R s|^2.
-    Eigen::Matrix<double, 5, 5>
+    Eigen::MatrixXd
     root_of_compliance() const;
 
-    /// Names of the stresses that moments cause at the faces: the paper's
+    /// The first resultants of which stresses() needs.
+    unsigned int
+    n_for_stresses() const
+    {
+      return how_it_stretches == Stretching::none ? 3 : 8;
+    }
+
+    /// Names of the stresses that they cause at the faces: the paper's
     /// effective stress, von Mises; of a ply those along and across its fibres
     /// and the shear stress between.
     const std::vector<std::string> &
@@ -113,19 +147,36 @@ namespace PlateImpact
 
     /// Their magnitudes, the larger of both faces of each ply: a row a ply, or
     /// one row, and a column a name. No transverse shear. [Pa]
+    /// @param resultants  n_for_stresses() or more
     Eigen::MatrixXd
-    stresses(double m_x, double m_y, double m_xy) const;
+    stresses(const Eigen::Ref<const Eigen::VectorXd> &resultants) const;
 
   private:
     void
     set_isotropic(const PlateParameters &plate);
     void
     set_laminate(const PlateParameters &plate);
+    void
+    set_compliance();
 
-    double                       thickness;
-    Eigen::Matrix3d              bending_compliance;
-    Eigen::Matrix2d              shear_compliance;
-    std::vector<Eigen::Matrix3d> stress_of_ply; ///< per moment [1/m^2]
+    /// Stresses of a ply at a face of it, z from the middle, per strain.
+    struct PlyFace
+    {
+      double          z;
+      Eigen::Matrix3d stress_per_strain, stress_per_moment;
+    };
+
+    /// Moments per curvature with the middle surface relaxed. [N m]
+    Eigen::Matrix3d
+    relaxed_stiffness() const;
+
+    double          thickness;
+    Stretching      how_it_stretches = Stretching::none;
+    Eigen::MatrixXd compliance; ///< strains per resultants
+
+    /// Both of each ply; of a symmetric section that does not stretch the outer
+    /// one.
+    std::vector<PlyFace> ply_faces;
   };
 } // namespace PlateImpact
 

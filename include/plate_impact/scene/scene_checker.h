@@ -89,8 +89,10 @@ namespace PlateImpact
     /// Outline, supports and what must lie within; needs the load's shape.
     void
     check_shape();
+    template <typename Support>
     void
-    check_edges();
+    check_edges(const std::string                  &entry,
+                const std::vector<OnEdge<Support>> &supports);
     void
     check_extent();
     /// Moves the singular points that the scene names to where the mesh has

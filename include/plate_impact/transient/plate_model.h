@@ -55,7 +55,7 @@ namespace PlateImpact
     }
 
     /// What was made so far.
-    struct Work : EffectiveStiffness::Work
+    struct Work : SolverWork
     {
       unsigned int loads            = 0;  ///< with time steps
       unsigned int ritz_vectors     = 0;  ///< a solve each

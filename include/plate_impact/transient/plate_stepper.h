@@ -3,6 +3,7 @@
 
 #include "plate_impact/contact/contact_solver.h"
 #include "plate_impact/transient/newmark_scheme.h"
+#include "plate_impact/transient/plate_motion.h"
 #include "plate_impact/transient/semidiscrete_system.h"
 
 #include <Eigen/Core>
@@ -11,65 +12,52 @@
 
 namespace PlateImpact
 {
-  /// The plate's side of a transient, from rest: steps of Newmark's method
-  /// under forces at their beginning and end. A damping b K adds g b K, g =
+  /// The motion of a linear plate. A damping b K adds g b K, g =
   /// gamma/(beta dt), to the matrix of a step, which stays K + c M up to a
-  /// factor. The free displacement of a step
-  /// is that for the part of the forces that does not depend on the step's end;
-  /// the unit response z_u = K*^-1 u belongs to the rest. The vectors K z and M
-  /// v follow from the solution of the step itself, so that a step costs one
-  /// solve, one product with K, and the energies nothing but scalar products.
-  class PlateStepper
+  /// factor. The free displacement of a step is that for the part of the forces
+  /// that does not depend on the step's end; the unit response z_u = K*^-1 u
+  /// belongs to the rest. The vectors K z and M v follow from the solution of
+  /// the step itself, so that a step costs one solve, one product with K, and
+  /// the energies nothing but scalar products.
+  class PlateStepper : public PlateMotion
   {
   public:
     /// Computes the unit response.
     /// @param plate  must outlive the stepper
     PlateStepper(const NewmarkScheme &scheme, SemidiscreteSystem &plate);
 
-    /// Begins a step.
-    /// @param begin_force  at its beginning [N]
-    /// @return displacement under the load at its end without further force [m]
     double
-    begin_step(double begin_force);
+    begin_step(double begin_force) override;
 
-    /// Displacement under the load at the end of a step for a unit force
-    /// there. [m/N]
     double
-    unit_displacement() const
+    unit_displacement() const override
     {
       return w_of_unit_response;
     }
 
-    /// Ends the step.
-    /// @param at_begin  further force at its beginning [N]
-    /// @param at_end    force at its end [N]
-    void
-    end_step(double at_begin, double at_end);
+    std::optional<double>
+    end_step(double at_begin, double at_end) override;
 
-    /// Under the load. [m]
     double
-    displacement() const
+    displacement() const override
     {
       return w;
     }
 
-    /// [J]
     double
-    energy() const
+    energy() const override
     {
       return 0.5 * (v.dot(Mv) + z.dot(Kz));
     }
 
-    /// By damping, so far; exact where the scheme conserves energy. [J]
     double
-    dissipated_energy() const
+    dissipated_energy() const override
     {
       return dissipated;
     }
 
-    /// z, the unknowns of the plate.
     const Eigen::VectorXd &
-    unknowns() const
+    unknowns() const override
     {
       return z;
     }

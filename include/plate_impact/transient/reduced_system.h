@@ -64,6 +64,9 @@ namespace PlateImpact
       return compliance;
     }
 
+    std::unique_ptr<PlateMotion>
+    motion(const NewmarkScheme &scheme) override;
+
     Span
     span(const Eigen::Ref<const Eigen::MatrixXd> &states) const override
     {

@@ -1,9 +1,13 @@
 #ifndef plate_impact_transient_semidiscrete_system_h
 #define plate_impact_transient_semidiscrete_system_h
 
+#include "plate_impact/transient/newmark_scheme.h"
+#include "plate_impact/transient/plate_motion.h"
+
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <memory>
 
 namespace PlateImpact
 {
@@ -40,6 +44,18 @@ namespace PlateImpact
     /// above it; infinite for a plate that is free to move. [m/N]
     virtual double
     static_compliance() = 0;
+
+    /// Whether it is all there is to say of the plate, so that responses may be
+    /// added up.
+    virtual bool
+    is_linear() const
+    {
+      return true;
+    }
+
+    /// From rest, in steps of a scheme. The system must outlive it.
+    virtual std::unique_ptr<PlateMotion>
+    motion(const NewmarkScheme &scheme) = 0;
 
     /// What spans the unknowns of the mesh in states of this system: a column
     /// of them for each of the first rows of a state, which are its

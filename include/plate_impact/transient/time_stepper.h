@@ -2,15 +2,18 @@
 #define plate_impact_transient_time_stepper_h
 
 #include "plate_impact/transient/impactor_stepper.h"
-#include "plate_impact/transient/plate_stepper.h"
+#include "plate_impact/transient/plate_motion.h"
 #include "plate_impact/transient/semidiscrete_system.h"
 
 #include <Eigen/Core>
 
+#include <memory>
+
 namespace PlateImpact
 {
   /// Integrates plate and impactor in time: Newmark's method for both and one
-  /// scalar contact equation per step (eqs. 19-31 of the paper).
+  /// scalar contact equation per step (eqs. 19-31 of the paper), of plates with
+  /// large deflections one per iteration of Newton's method.
   ///
   /// Without a force the average-acceleration scheme keeps the plate's energy
   /// E, and the displacement under the load never leaves +-sqrt(2 E c), c the
@@ -28,7 +31,7 @@ namespace PlateImpact
       : scheme(scheme)
       , plate(plate)
       , integration(integration)
-      , plate_stepper(scheme, plate)
+      , plate_motion(plate.motion(scheme))
       , impactor_stepper(scheme, contact, integration, impactor)
     {}
 
@@ -55,7 +58,7 @@ namespace PlateImpact
     const Eigen::VectorXd &
     displacement() const
     {
-      return plate_stepper.unknowns();
+      return plate_motion->unknowns();
     }
 
     /// So far.
@@ -66,15 +69,18 @@ namespace PlateImpact
     }
 
   private:
+    /// As PlateMotion::end_step(); an error names the step.
+    std::optional<double>
+    end_plate_step(double at_begin, double at_end);
     /// Whether the plate can never reach the impactor again.
     bool
     is_out_of_reach();
 
-    const NewmarkScheme       scheme;
-    SemidiscreteSystem       &plate;
-    const ContactIntegration &integration;
-    PlateStepper              plate_stepper;
-    ImpactorStepper           impactor_stepper;
+    const NewmarkScheme          scheme;
+    SemidiscreteSystem          &plate;
+    const ContactIntegration    &integration;
+    std::unique_ptr<PlateMotion> plate_motion;
+    ImpactorStepper              impactor_stepper;
   };
 } // namespace PlateImpact
 

@@ -1,0 +1,99 @@
+#ifndef plate_impact_transient_large_deflection_stepper_h
+#define plate_impact_transient_large_deflection_stepper_h
+
+#include "plate_impact/plate/large_deflection.h"
+#include "plate_impact/transient/effective_stiffness.h"
+#include "plate_impact/transient/newmark_scheme.h"
+#include "plate_impact/transient/plate_motion.h"
+
+#include <Eigen/Core>
+
+namespace PlateImpact
+{
+  /// The motion of a plate with large deflections. The scheme of a linear plate
+  /// that conserves energy, average acceleration, is the midpoint rule; with
+  /// LargeDeflection::mean_forces() f beside K (z_0 + z_1) / 2 it conserves the
+  /// energy of this plate as well. The increment d of a step solves
+  ///   (c_0 M + K) d + 2 f(z, z + d) = c_1 M v - 2 K z + (phi_0 + phi_1) u
+  /// by Newton's method, whose tangent is kept from one step to the next until
+  /// the steps take too many iterations.
+  class LargeDeflectionStepper : public PlateMotion
+  {
+  public:
+    /// @param scheme    conserves energy
+    /// @param matrices  of the plate; must outlive the stepper
+    /// @param load      as SemidiscreteSystem::load(); must outlive the stepper
+    LargeDeflectionStepper(const NewmarkScheme   &scheme,
+                           EffectiveStiffness    &matrices,
+                           const Eigen::VectorXd &load);
+
+    double
+    begin_step(double begin_force) override;
+
+    double
+    unit_displacement() const override
+    {
+      return w_of_unit_response;
+    }
+
+    std::optional<double>
+    end_step(double at_begin, double at_end) override;
+
+    double
+    displacement() const override
+    {
+      return w;
+    }
+
+    double
+    energy() const override
+    {
+      return 0.5 * (v.dot(Mv) + z.dot(Kz)) + now.energy;
+    }
+
+    double
+    dissipated_energy() const override
+    {
+      return dissipated;
+    }
+
+    const Eigen::VectorXd &
+    unknowns() const override
+    {
+      return z;
+    }
+
+  private:
+    /// About the increment that the step has got to.
+    /// @return displacement under the load without further force [m]
+    double
+    linearize();
+    void
+    renew_tangent();
+    void
+    accept();
+
+    const NewmarkScheme    scheme;
+    EffectiveStiffness    &matrices;
+    const Eigen::VectorXd &u;
+    const LargeDeflection  plate;
+    const double           damping; ///< b over the step [-]
+    Factorization          tangent;
+
+    Eigen::SparseMatrix<double, Eigen::RowMajor> linear; ///< of d
+    Eigen::VectorXd                              z, v, Kz, Mv;
+    StretchedPlate  now, next; ///< at the beginning and the end of the step
+    Eigen::VectorXd increment; ///< of the step
+    Eigen::VectorXd to_equilibrium, residual; ///< without further force
+    Eigen::VectorXd known_force;              ///< what does not depend on d
+    Eigen::VectorXd unit_response;
+    double          w = 0., w_of_unit_response = 0., dissipated = 0.;
+    double          largest_energy = 0.;
+
+    unsigned int n_iterations = 0, n_with_tangent = 0; ///< of the step
+    double last_change = 0., size_of_increment = 0.;   ///< in the energy norm
+    bool   tangent_is_old = false;
+  };
+} // namespace PlateImpact
+
+#endif

@@ -1,0 +1,57 @@
+#ifndef plate_impact_transient_plate_motion_h
+#define plate_impact_transient_plate_motion_h
+
+#include <Eigen/Core>
+
+#include <optional>
+
+namespace PlateImpact
+{
+  /// The plate's side of a transient, from rest: steps of Newmark's method
+  /// under forces at their beginning and end. What a step depends on the force
+  /// at its end is linear, or made so again until the step is in equilibrium.
+  class PlateMotion
+  {
+  public:
+    virtual ~PlateMotion() = default;
+
+    /// Begins a step.
+    /// @param begin_force  at its beginning [N]
+    /// @return displacement under the load at its end without further force [m]
+    virtual double
+    begin_step(double begin_force) = 0;
+
+    /// Displacement under the load at the end of a step for a unit force
+    /// there. [m/N]
+    virtual double
+    unit_displacement() const = 0;
+
+    /// Ends the step.
+    /// @param at_begin  further force at its beginning [N]
+    /// @param at_end    force at its end [N]
+    /// @return nothing; or, as begin_step(), a displacement of the plate
+    ///         linearized about where it is now, if that is no equilibrium: the
+    ///         step has to be ended again
+    /// @throws ComputationError when equilibrium is not found
+    virtual std::optional<double>
+    end_step(double at_begin, double at_end) = 0;
+
+    /// Under the load. [m]
+    virtual double
+    displacement() const = 0;
+
+    /// [J]
+    virtual double
+    energy() const = 0;
+
+    /// By damping, so far; exact where the scheme conserves energy. [J]
+    virtual double
+    dissipated_energy() const = 0;
+
+    /// z, the unknowns of the plate.
+    virtual const Eigen::VectorXd &
+    unknowns() const = 0;
+  };
+} // namespace PlateImpact
+
+#endif
