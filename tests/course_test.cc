@@ -71,7 +71,7 @@ namespace PlateImpact
             << entry.path();
           ++n_scenes;
         }
-      EXPECT_EQ(n_scenes, 13);
+      EXPECT_EQ(n_scenes, 14);
     }
 
 

@@ -204,6 +204,39 @@ namespace PlateImpact
 
 
 
+    // Ritz's method with polynomials (tests/stretch/ritz.py), to two
+    // thicknesses with edges that are held and to four with those that slide.
+    TEST(LargeDeflections, OfSquarePlatesAreThoseOfRitz)
+    {
+      for (const auto &given : reference("stretch_square.json"))
+        for (const ElementType type : all_elements())
+          {
+            const PlateParameters plate =
+              plate_with_large_deflection(given["support"] == "clamped" ?
+                                            EdgeSupport::clamped :
+                                            EdgeSupport::simply_supported,
+                                          given["in_plane"] == "held" ?
+                                            InPlaneSupport::held :
+                                            InPlaneSupport::sliding,
+                                          given["thickness"]);
+            std::vector<double> pressures;
+            for (const double load : given["load"])
+              pressures.push_back(load * std::pow(plate.thickness, 4));
+            const auto deflections =
+              static_deflections(plate, pressures, 8, type);
+            // it locks in shear, on a linear plate too
+            const double tolerance =
+              type == ElementType::serendipity_full ? 0.015 : 0.005;
+            for (std::size_t i = 0; i < pressures.size(); ++i)
+              EXPECT_NEAR(deflections[i] / given["deflection"][i].get<double>(),
+                          1.,
+                          tolerance)
+                << given["support"] << given["in_plane"] << i << ' ' << type;
+          }
+    }
+
+
+
     /// Unit square with the origin at its corner, no symmetry.
     struct BentStrip
     {
@@ -445,6 +478,176 @@ namespace PlateImpact
             << "at " << amplitude << " thicknesses";
           record("ratio at " + std::to_string(amplitude), ratio);
         }
+    }
+
+
+
+    /// Whole impacts, by the program.
+    class StretchedPlates : public Program
+    {
+    protected:
+      const std::string coarse = " --set 'Adaptivity/Strategy=none'"
+                                 " --set 'Discretization/Initial cells=4, 4'";
+
+      /// The main scene on a thin plate that stretches.
+      int
+      run_large(const std::string &more)
+      {
+        return run(SCENES "/sphere-on-steel-plate.prm",
+                   "--set Plate/Deflection=large --set Plate/Thickness=0.002 " +
+                     coarse + more);
+      }
+    };
+
+
+
+    // Axisymmetric elements of high order; the forces sit on ripples.
+    TEST_F(StretchedPlates, AreThoseOfTheReference)
+    {
+      for (const auto &given : reference("stretch_cases.json"))
+        for (const std::string theory : {"large", "linear"})
+          {
+            const auto       &plate = given["plate"], &ball = given["impactor"];
+            const std::string scene = SCENES "/aluminium-sheet.prm";
+            std::string       text;
+            const auto        set = [&text](const std::string    &path,
+                                     const nlohmann::json &value) {
+              text += " --set \"" + path + "=" + value.dump() + "\"";
+            };
+            set("Plate/Thickness", plate["thickness"]);
+            set("Plate/Young's modulus", plate["E"]);
+            set("Plate/Poisson's ratio", plate["nu"]);
+            set("Plate/Density", plate["rho"]);
+            set("Contact/Patch radius", plate["patch_radius"]);
+            set("Impactor/Radius", ball["radius"]);
+            set("Impactor/Mass", ball["mass"]);
+            set("Impactor/Velocity", given["velocity"]);
+            set("Time/End time", given["end_time"]);
+            const double diameter = 2. * plate["radius"].get<double>();
+            ASSERT_EQ(run(scene,
+                          text + " --set Plate/Deflection=" + theory +
+                            " --set 'Plate/Side lengths=" +
+                            std::to_string(diameter) + ", " +
+                            std::to_string(diameter) + "'"),
+                      0)
+              << err;
+            const auto  last     = last_cycle();
+            const auto &expected = given[theory];
+            EXPECT_NEAR(last["max_plate_displacement"].get<double>() /
+                          expected["max_plate_displacement"].get<double>(),
+                        1.,
+                        0.01)
+              << given["name"] << theory;
+            EXPECT_NEAR(last["final_impactor_velocity"].get<double>(),
+                        expected["velocity_at_end"].get<double>(),
+                        0.02 * given["velocity"].get<double>())
+              << given["name"] << theory;
+            EXPECT_LT(last["relative_energy_drift"], 1e-9);
+          }
+    }
+
+
+
+    TEST_F(StretchedPlates, SlowBallsStrikeALinearPlate)
+    {
+      const std::string slow = " --set Impactor/Velocity=0.001 --set "
+                               "'Time/Integrator=Newmark'";
+      ASSERT_EQ(run_large(slow), 0) << err;
+      const auto large = last_cycle();
+      ASSERT_EQ(run_large(slow + " --set Plate/Deflection=linear"), 0) << err;
+      for (const char *quantity :
+           {"peak_force", "max_plate_displacement", "final_impactor_velocity"})
+        EXPECT_NEAR(large[quantity].get<double>() /
+                      last_cycle()[quantity].get<double>(),
+                    1.,
+                    1e-4)
+          << quantity;
+    }
+
+
+
+    TEST_F(StretchedPlates, EnergyIsKeptAtAnyStep)
+    {
+      for (const std::string step : {"2e-7", "2e-6", "2e-5"})
+        {
+          ASSERT_EQ(run_large(" --set Impactor/Velocity=30 --set 'Time/End "
+                              "time=4e-4' --set 'Time/Time step=" +
+                              step + "'"),
+                    0)
+            << err;
+          EXPECT_GT(last_cycle()["max_plate_displacement"], 0.002);
+          EXPECT_LT(last_cycle()["relative_energy_drift"], 1e-9) << step;
+        }
+    }
+
+
+
+    TEST_F(StretchedPlates, DampingIsInTheBalance)
+    {
+      ASSERT_EQ(run_large(" --set Impactor/Velocity=10 --set 'Time/End "
+                          "time=4e-4' --set 'Time/Time step=2e-6' --set "
+                          "'Plate/Loss factor=0.01'"),
+                0)
+        << err;
+      EXPECT_GT(last_cycle()["plate_dissipated_energy"], 0.);
+      EXPECT_LT(last_cycle()["relative_energy_drift"], 1e-9);
+    }
+
+
+
+    TEST_F(StretchedPlates, AHalfIsTheTwoQuarters)
+    {
+      const std::string sliding =
+        " --set 'Plate/In-plane support=sliding, held' --set "
+        "Impactor/Velocity=10 --set 'Time/Time step=1e-6'";
+      ASSERT_EQ(run_large(sliding), 0) << err;
+      const double quarter = last_cycle()["peak_force"];
+      ASSERT_EQ(run_large(sliding +
+                          " --set 'Plate/Impact point=1e-12, 0' "
+                          "--set 'Discretization/Initial cells=8, "
+                          "4'"),
+                0)
+        << err;
+      EXPECT_NEAR(last_cycle()["peak_force"].get<double>() / quarter, 1., 1e-6);
+    }
+
+
+
+    TEST_F(StretchedPlates, FieldsShowWhatStretches)
+    {
+      ASSERT_EQ(run_large(" --set Impactor/Velocity=10 --set 'Time/Time "
+                          "step=1e-6' --set 'Output/Field samples=1'"),
+                0)
+        << err;
+      const std::string fields = text(results() / "fields_0.vtu");
+      for (const char *name : {"displacement_x", "membrane_force_xy"})
+        EXPECT_NE(fields.find(name), std::string::npos) << name;
+      EXPECT_NE(text(results() / "report.html").find("membrane force N_x"),
+                std::string::npos);
+    }
+
+
+
+    // What a lay-up does not do on its own, it does when it is not symmetric:
+    // edges that are held in the plane make it stiffer.
+    TEST_F(StretchedPlates, EdgesOfUnsymmetricLayupsMatter)
+    {
+      const auto frequency = [this](const std::string &more) {
+        EXPECT_EQ(run(SCENES "/laminate-unsymmetric.prm",
+                      "--set Impactor/Shape=none --set 'Output/Natural "
+                      "frequencies=1' --set 'Discretization/Initial cells=8, "
+                      "8'" +
+                        more),
+                  0)
+          << err;
+        return last_cycle()["natural_frequencies"][0].get<double>();
+      };
+      const std::string held      = " --set 'Plate/In-plane support=held'",
+                        symmetric = " --set Plate/Layup=0/90/0/90/0s";
+      const double sliding        = frequency("");
+      EXPECT_GT(frequency(held), 1.05 * sliding);
+      EXPECT_GT(frequency(symmetric), 1.2 * sliding);
+      EXPECT_EQ(frequency(symmetric), frequency(symmetric + held));
     }
   } // namespace
 } // namespace PlateImpact

@@ -162,6 +162,21 @@ def restitution_by_velocity(sweep):
     return svg(figure)
 
 
+def linear_and_large(linear, large, thickness):
+    """Deflections and restitutions over the velocity, of a linear plate and of one that
+    stretches."""
+    figure, axes = new_figure(2)
+    for study, style, label in ((linear, "o--", "linear"), (large, "o-", "large")):
+        speed, deflection, restitution = (np.array([point[name] for point in study.points])
+            for name in ("Impactor/Velocity", "max_plate_displacement", "coefficient_of_restitution"))
+        axes[0].loglog(speed, deflection / thickness, style, label=label)
+        axes[1].semilogx(speed, restitution, style, label=label)
+    axes[0].set(xlabel="velocity [m/s]", ylabel="deflection / thickness")
+    axes[1].set(xlabel="velocity [m/s]", ylabel="restitution")
+    axes[0].legend()
+    return svg(figure)
+
+
 def histories_of_sweeps(*studies):
     """Histories over their peaks, a plot for each sweep, its entry, unit and factor."""
     figure, axes = new_figure(len(studies))
