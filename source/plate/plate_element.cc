@@ -242,7 +242,9 @@ namespace PlateImpact
       {
         const auto B =
           shape.at_quadrature.linear.middleRows(n_strains * q, n_strains);
-        K.noalias() += B.transpose() * (shape.weights[q] * by_strains * B);
+        const CellOperator weighted   = shape.weights[q] * B,
+                           resultants = by_strains * weighted;
+        K.noalias() += B.transpose() * resultants;
       }
     return K;
   }
