@@ -3,7 +3,10 @@
 #include "plate_impact/contact/hertz_law.h"
 #include "plate_impact/contact/yielding_law.h"
 #include "plate_impact/estimator/peak_force_error.h"
+#include "plate_impact/plate/plate_geometry.h"
+#include "plate_impact/scene/scene.h"
 #include "plate_impact/transient/peak_force_dual.h"
+#include "plate_impact/transient/plate_model.h"
 #include "program_fixture.h"
 #include "test_plate.h"
 
@@ -150,6 +153,107 @@ namespace PlateImpact
         return motions.weight * sum;
       };
       EXPECT_NEAR(products(some) / products(all), 1., 0.02);
+    }
+
+
+
+    /// w of a motion at the vertices of a mesh, a column per time.
+    Eigen::MatrixXd
+    deflections(const PlateDiscretization &plate, const Eigen::MatrixXd &motion)
+    {
+      const auto     &vertices = plate.mesh().get_vertices();
+      Eigen::MatrixXd result(vertices.size(), motion.cols());
+      for (std::size_t v = 0; v < vertices.size(); ++v)
+        result.row(v) = plate.load({{vertices[v], 1.}}).transpose() * motion;
+      return result;
+    }
+
+
+
+    /// A matrix as text, over its largest number, in thousandths.
+    std::string
+    in_thousandths(const Eigen::MatrixXd &columns)
+    {
+      const Eigen::MatrixXi digits =
+        (1000. / columns.lpNorm<Eigen::Infinity>() * columns)
+          .array()
+          .round()
+          .cast<int>();
+      nlohmann::json text;
+      for (const auto &column : digits.colwise())
+        text.push_back(std::vector<int>(column.begin(), column.end()));
+      return text.dump();
+    }
+
+
+
+    /// The plate of lesson 10 without what waves do not reach by the time of
+    /// the peak, on equal cells: both motions, and what the cells contribute at
+    /// each time.
+    TEST(PeakForceDual, LessonTenWaves)
+    {
+      const Parameters scene =
+        read_scene(SCENES "/course/10-meshes-for-a-number.prm",
+                   {"Plate/Side lengths=0.08, 0.08",
+                    "Discretization/Initial cells=32, 32",
+                    "Time/End time=15e-6",
+                    "Time/Time step=0.1e-6"})
+          .parameters;
+      PlateModel        plate(scene.plate,
+                       scene.discretization,
+                       make_plate_mesh(scene.plate,
+                                       scene.discretization.initial_cells));
+      const LoadedPlate loaded  = plate.under(scene, true);
+      const auto        history = loaded.strike().history;
+      const auto        problem = loaded.peak_force_problem(history);
+      ASSERT_TRUE(problem);
+      const auto          &mesh     = plate.discretization().mesh();
+      const DualMotions   &motions  = problem->motions;
+      const unsigned int   n_frames = 24;
+      const StressRecovery recovery(mesh);
+      Eigen::MatrixXd      motion(motions.motion.rows(), n_frames),
+        dual(motions.dual.rows(), n_frames),
+        cells(mesh.n_active_cells(), n_frames);
+      std::vector<double> sums;
+      for (unsigned int i = 0; i < n_frames; ++i)
+        {
+          // at rest is the plate at the first time, and the dual at the last
+          const Eigen::Index at =
+            1 + i * (motions.motion.cols() - 3) / (n_frames - 1);
+          motion.col(i) = motions.motion.col(at);
+          dual.col(i)   = motions.dual.col(at);
+          const PeakForceError error =
+            estimated_peak_force_error(plate.discretization(),
+                                       recovery,
+                                       *problem->system,
+                                       {motion.col(i), dual.col(i), 1.},
+                                       history.peak().force);
+          cells.col(i) = Eigen::Map<const Eigen::VectorXd>(error.cells.data(),
+                                                           error.cells.size());
+          sums.push_back(error.bar());
+        }
+      // at the beginning the plate is at rest
+      EXPECT_LT(sums.front(),
+                0.1 * *std::max_element(sums.begin(), sums.end()));
+
+      record("time of the peak", history.peak().time);
+      nlohmann::json vertices;
+      for (const auto &vertex : mesh.get_vertices())
+        vertices.push_back({vertex[0], vertex[1]});
+      nlohmann::json centers;
+      for (const auto &cell : mesh.active_cell_iterators())
+        centers.push_back({cell->center()[0], cell->center()[1]});
+      RecordProperty("vertices", vertices.dump());
+      RecordProperty("centers", centers.dump());
+      RecordProperty("motion",
+                     in_thousandths(
+                       deflections(plate.discretization(),
+                                   problem->system->unknowns(motion))));
+      RecordProperty("dual",
+                     in_thousandths(
+                       deflections(plate.discretization(),
+                                   problem->system->unknowns(dual))));
+      RecordProperty("cells", in_thousandths(cells));
     }
 
 

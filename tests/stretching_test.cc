@@ -548,6 +548,45 @@ namespace PlateImpact
 
 
 
+    // Ball and plate as elastic bodies with finite rotations (CalculiX,
+    // NLGEOM): no plate theory, no law of contact.
+    TEST_F(StretchedPlates, AgreeWithElasticBodies)
+    {
+      const auto  given = reference("calculix_stretch_cases.json").front();
+      const auto &plate = given["plate"], &ball = given["impactor"];
+      const auto &bodies = given["runs"].back();
+      const auto  value  = [](const nlohmann::json &number) {
+        return number.dump() + "'";
+      };
+      const std::string side =
+        std::to_string(2. * plate["radius"].get<double>());
+      ASSERT_EQ(
+        run(SCENES "/aluminium-sheet.prm",
+            "--set 'Plate/Side lengths=" + side + ", " + side +
+              "' --set 'Plate/Thickness=" + value(plate["thickness"]) +
+              " --set 'Impactor/Radius=" + value(ball["radius"]) +
+              " --set 'Impactor/Mass=0' --set 'Impactor/Density=" +
+              value(ball["rho"]) +
+              " --set 'Impactor/Velocity=" + value(given["velocity"]) +
+              " --set 'Time/End time=" + value(given["end_time"]) +
+              " --set 'Contact/Local response=layer' --set 'Contact/Patch "
+              "radius=0' --set 'Adaptivity/Target error=0.03'"),
+        0)
+        << err;
+      const auto last = last_cycle();
+      for (const char *quantity : {"max_plate_displacement", "peak_force"})
+        EXPECT_NEAR(last[quantity].get<double>() /
+                      bodies[quantity].get<double>(),
+                    1.,
+                    0.02)
+          << quantity;
+      EXPECT_NEAR(-last["final_impactor_velocity"].get<double>(),
+                  bodies["rebound_velocity"].get<double>(),
+                  0.02 * given["velocity"].get<double>());
+    }
+
+
+
     TEST_F(StretchedPlates, SlowBallsStrikeALinearPlate)
     {
       const std::string slow = " --set Impactor/Velocity=0.001 --set "

@@ -144,6 +144,8 @@ namespace PlateImpact
             std::max(least, std::sqrt(std::abs(cell) / share)));
         if (!result.peak_force_bar && result.time_error)
           refine_at_load(cycle, error);
+        else if (result.peak_force_bar && result.history->peak_is_on_ripples())
+          refine_everywhere(error);
         return error;
       }
 
@@ -163,13 +165,29 @@ namespace PlateImpact
       }
 
     private:
+      double
+      ratio_of_halving() const
+      {
+        return std::exp2(1. / adaptivity.size_exponent);
+      }
+
+      /// Waves that have come back many times are everywhere, and what the
+      /// cells contribute adds up with either sign: every cell is halved once,
+      /// and the ripples of the force tell what that was worth.
+      void
+      refine_everywhere(ErrorRatios &error) const
+      {
+        error.elements.assign(error.elements.size(), ratio_of_halving());
+        error.overall = ratio_of_halving();
+      }
+
       /// Where there is no bar the mesh hides the load, or the waves that it
       /// sends out, from the estimate: cells are halved once, whatever that
       /// says.
       void
       refine_at_load(const Cycle &cycle, ErrorRatios &error) const
       {
-        const double halving = std::exp2(1. / adaptivity.size_exponent);
+        const double halving = ratio_of_halving();
         for (const auto &cell : cycle.mesh().active_cell_iterators())
           if (is_near_load(cell,
                            cycle.parameters.impactor.contact_half_length()))

@@ -242,9 +242,9 @@ namespace PlateImpact
     const double around = history.difference_around(peak.time, *history_before);
     if (around == 0.) // the mesh before was not watched until then
       return {};
-    // what differs most is about twice the root of the mean square
+    // two peaks may agree by accident, all ripples around them do not
     return std::max(std::abs(peak.force - history_before->peak().force),
-                    2. * around) /
+                    around) /
       peak.force;
   }
 

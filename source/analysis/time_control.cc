@@ -12,8 +12,13 @@ namespace PlateImpact
 {
   namespace
   {
-    /// The part of the target that the time step may take.
-    constexpr double share_of_time = 0.3;
+    /// The part of the target that the time step may take; before a late peak,
+    /// where a step costs next to nothing in Ritz vectors, it is less.
+    constexpr double share_of_time = 0.3, share_before_late_peak = 0.1;
+
+    /// Steps to a late peak, at least: with fewer the error of the step is not
+    /// yet told (measured on random heavy impactors with 30 to 1000 steps).
+    constexpr double fewest_steps_to_late_peak = 128.;
 
     /// Of the step chosen at first: below, the error is not the step's.
     constexpr double smallest_step = 1. / 64.;
@@ -83,6 +88,8 @@ namespace PlateImpact
         next.extent = Extent::to_peak;
         if (peak > return_of_waves)
           next.to_peak = std::max(last.to_peak, reserve * peak);
+        if (peak > return_of_waves && scene.time.step_is_chosen)
+          next.step = std::min(next.step, peak / fewest_steps_to_late_peak);
         return next;
       }
     const bool is_end = is_whole(last, seen);
@@ -131,8 +138,10 @@ namespace PlateImpact
     const double mesh_error = seen.peak_force_bar ? seen.peak_force_bar->space :
       seen.peak_force_error ? seen.peak_force_error->bar() :
                               0.;
+    const bool   is_late    = seen.history->peak().time > return_of_waves;
+    const double share      = is_late ? share_before_late_peak : share_of_time;
     const double most =
-      std::max(share_of_time * scene.adaptivity.target_peak_force_error,
+      std::max(share * scene.adaptivity.target_peak_force_error,
                0.1 * mesh_error);
     // without an estimate the step is of the order of the rise
     const double error = seen.time_error.value_or(16. * most);
