@@ -191,12 +191,16 @@ namespace PlateImpact
         text.line("Contact",
                   "under a point load the peak force has no limit under "
                   "refinement; choose Hertz disc");
-      const Expectation::Cost cost = expected.cost(parameters);
-      text.line("cost",
-                format("of the order of {} cells, {} unknowns, {} steps a mesh",
-                       roughly(cost.cells),
-                       roughly(12. * cost.cells),
-                       roughly(cost.steps)));
+      const Expectation::Cost cost       = expected.cost(parameters);
+      const Stretching        stretching = expected.zener.section.stretching();
+      const double n_fields = stretching == Stretching::none ? 3. : 5.;
+      text.line(
+        "cost",
+        format("of the order of {} cells, {} unknowns, {} steps{} a mesh",
+               roughly(cost.cells),
+               roughly(4. * n_fields * cost.cells),
+               roughly(cost.steps),
+               stretching == Stretching::large ? " of several solves" : ""));
     }
 
 
