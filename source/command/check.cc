@@ -38,7 +38,7 @@ namespace PlateImpact
     std::string
     roughly(const double count)
     {
-      return rounded(std::round(count), 2);
+      return rounded(count < 10. ? std::round(count) : count, 2);
     }
 
 

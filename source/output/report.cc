@@ -70,6 +70,7 @@ namespace PlateImpact
 
 
 
+    /// Of a line of stresses.
     constexpr unsigned int points_per_cell = 9;
 
     /// A straight line away from a point; distances along it are lengths.
