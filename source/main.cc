@@ -101,76 +101,15 @@ namespace
 
 
   void
-  add_run(CLI::App &app, Arguments &arguments)
-  {
-    CLI::App &command =
-      *app.add_subcommand("run", "Compute the impact that a scene describes");
-    add_run_options(command, arguments);
-    add_marking(command, arguments);
-    command.footer(
-      "Writes report.html, summary.json, contact_history.csv, scene.prm and what "
-      "the\nscene's section Output asks for. `plate-impact defaults` explains "
-      "every entry.\n\n"
-      "Example:\n"
-      "  plate-impact run my.prm --set \"Impactor/Velocity=2\" --output fast");
-    command.callback([&arguments] { compute(run_scene, arguments); });
-  }
-
-
-
-  void
-  add_compare(CLI::App &app, Arguments &arguments)
-  {
-    CLI::App &command = *app.add_subcommand(
-      "compare",
-      "Compare strategies and elements: error against run time");
-    add_run_options(command, arguments);
-    add_marking(command, arguments);
-    command.footer(
-      "Reads the scene's section Comparison; writes comparison.html, "
-      "comparison.csv\nand comparison.json. Ctrl-C leaves what is done, in whole "
-      "files.");
-    command.callback([&arguments] { compute(compare_scene, arguments); });
-  }
-
-
-
-  void
   sweep(const Arguments &arguments)
   {
     Processes processes;
     // one of them tells of mistakes that all find
-    if (!processes.is_first())
+    if (processes.rank != 0)
       std::cerr.setstate(std::ios::failbit);
     SweepScene scene(arguments.path, arguments.overrides, arguments.output);
     throw_if_interrupted();
     run_sweep(scene, arguments.sweep, processes);
-  }
-
-
-
-  void
-  add_sweep(CLI::App &app, Arguments &arguments)
-  {
-    CLI::App &command = *app.add_subcommand(
-      "sweep",
-      "Compute many impacts: the entries and values of the scene's Sweep "
-      "section; under mpirun on all its processes");
-    add_run_options(command, arguments);
-    command.add_flag("--resume",
-                     arguments.sweep.resume,
-                     "Continue an interrupted sweep: keep the points that are "
-                     "in its directory");
-    command.footer(
-      "The section is, for example,\n"
-      "  subsection Sweep\n"
-      "    set Entry 1  = Impactor/Velocity\n"
-      "    set Values 1 = 0.5:5:20          # first:last:number, or 1, 2, 5\n"
-      "    set Entry 2  = Plate/Thickness\n"
-      "    set Values 2 = 0.004, 0.006\n"
-      "  end\n"
-      "Writes sweep.html and sweep.csv. `plate-impact check` says what it costs.");
-    command.callback([&arguments] { sweep(arguments); });
   }
 
 
@@ -190,29 +129,74 @@ namespace
 
 
   void
-  add_check(CLI::App &app, Arguments &arguments)
+  check(const Arguments &arguments)
   {
-    CLI::App &command =
-      *app.add_subcommand("check",
-                          "Check a scene and say what to expect of it");
-    add_scene(command, arguments);
-    command.footer("Takes about a second and writes nothing.");
-    command.callback([&arguments] {
-      const Scene scene = read_scene(arguments.path, arguments.overrides);
-      print([&](std::ostream &out) { print_expectation(out, scene); });
-    });
+    const Scene scene = read_scene(arguments.path, arguments.overrides);
+    print([&](std::ostream &out) { print_expectation(out, scene); });
   }
 
 
 
   void
-  add_defaults(CLI::App &app)
+  add_commands(CLI::App &app, Arguments &arguments)
   {
-    CLI::App &command = *app.add_subcommand(
+    const auto add =
+      [&app](const char                  *name,
+             const char                  *description,
+             const char                  *footer,
+             const std::function<void()> &callback) -> CLI::App & {
+      return *app.add_subcommand(name, description)
+                ->footer(footer)
+                ->callback(callback);
+    };
+    CLI::App &of_run = add(
+      "run",
+      "Compute the impact that a scene describes",
+      "Writes report.html, summary.json, contact_history.csv, scene.prm and what "
+      "the\nscene's section Output asks for. `plate-impact defaults` explains "
+      "every entry.\n\n"
+      "Example:\n"
+      "  plate-impact run my.prm --set \"Impactor/Velocity=2\" --output fast",
+      [&] { compute(run_scene, arguments); });
+    add_run_options(of_run, arguments);
+    add_marking(of_run, arguments);
+    CLI::App &of_compare = add(
+      "compare",
+      "Compare strategies and elements: error against run time",
+      "Reads the scene's section Comparison; writes comparison.html, "
+      "comparison.csv\nand comparison.json. Ctrl-C leaves what is done, in whole "
+      "files.",
+      [&] { compute(compare_scene, arguments); });
+    add_run_options(of_compare, arguments);
+    add_marking(of_compare, arguments);
+    CLI::App &of_sweep = add(
+      "sweep",
+      "Compute many impacts: the entries and values of the scene's Sweep "
+      "section; under mpirun on all its processes",
+      "The section is, for example,\n"
+      "  subsection Sweep\n"
+      "    set Entry 1  = Impactor/Velocity\n"
+      "    set Values 1 = 0.5:5:20          # first:last:number, or 1, 2, 5\n"
+      "    set Entry 2  = Plate/Thickness\n"
+      "    set Values 2 = 0.004, 0.006\n"
+      "  end\n"
+      "Writes sweep.html and sweep.csv. `plate-impact check` says what it costs.",
+      [&] { sweep(arguments); });
+    add_run_options(of_sweep, arguments);
+    of_sweep.add_flag("--resume",
+                      arguments.sweep.resume,
+                      "Continue an interrupted sweep: keep the points that are "
+                      "in its directory");
+    add_scene(add("check",
+                  "Check a scene and say what to expect of it",
+                  "Takes about a second and writes nothing.",
+                  [&] { check(arguments); }),
+              arguments);
+    add(
       "defaults",
-      "Print every entry with its meaning, unit and default, as a valid scene");
-    command.footer("Example:\n  plate-impact defaults > my.prm");
-    command.callback([] { print(print_defaults); });
+      "Print every entry with its meaning, unit and default, as a valid scene",
+      "Example:\n  plate-impact defaults > my.prm",
+      [] { print(print_defaults); });
   }
 
 
@@ -239,11 +223,7 @@ namespace
       "130 Ctrl-C, 143 SIGTERM.\n"
       "Colours are left out in pipes and where NO_COLOR is set.");
     Arguments arguments;
-    add_run(app, arguments);
-    add_compare(app, arguments);
-    add_sweep(app, arguments);
-    add_check(app, arguments);
-    add_defaults(app);
+    add_commands(app, arguments);
     try
       {
         app.parse(argc, argv); // calls the command

@@ -404,7 +404,7 @@ namespace PlateImpact
       coarse.compute_curve({AdaptationStrategy::hanging_nodes,
                             AdaptationGoal::energy_norm},
                            ElementType::MITC9);
-      const ComparisonCurve &curve = coarse.curves().back();
+      const ComparisonCurve &curve = coarse.curves.back();
       EXPECT_EQ(curve.end, "minimum cell size");
       EXPECT_GT(curve.meshes.back().cells_at_minimum_size, 0u);
       EXPECT_LT(curve.meshes.size(), 10u);
@@ -412,7 +412,7 @@ namespace PlateImpact
       coarse.compute_curve({AdaptationStrategy::fixed_fraction,
                             AdaptationGoal::peak_force},
                            ElementType::MITC9);
-      const auto &by_force = coarse.curves().back().meshes;
+      const auto &by_force = coarse.curves.back().meshes;
       for (std::size_t i = 2; i < by_force.size(); ++i)
         EXPECT_LT(*by_force[i].peak_force_bar, *by_force[i - 1].peak_force_bar);
     }

@@ -185,30 +185,6 @@ namespace PlateImpact
 
 
     /// Counts what it is told.
-    class Counter : public AnalysisListener
-    {
-    public:
-      void
-      step(const unsigned int cycle, unsigned int, unsigned int) override
-      {
-        EXPECT_EQ(cycle, cells.size() + 1); // the cycle of the step comes after
-        ++n_steps;
-      }
-
-      void
-      cycle(Cycle &cycle) override
-      {
-        EXPECT_EQ(cycle.mesh().n_active_cells(), cycle.result.cells);
-        EXPECT_TRUE(cycle.result.error_ratios);
-        cells.push_back(cycle.result.cells);
-      }
-
-      unsigned int              n_steps = 0;
-      std::vector<unsigned int> cells; ///< of the cycles
-    };
-
-
-
     TEST(Impact, LoadsOfAPlateNeedNoOrder)
     {
       const auto plate_for = [](const Parameters &parameters) {
@@ -278,15 +254,26 @@ namespace PlateImpact
                          "Time/Time step=1e-6",
                          "Adaptivity/Maximum cycles=2",
                          "Adaptivity/Target error=0.01"});
-      ImpactAnalysis    analysis(parameters);
-      AdaptationControl control(parameters.adaptivity);
-      Counter           counter;
+      ImpactAnalysis            analysis(parameters);
+      AdaptationControl         control(parameters.adaptivity);
+      unsigned int              n_steps = 0;
+      std::vector<unsigned int> cells; // of the cycles
+      AnalysisListener          counter;
+      counter.step = [&](const unsigned int cycle, unsigned int, unsigned int) {
+        EXPECT_EQ(cycle, cells.size() + 1); // the cycle of the step comes after
+        ++n_steps;
+      };
+      counter.cycle = [&](Cycle &cycle) {
+        EXPECT_EQ(cycle.mesh().n_active_cells(), cycle.result.cells);
+        EXPECT_TRUE(cycle.result.error_ratios);
+        cells.push_back(cycle.result.cells);
+      };
       EXPECT_EQ(analysis.run(control, counter), Outcome::maximum_cycles);
-      ASSERT_EQ(counter.cells.size(), 2u);
-      EXPECT_EQ(counter.cells[0], 9u);
-      EXPECT_GT(counter.cells[1], 9u);
-      EXPECT_EQ(analysis.last_cycle().result.cells, counter.cells[1]);
-      EXPECT_EQ(counter.n_steps, 2 * analysis.last_cycle().result.steps);
+      ASSERT_EQ(cells.size(), 2u);
+      EXPECT_EQ(cells[0], 9u);
+      EXPECT_GT(cells[1], 9u);
+      EXPECT_EQ(analysis.last_cycle().result.cells, cells[1]);
+      EXPECT_EQ(n_steps, 2 * analysis.last_cycle().result.steps);
     }
 
 

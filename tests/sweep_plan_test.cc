@@ -36,9 +36,7 @@ namespace PlateImpact
       EXPECT_EQ(scene.point(11).parameters.impactor.velocity, 7.);
       EXPECT_EQ(scene.point(11).parameters.plate.side_lengths[0], 0.3);
 
-      const SweepGroups groups(scene.plan,
-                               /*is_adaptive=*/false,
-                               /*is_laminate=*/false);
+      const SweepGroups groups(scene.plan, scene.parameters);
       ASSERT_EQ(groups.groups.size(), 2u);
       EXPECT_EQ(groups.groups[1],
                 (std::vector<std::size_t>{6, 7, 8, 9, 10, 11}));

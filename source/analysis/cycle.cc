@@ -1,7 +1,6 @@
 #include "plate_impact/analysis/cycle.h"
 
 #include "plate_impact/estimator/make_error_estimator.h"
-#include "plate_impact/estimator/recovered_field.h"
 #include "plate_impact/plate/plate_mesh.h"
 
 #include <utility>
@@ -37,15 +36,4 @@ namespace PlateImpact
     return *stress_recovery;
   }
 
-
-
-  Eigen::MatrixXd
-  Cycle::recovered_resultants(const Eigen::VectorXd       &unknowns,
-                              const std::vector<Point<2>> &unit_points) const
-  {
-    return PlateImpact::recovered_resultants(discretization(),
-                                             recovery(),
-                                             unknowns,
-                                             unit_points);
-  }
 } // namespace PlateImpact

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <utility>
 
 namespace PlateImpact
@@ -36,7 +35,9 @@ namespace PlateImpact
                                  std::unique_ptr<Triangulation<2>> first_mesh,
                                  const std::optional<Wanted>      &wanted)
     : parameters(with_singular_points(parameters))
-    , wanted(wanted.value_or(wanted_by(parameters)))
+    , wanted(wanted.value_or(Wanted{parameters.needs_estimator(),
+                                    parameters.output.write_report,
+                                    parameters.output.field_samples}))
     , adaptation(this->parameters.adaptivity,
                  parameters.impactor.contact_half_length())
     , expected(parameters.has_impactor() ?
@@ -47,7 +48,7 @@ namespace PlateImpact
                      std::nullopt)
     , mesh(std::move(first_mesh))
   {
-    StageClock clock;
+    const Timer timer;
     if (mesh == nullptr)
       {
         mesh = make_plate_mesh(parameters.plate,
@@ -57,7 +58,7 @@ namespace PlateImpact
       }
     if (time_control)
       window = time_control->first();
-    clock.charge(seconds_for_mesh);
+    seconds_for_mesh = timer.wall_time();
   }
 
 
@@ -100,7 +101,7 @@ namespace PlateImpact
   ImpactAnalysis::begin_cycle(AnalysisListener &listener)
   {
     listener.stage(n_cycles + 1, "matrices");
-    StageClock clock;
+    const Timer timer;
     if (mesh == nullptr) // the present one again
       mesh = copy_of(current->mesh());
     else
@@ -114,7 +115,7 @@ namespace PlateImpact
     current = std::make_unique<Cycle>(++n_cycles, parameters, std::move(mesh));
     current->result.seconds.mesh   = seconds_for_mesh;
     current->result.seconds_before = seconds_before;
-    clock.charge(current->result.seconds.assembly);
+    current->result.seconds.assembly += timer.wall_time();
   }
 
 
@@ -155,7 +156,7 @@ namespace PlateImpact
       return;
 
     Observation seen = PlateImpact::observe(*current, impact, wanted, listener);
-    StageClock  clock;
+    const Timer timer;
     seen.seconds += result.seconds;
     static_cast<Observation &>(result) = std::move(seen);
     static_cast<Judgement &>(result)   = judgement();
@@ -174,7 +175,7 @@ namespace PlateImpact
         unknowns_in_vain = result.degrees_of_freedom / 2;
         steps_in_vain    = result.steps;
       }
-    clock.charge(result.seconds.estimation);
+    result.seconds.estimation += timer.wall_time();
   }
 
 
@@ -255,7 +256,7 @@ namespace PlateImpact
   {
     listener.stage(n_cycles, "next mesh");
     const unsigned int most_cells = parameters.adaptivity.maximum_cells;
-    StageClock         clock;
+    const Timer        timer;
     ErrorRatios        error;
     do
       {
@@ -265,15 +266,14 @@ namespace PlateImpact
         // before there is a mesh that does not fit into the memory
         if (adaptation.n_wanted_cells(*adapted, error) > most_cells)
           return Outcome::maximum_cells;
-        if (adaptation.adapt(*adapted, error, adaptation_warnings))
+        if (adaptation.adapt(*adapted, error, warnings))
           {
             if (adapted->n_active_cells() > most_cells)
               return Outcome::maximum_cells;
             if (time_control)
               window = time_control->on_next_mesh(window, current->result);
             mesh             = std::move(adapted);
-            seconds_for_mesh = 0.;
-            clock.charge(seconds_for_mesh);
+            seconds_for_mesh = timer.wall_time();
             return {};
           }
     } while (control.tighten());
@@ -285,11 +285,10 @@ namespace PlateImpact
   void
   ImpactAnalysis::refine_everywhere()
   {
-    StageClock clock;
+    const Timer timer;
     mesh = copy_of(current->mesh());
     mesh->refine_global();
-    seconds_for_mesh = 0.;
-    clock.charge(seconds_for_mesh);
+    seconds_for_mesh = timer.wall_time();
   }
 
 
@@ -300,8 +299,8 @@ namespace PlateImpact
     CycleResult &result = current->result;
     if (!result.history)
       return;
-    StageClock clock;
-    auto       halved = copy_of(current->mesh());
+    const Timer timer;
+    auto        halved = copy_of(current->mesh());
     halved->refine_global();
     // no longer than the peak takes, with nothing but the force
     Parameters          to_peak = parameters;
@@ -318,7 +317,7 @@ namespace PlateImpact
     result.verification =
       Verification{plate.discretization().mesh().n_active_cells(),
                    impact.history.peak().force};
-    clock.charge(result.seconds.estimation);
+    result.seconds.estimation += timer.wall_time();
   }
 
 
@@ -330,13 +329,11 @@ namespace PlateImpact
       return {};
     Parameters last_struck = parameters;
     last_struck.time       = current->result.time;
-    Warnings warnings      = reliability_warnings(last_struck,
-                                             current->mesh(),
-                                             current->result,
-                                             *expected);
-    warnings.numerical.insert(warnings.numerical.end(),
-                              adaptation_warnings.begin(),
-                              adaptation_warnings.end());
-    return warnings;
+    Warnings all           = reliability_warnings(last_struck,
+                                        current->mesh(),
+                                        current->result,
+                                        *expected);
+    all.numerical.insert(all.numerical.end(), warnings.begin(), warnings.end());
+    return all;
   }
 } // namespace PlateImpact

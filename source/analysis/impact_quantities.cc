@@ -1,6 +1,8 @@
 #include "plate_impact/analysis/impact_quantities.h"
 
-#include "plate_impact/analysis/delamination.h"
+#include "plate_impact/plate/plate_geometry.h"
+
+#include <cmath>
 
 namespace PlateImpact
 {
@@ -8,47 +10,16 @@ namespace PlateImpact
   {
     using Value = std::optional<double>;
 
-    const ContactState &
-    first(const ComputedImpact &impact)
-    {
-      return impact.history.states().front();
-    }
-
-
-
-    const ContactState &
-    peak(const ComputedImpact &impact)
-    {
-      return impact.history.peak();
-    }
-
-
-
-    const ContactState &
-    last(const ComputedImpact &impact)
-    {
-      return impact.history.states().back();
-    }
-
-
-
-    bool
-    has_yielded(const ComputedImpact &impact)
-    {
-      const Value &first = impact.bodies.yield_indentation;
-      return first && peak(impact).indentation > *first;
-    }
-
-
-
     /// Of a contact that stays elastic.
     Value
     contact_pressure(const ComputedImpact &impact)
     {
-      if (peak(impact).force == 0. || has_yielded(impact))
+      const Value &first_yield = impact.bodies.yield_indentation;
+      if (impact.peak.force == 0. ||
+          (first_yield && impact.peak.indentation > *first_yield))
         return {};
-      return impact.bodies.elastic_pressure(peak(impact).force,
-                                            peak(impact).indentation);
+      return impact.bodies.elastic_pressure(impact.peak.force,
+                                            impact.peak.indentation);
     }
 
 
@@ -57,10 +28,10 @@ namespace PlateImpact
     pressure_over_strength(const ComputedImpact &impact)
     {
       const auto &weaker = impact.bodies.weaker;
-      if (!weaker || peak(impact).force == 0.)
+      if (!weaker || impact.peak.force == 0.)
         return {};
-      return impact.bodies.mean_pressure(peak(impact).force,
-                                         peak(impact).indentation) /
+      return impact.bodies.mean_pressure(impact.peak.force,
+                                         impact.peak.indentation) /
         weaker->yield_strength;
     }
 
@@ -82,7 +53,7 @@ namespace PlateImpact
     delamination_threshold(const ComputedImpact &impact)
     {
       const auto crack =
-        delamination(impact.parameters, impact.expected, peak(impact));
+        delamination(impact.parameters, impact.expected, impact.peak);
       return crack ? Value(crack->threshold) : Value();
     }
 
@@ -91,10 +62,10 @@ namespace PlateImpact
     Value
     restitution(const ComputedImpact &impact)
     {
-      if (impact.history.n_contacts() == 0 || last(impact).overlap() > 0. ||
-          last(impact).impactor_velocity > 0.)
+      if (impact.history.n_contacts() == 0 || impact.last.overlap() > 0. ||
+          impact.last.impactor_velocity > 0.)
         return {};
-      return -last(impact).impactor_velocity / first(impact).impactor_velocity;
+      return -impact.last.impactor_velocity / impact.first.impactor_velocity;
     }
 
 
@@ -128,11 +99,11 @@ namespace PlateImpact
       {"peak_force",
        "Peak force",
        "N",
-       [](Impact i) -> Value { return peak(i).force; }},
+       [](Impact i) -> Value { return i.peak.force; }},
       {"time_of_peak_force",
        "Time of the peak force",
        "s",
-       [](Impact i) -> Value { return peak(i).time; }},
+       [](Impact i) -> Value { return i.peak.time; }},
       {"first_contact_end",
        "End of the first contact",
        "s",
@@ -148,7 +119,7 @@ namespace PlateImpact
       {"final_impactor_velocity",
        "Final velocity of the impactor",
        "m/s",
-       [](Impact i) -> Value { return last(i).impactor_velocity; }},
+       [](Impact i) -> Value { return i.last.impactor_velocity; }},
       {"max_plate_displacement",
        "Largest displacement of the plate",
        "m",
@@ -157,7 +128,7 @@ namespace PlateImpact
        "Largest contact radius over the thickness",
        "",
        [](Impact i) -> Value {
-         return i.bodies.radius(peak(i).force, peak(i).indentation) /
+         return i.bodies.radius(i.peak.force, i.peak.indentation) /
            i.parameters.plate.thickness;
        }},
       {"relative_energy_drift",
@@ -172,7 +143,7 @@ namespace PlateImpact
        "Energy left in the plate, fraction",
        "",
        [](Impact i) -> Value {
-         return last(i).plate_energy / first(i).total_energy();
+         return i.last.plate_energy / i.first.total_energy();
        }},
       {"zener_loss_factor",
        "Loss factor of Zener's formula",
@@ -184,7 +155,7 @@ namespace PlateImpact
        "Peak force over Zener's",
        "",
        [](Impact i) {
-         return is_sphere(i) ? peak(i).force / i.expected.peak.force : Value();
+         return is_sphere(i) ? i.peak.force / i.expected.peak.force : Value();
        }},
       {"restitution_over_zener",
        "Restitution over Zener's",
@@ -206,16 +177,16 @@ namespace PlateImpact
       {"permanent_indentation",
        "Dent",
        "m",
-       [](Impact i) { return if_dented(i, last(i).permanent_indentation); }},
+       [](Impact i) { return if_dented(i, i.last.permanent_indentation); }},
       {"dissipated_energy",
        "Energy dissipated by the contact",
        "J",
-       [](Impact i) { return if_dented(i, last(i).dissipated_energy); }},
+       [](Impact i) { return if_dented(i, i.last.dissipated_energy); }},
       {"plate_dissipated_energy",
        "Energy dissipated by the plate",
        "J",
        [](Impact i) -> Value {
-         const double energy = last(i).plate_dissipated_energy;
+         const double energy = i.last.plate_dissipated_energy;
          return energy > 0. ? Value(energy) : Value();
        }},
       {"delamination_threshold",
@@ -227,8 +198,29 @@ namespace PlateImpact
        "",
        [](Impact i) -> Value {
          const Value threshold = delamination_threshold(i);
-         return threshold ? Value(peak(i).force / *threshold) : Value();
+         return threshold ? Value(i.peak.force / *threshold) : Value();
        }}};
     return quantities;
+  }
+
+
+
+  std::optional<Delamination>
+  delamination(const Parameters   &parameters,
+               const ZenerImpact  &expected,
+               const ContactState &peak)
+  {
+    const PlateParameters &plate = parameters.plate;
+    if (!plate.is_laminate() || plate.ply.mode_2_toughness == 0. ||
+        peak.force <= 0.)
+      return {};
+    const double slow = std::acos(-1.) *
+      std::sqrt(32. / 3. * expected.section.mean_bending_stiffness() *
+                plate.ply.mode_2_toughness);
+    const double there_and_back = 2. * geometry_of(plate)->distance_to_edge() /
+      expected.wave_of(2. * peak.time).group_speed;
+    const bool is_of_small_mass = peak.time < there_and_back;
+    return Delamination{is_of_small_mass ? 1.213 * slow : slow,
+                        is_of_small_mass};
   }
 } // namespace PlateImpact

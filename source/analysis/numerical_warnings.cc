@@ -14,18 +14,6 @@ namespace PlateImpact
 
   namespace
   {
-    /// Of the peak force, that the time step may leave: with the peak force as
-    /// the goal, the mesh has its share as well.
-    double
-    wanted_error_of_step(const AdaptivityParameters &adaptivity)
-    {
-      return adaptivity.is_for_peak_force() ?
-        0.3 * adaptivity.target_peak_force_error :
-        1e-3;
-    }
-
-
-
     std::vector<std::string>
     warn_of_step(const TimeParameters       &time,
                  const AdaptivityParameters &adaptivity,
@@ -36,8 +24,11 @@ namespace PlateImpact
       const ContactState   &peak    = history.peak();
       if (result.time_error)
         {
+          // the mesh has its share of a target for the force
           const double error  = *result.time_error,
-                       wanted = wanted_error_of_step(adaptivity);
+                       wanted = adaptivity.is_for_peak_force() ?
+            0.3 * adaptivity.target_peak_force_error :
+            1e-3;
           if (error <= (adaptivity.is_for_peak_force() ?
                           0.5 * adaptivity.target() :
                           wanted))

@@ -9,16 +9,6 @@
 
 namespace PlateImpact
 {
-  Wanted
-  wanted_by(const Parameters &parameters)
-  {
-    return {parameters.needs_estimator(),
-            parameters.output.write_report,
-            parameters.output.field_samples};
-  }
-
-
-
   namespace
   {
     /// Fewer samples over the transient do not make an integral over time.
@@ -219,13 +209,13 @@ namespace PlateImpact
     Impact struck = plate.strike(record);
     record.finish(seen);
 
-    PlateModel::Work work = cycle.plate.work();
-    seen.new_vectors      = work.ritz_vectors - before.ritz_vectors;
-    seen.new_solves       = work.linear_solves - before.linear_solves;
-    seen.time             = impact.time;
-    seen.impulse          = struck.impulse;
-    seen.separation_time  = struck.separation_time;
-    seen.damping          = plate.damping();
+    const PlateModel::Work work = cycle.plate.work();
+    seen.new_vectors            = work.ritz_vectors - before.ritz_vectors;
+    seen.new_solves             = work.linear_solves - before.linear_solves;
+    seen.time                   = impact.time;
+    seen.impulse                = struck.impulse;
+    seen.separation_time        = struck.separation_time;
+    seen.damping                = plate.damping();
     seen.vector_error =
       plate.is_stepped_on_the_mesh() ? 0. : impact.time.ritz_tolerance;
     if (wanted.errors)
@@ -238,14 +228,9 @@ namespace PlateImpact
         error_of_peak(cycle, impact, plate, struck.history);
     charges.charge(&Seconds::estimation);
 
-    work                     = cycle.plate.work();
-    seen.work.factorizations = work.factorizations;
-    seen.work.linear_solves  = work.linear_solves;
-    seen.work.ritz_vectors   = work.ritz_vectors;
-    seen.work.contact_steps  = struck.n_contact_steps;
-    seen.work.estimator_samples =
-      seen.error ? seen.error->sample_times.size() : 0;
-    seen.history = std::move(struck.history);
+    seen.work          = cycle.plate.work();
+    seen.contact_steps = struck.n_contact_steps;
+    seen.history       = std::move(struck.history);
     return seen;
   }
 } // namespace PlateImpact

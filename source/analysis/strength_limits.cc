@@ -1,8 +1,7 @@
-#include "plate_impact/analysis/delamination.h"
+#include "plate_impact/analysis/impact_quantities.h"
 #include "plate_impact/analysis/model_limits.h"
 #include "plate_impact/base/text.h"
 
-#include <cmath>
 
 namespace PlateImpact
 {

@@ -28,13 +28,6 @@ namespace PlateImpact
 
     /// A window holds the time of a peak that is known this many times.
     constexpr double reserve = 1.5;
-
-    /// Step that divides the scene's end time, where it has one.
-    double
-    length_of_step(const TimeParameters &time)
-    {
-      return time.end_time > 0. ? NewmarkScheme(time).dt : time.time_step;
-    }
   } // namespace
 
 
@@ -164,7 +157,9 @@ namespace PlateImpact
     result.time.time_step = window.step;
     if (window.extent != Extent::to_peak)
       return until_contact_ends(plate, result, needs_states);
-    const double dt     = length_of_step(result.time);
+    // divides the scene's end time, where it has one
+    const double dt =
+      result.time.end_time > 0. ? NewmarkScheme(result.time).dt : window.step;
     const double wanted = dt * std::ceil(window.to_peak / dt);
     if (result.time.end_time == 0. || wanted < result.time.end_time)
       {

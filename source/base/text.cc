@@ -1,31 +1,15 @@
 #include "plate_impact/base/text.h"
 
+#include <deal.II/base/utilities.h>
+
 #include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
-#include <fmt/format.h>
-#include <string>
-#include <utility>
 
 namespace PlateImpact
 {
-  namespace
-  {
-    double
-    largest_of(const std::vector<double> &values)
-    {
-      double largest = 0.;
-      for (const double value : values)
-        if (std::isfinite(value))
-          largest = std::max(largest, std::abs(value));
-      return largest;
-    }
-  } // namespace
-
-
-
   PrefixedUnit::PrefixedUnit(const std::string &unit, const double value)
     : prefixed(unit)
     , factor(1.)
@@ -39,23 +23,6 @@ namespace PlateImpact
       std::clamp(int(std::floor(std::log10(largest) / 3. + 1e-9)), -4, 4);
     prefixed = prefixes[power + 4] + unit;
     factor   = std::pow(10., -3 * power);
-  }
-
-
-
-  PrefixedUnit::PrefixedUnit(const std::string         &unit,
-                             const std::vector<double> &values)
-    : PrefixedUnit(unit, largest_of(values))
-  {}
-
-
-
-  std::vector<double>
-  PrefixedUnit::operator()(std::vector<double> values) const
-  {
-    for (double &value : values)
-      value *= factor;
-    return values;
   }
 
 
@@ -184,13 +151,10 @@ namespace PlateImpact
 
 
   std::string
-  in_ascii(std::string text)
+  in_ascii(const std::string &text)
   {
-    for (const auto &[letter, ascii] :
-         {std::pair<std::string, std::string>{"µ", "u"}, {"±", "+-"}})
-      for (std::size_t at; (at = text.find(letter)) != std::string::npos;)
-        text.replace(at, letter.size(), ascii);
-    return text;
+    using dealii::Utilities::replace_in_string;
+    return replace_in_string(replace_in_string(text, "µ", "u"), "±", "+-");
   }
 
 

@@ -38,9 +38,7 @@ namespace PlateImpact
     std::string
     roughly(const double count)
     {
-      const double digit =
-        std::pow(10., std::max(0., std::floor(std::log10(count)) - 1.));
-      return about(digit * std::round(count / digit));
+      return rounded(count < 10. ? std::round(count) : count, 2);
     }
 
 
@@ -141,7 +139,8 @@ namespace PlateImpact
       {
         const std::vector<double> frequencies =
           expected_frequencies(parameters);
-        const PrefixedUnit       unit("Hz", frequencies);
+        const PrefixedUnit       unit("Hz",
+                                frequencies.empty() ? 0. : frequencies.back());
         std::vector<std::string> values;
         for (const double frequency : frequencies)
           values.push_back(about(unit(frequency)));
@@ -231,11 +230,10 @@ namespace PlateImpact
       const std::size_t n_points = plan.n_points;
       if (n_points == 0)
         return;
-      const bool is_adaptive =
-        given.adaptivity.is_adaptive() || plan.sweeps("Adaptivity/Strategy");
+      const bool is_adaptive = plan.may_adapt(given);
       const bool has_own_meshes =
         is_adaptive && given.sweep.adapt == SweepAdaptation::each_point;
-      const SweepGroups groups(plan, is_adaptive, given.plate.is_laminate());
+      const SweepGroups groups(plan, given);
       const std::string reason = what_keeps_loads_apart(given, plan);
       const std::size_t n_plates =
         has_own_meshes ? n_points : groups.groups.size();

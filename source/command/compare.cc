@@ -1,3 +1,4 @@
+#include <deal.II/base/timer.h>
 #include <deal.II/base/utilities.h>
 
 #include "plate_impact/base/exceptions.h"
@@ -11,7 +12,6 @@
 #include "plate_impact/output/result_directory.h"
 
 #include <algorithm>
-#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
@@ -35,8 +35,8 @@ namespace PlateImpact
         warnings.push_back(
           "under a point load the peak force has no limit: errors tell how "
           "far the smallest cell is from that of the reference");
-      const Reference &reference = comparison.reference();
-      for (const ComparisonCurve &curve : comparison.curves())
+      const Reference &reference = comparison.reference;
+      for (const ComparisonCurve &curve : comparison.curves)
         {
           const std::string name = curve.name();
           for (const std::string &warning : curve.warnings)
@@ -79,38 +79,6 @@ namespace PlateImpact
 
 
 
-    /// Before a curve: which of how many, and the time that is left.
-    class CurveTitle
-    {
-    public:
-      explicit CurveTitle(const ComparisonParameters &comparison)
-        : n(comparison.strategies.size() * comparison.elements.size())
-      {}
-
-      std::string
-      next(const ComparedStrategy &strategy, const ElementType element)
-      {
-        const std::chrono::duration<double> elapsed =
-          std::chrono::steady_clock::now() - begin;
-        std::string text = std::to_string(n_begun + 1) + " of " +
-          std::to_string(n) + "  " + name_of(strategy) + ", " +
-          word_for(element);
-        if (n_begun > 0)
-          text += ", about " +
-            waiting_time(elapsed.count() / n_begun * (n - n_begun)) + " left";
-        ++n_begun;
-        return text + '\n';
-      }
-
-    private:
-      const std::size_t                           n;
-      std::size_t                                 n_begun = 0;
-      const std::chrono::steady_clock::time_point begin =
-        std::chrono::steady_clock::now();
-    };
-
-
-
     std::string
     line_of(const ComparedMesh &mesh)
     {
@@ -149,7 +117,7 @@ namespace PlateImpact
         marking);
       const auto write_table = [&] {
         directory.write_file("comparison.csv", [&](std::ostream &out) {
-          write_comparison_table(out, comparison.curves());
+          write_comparison_table(out, comparison.curves);
         });
       };
       console.print(emphasized(scene.name, Emphasis::bold) +
@@ -157,12 +125,23 @@ namespace PlateImpact
       write_table();
       console.print(text_of(comparison.compute_reference()));
       const ComparisonParameters &parameters = scene.parameters.comparison;
-      CurveTitle                  title(parameters);
-      bool                        has_meshes = false;
+      const std::size_t           n =
+        parameters.strategies.size() * parameters.elements.size();
+      const dealii::Timer timer;
       for (const ComparedStrategy &strategy : parameters.strategies)
         for (const ElementType element : parameters.elements)
           {
-            console.print(title.next(strategy, element));
+            const std::size_t n_done = comparison.curves.size();
+            const std::string left   = n_done > 0 ? ", about " +
+                waiting_time(timer.wall_time() / n_done * (n - n_done)) +
+                " left" :
+                                                    "";
+            console.print(fmt::format("{} of {}  {}, {}{}\n",
+                                      n_done + 1,
+                                      n,
+                                      name_of(strategy),
+                                      word_for(element),
+                                      left));
             const ComparisonCurve &curve =
               comparison.compute_curve(strategy,
                                        element,
@@ -171,7 +150,6 @@ namespace PlateImpact
                                          console.print(
                                            line_of(curve.meshes.back()));
                                        });
-            has_meshes = has_meshes || !curve.meshes.empty();
             console.print("       " + curve.end + '\n');
             const Json results =
               comparison_results(scene,
@@ -184,13 +162,15 @@ namespace PlateImpact
               write_comparison_page(out, scene, comparison, results);
             });
           }
-      if (!has_meshes)
+      if (std::all_of(comparison.curves.begin(),
+                      comparison.curves.end(),
+                      [](const auto &curve) { return curve.meshes.empty(); }))
         throw ComputationError("no strategy gave a result; " +
-                               comparison.curves().front().end);
+                               comparison.curves.front().end);
       console.print("\n");
       for (const ThresholdRow &row : comparison.thresholds())
         for (const std::string &line : dealii::Utilities::break_text_into_lines(
-               in_words(row, comparison.curves()),
+               in_words(row, comparison.curves),
                most_columns))
           console.print(line + '\n');
       console.print("\nResults     " + directory.main_files() + '\n');
@@ -227,12 +207,9 @@ namespace PlateImpact
       }
     catch (const Interruption &interruption)
       {
-        throw Interruption(
-          std::string(interruption.what()) + ": the meshes so far are in " +
-            directory.main_files() +
-            "; Comparison/Strategies and Elements name what is "
-            "left",
-          interruption.signal);
+        throw interruption.with(
+          "the meshes so far are in " + directory.main_files() +
+          "; Comparison/Strategies and Elements name what is left");
       }
   }
 } // namespace PlateImpact

@@ -1,7 +1,8 @@
+#include <deal.II/base/timer.h>
+
 #include "plate_impact/analysis/impact_analysis.h"
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/interrupt.h"
-#include "plate_impact/base/stage_clock.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/command/commands.h"
 #include "plate_impact/marking/outside_marking.h"
@@ -35,7 +36,7 @@ namespace PlateImpact
     std::string
     line(const std::string &name, const std::string &text)
     {
-      return left(12, name) + text + '\n';
+      return fmt::format("{:<12}{}\n", name, text);
     }
 
 
@@ -188,54 +189,13 @@ namespace PlateImpact
 
 
 
-    /// Shows and writes what an analysis finds.
-    class RunListener : public AnalysisListener
-    {
-    public:
-      RunListener(Output &output, Console &console, const RunText &text)
-        : output(output)
-        , console(console)
-        , text(text)
-      {}
-
-      void
-      stage(const unsigned int cycle, const std::string &what) override
-      {
-        throw_if_interrupted();
-        console.show(column(5, "{:.0f}", cycle) + "  " + what);
-      }
-
-      void
-      step(const unsigned int cycle,
-           const unsigned int step,
-           const unsigned int n_steps) override
-      {
-        throw_if_interrupted();
-        console.show(column(5, "{:.0f}", cycle) + "  step ", step, n_steps);
-      }
-
-      void
-      cycle(Cycle &cycle) override
-      {
-        output.write_cycle(cycle);
-        console.print(text.cycle(cycle.result));
-      }
-
-    private:
-      Output        &output;
-      Console       &console;
-      const RunText &text;
-    };
-
-
-
     /// The impact is what counts: without them there is a warning.
     void
     add_frequencies(const unsigned int        n,
                     Cycle                    &cycle,
                     std::vector<std::string> &warnings)
     {
-      StageClock clock;
+      const dealii::Timer timer;
       try
         {
           cycle.result.natural_frequencies = cycle.plate.natural_frequencies(n);
@@ -245,7 +205,7 @@ namespace PlateImpact
           warnings.push_back("there are no natural frequencies: " +
                              std::string(error.what()));
         }
-      clock.charge(cycle.result.seconds.output);
+      cycle.result.seconds.output += timer.wall_time();
     }
 
 
@@ -259,9 +219,22 @@ namespace PlateImpact
       const RunText text(scene);
       Console       console(quiet);
       console.print(text.begin());
-      ImpactAnalysis analysis(scene.parameters);
-      RunListener    listener(output, console, text);
-      const Outcome  outcome = analysis.run(control, listener);
+      ImpactAnalysis   analysis(scene.parameters);
+      AnalysisListener listener;
+      listener.stage = [&](const unsigned int cycle, const std::string &what) {
+        throw_if_interrupted();
+        console.show(column(5, "{:.0f}", cycle) + "  " + what);
+      };
+      listener.step =
+        [&](const auto cycle, const auto step, const auto n_steps) {
+          throw_if_interrupted();
+          console.show(column(5, "{:.0f}", cycle) + "  step ", step, n_steps);
+        };
+      listener.cycle = [&](Cycle &cycle) {
+        output.write_cycle(cycle);
+        console.print(text.cycle(cycle.result));
+      };
+      const Outcome outcome = analysis.run(control, listener);
       if (scene.parameters.adaptivity.verify)
         analysis.verify();
       Cycle &last     = analysis.last_cycle();
@@ -307,11 +280,9 @@ namespace PlateImpact
     catch (const Interruption &interruption)
       {
         output.write_failure(interruption.what());
-        throw Interruption(std::string(interruption.what()) + ": " +
-                             output.kept() +
-                             "; a larger Target error or a shorter End time "
-                             "takes less",
-                           interruption.signal);
+        throw interruption.with(
+          output.kept() +
+          "; a larger Target error or a shorter End time takes less");
       }
     catch (const std::bad_alloc &)
       {

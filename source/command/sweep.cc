@@ -1,3 +1,4 @@
+#include <deal.II/base/timer.h>
 #include <deal.II/base/utilities.h>
 
 #include "plate_impact/analysis/impact_quantities.h"
@@ -12,7 +13,6 @@
 #include "plate_impact/sweep/sweep_results.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <exception>
 #include <fstream>
@@ -50,7 +50,7 @@ namespace PlateImpact
       std::ifstream before(directory / "scene.prm");
       if (!before)
         return;
-      std::istringstream now(scene.text());
+      std::istringstream now(scene.text);
       std::istringstream a(essence(before)), b(essence(now));
       for (std::string line_before, line; std::getline(b, line);)
         if (!std::getline(a, line_before) || line != line_before)
@@ -94,31 +94,47 @@ namespace PlateImpact
 
 
 
-    /// What a user sees while a sweep runs.
-    class SweepConsole
+    /// More histories than these do not show in one plot.
+    constexpr std::size_t most_plotted_histories = 12;
+
+
+
+    /// The first process' side of a sweep: what is written and printed.
+    class SweepRecord
     {
     public:
-      SweepConsole(const SweepScene &scene, const bool quiet)
+      SweepRecord(SweepScene &scene, const SweepOptions &options)
         : scene(scene)
-        , console(quiet)
+        , console(options.quiet)
+        , directory(scene.parameters.output.directory)
+        , table(prepared(directory, scene, options), scene.plan, options.resume)
       {}
 
+      std::vector<std::size_t>
+      points_to_do() const
+      {
+        std::vector<std::size_t> points;
+        for (std::size_t point = 0; point < table.rows.size(); ++point)
+          if (!table.rows[point])
+            points.push_back(point);
+        return points;
+      }
+
       /// @param n_groups  plates that the points share
-      /// @param n_done    points taken over from an interrupted sweep
       void
-      begin(const std::size_t n_groups, const std::size_t n_done)
+      begin(const std::size_t n_groups)
       {
         const SweepPlan &plan = scene.plan;
-        n_points              = plan.n_points - n_done;
+        n_points              = points_to_do().size();
         std::string text      = emphasized(scene.name, Emphasis::bold) + ": " +
           counted(plan.n_points, "point") + " of " + plan.names() + " on " +
           counted(n_groups, "plate");
-        if (scene.may_adapt())
-          text +=
-            scene.parameters().sweep.adapt == SweepAdaptation::each_point ?
+        if (plan.may_adapt(scene.parameters))
+          text += scene.parameters.sweep.adapt == SweepAdaptation::each_point ?
             ", a mesh for each point" :
             ", each mesh adapted for its shortest contact";
-        if (n_done > 0)
+        // of an interrupted sweep
+        if (const std::size_t n_done = plan.n_points - n_points; n_done > 0)
           text += ", " + std::to_string(n_done) + " of them done before";
         text += '\n';
         if (n_points <= most_lines && n_points > 0)
@@ -132,10 +148,74 @@ namespace PlateImpact
         console.print(text);
       }
 
+      void
+      add(const ComputedPoint &point)
+      {
+        const auto &[row, history] = point;
+        if (history && histories.size() < most_plotted_histories)
+          histories[row.point] = *history;
+        if (history)
+          directory.write_file("contact_history_point_" +
+                                 std::to_string(row.point + 1) + ".csv",
+                               [&](std::ostream &out) { history->write(out); });
+        table.add(row);
+        show(row);
+      }
+
+      /// What Ctrl-C leaves.
+      std::string
+      kept() const
+      {
+        return std::to_string(scene.plan.n_points - points_to_do().size()) +
+          " of " + counted(scene.plan.n_points, "point") + " are in " +
+          (directory / "sweep.csv").string() + "; --resume goes on from there";
+      }
+
+      void
+      finish(const SweepWork &work)
+      {
+        for (const std::size_t point : points_to_do())
+          add({{point, {}, "not computed: its process ended early", {}}, {}});
+        table.finish();
+        if (scene.parameters.output.write_report)
+          directory.write_file("sweep.html", [&](std::ostream &out) {
+            write_sweep_page(out, scene, table.rows, histories, work);
+          });
+        const double seconds = timer.wall_time();
+        console.print("\nComputed    " + counted(n_computed, "point") + " in " +
+                      about(seconds) + " s, " + about(n_computed / seconds) +
+                      " points/s\nMade        " + counted(work.meshes, "mesh") +
+                      ", " + counted(work.plates, "plate model") + ", " +
+                      counted(work.loads, "response") +
+                      " to a load\nResults     " + directory.main_files() +
+                      '\n');
+        const std::vector<std::string> warnings = sweep_warnings(table.rows);
+        if (std::none_of(table.rows.begin(),
+                         table.rows.end(),
+                         [](const auto &row) { return row->failure.empty(); }))
+          throw ComputationError(warnings.front());
+        print_warnings(warnings);
+      }
+
+    private:
+      /// Cleared for another sweep, or with the rows of this one.
+      static const ResultDirectory &
+      prepared(const ResultDirectory &directory,
+               const SweepScene      &scene,
+               const SweepOptions    &options)
+      {
+        if (options.resume)
+          check_scene_to_resume(directory, scene);
+        else
+          directory.clear();
+        directory.write_scene(scene.name, scene.text);
+        return directory;
+      }
+
       /// A line per point of a small sweep; of a large one, on a terminal, the
       /// number of points done so far and the time that the others take.
       void
-      row(const SweepRow &row)
+      show(const SweepRow &row)
       {
         ++n_computed;
         if (n_points > most_lines)
@@ -159,124 +239,12 @@ namespace PlateImpact
         console.print(text + '\n');
       }
 
-      void
-      end(const SweepWork &work, const std::string &results)
-      {
-        const std::chrono::duration<double> elapsed =
-          std::chrono::steady_clock::now() - start;
-        console.print("\nComputed    " + counted(n_computed, "point") + " in " +
-                      about(elapsed.count()) + " s, " +
-                      about(n_computed / elapsed.count()) +
-                      " points/s\nMade        " + counted(work.meshes, "mesh") +
-                      ", " + counted(work.plates, "plate model") + ", " +
-                      counted(work.loads, "response") +
-                      " to a load\nResults     " + results + '\n');
-      }
-
-    private:
-      const SweepScene &scene;
-      Console           console;
-      std::size_t       n_points = 0, n_computed = 0;
-
-      const std::chrono::steady_clock::time_point start =
-        std::chrono::steady_clock::now();
-    };
-
-
-
-    /// More histories than these do not show in one plot.
-    constexpr std::size_t most_plotted_histories = 12;
-
-
-
-    /// The first process' side of a sweep: what is written and printed.
-    class SweepRecord
-    {
-    public:
-      SweepRecord(SweepScene &scene, const SweepOptions &options)
-        : scene(scene)
-        , console(scene, options.quiet)
-        , directory(scene.parameters().output.directory)
-        , table(prepared(directory, scene, options), scene.plan, options.resume)
-      {}
-
-      std::vector<std::size_t>
-      points_to_do() const
-      {
-        std::vector<std::size_t> points;
-        for (std::size_t point = 0; point < table.rows().size(); ++point)
-          if (!table.rows()[point])
-            points.push_back(point);
-        return points;
-      }
-
-      void
-      begin(const std::size_t n_groups)
-      {
-        console.begin(n_groups, scene.plan.n_points - points_to_do().size());
-      }
-
-      void
-      add(const ComputedPoint &point)
-      {
-        const auto &[row, history] = point;
-        if (history && histories.size() < most_plotted_histories)
-          histories[row.point] = *history;
-        if (history)
-          directory.write_file("contact_history_point_" +
-                                 std::to_string(row.point + 1) + ".csv",
-                               [&](std::ostream &out) { history->write(out); });
-        table.add(row);
-        console.row(row);
-      }
-
-      /// What Ctrl-C leaves.
-      std::string
-      kept() const
-      {
-        return std::to_string(scene.plan.n_points - points_to_do().size()) +
-          " of " + counted(scene.plan.n_points, "point") + " are in " +
-          (directory / "sweep.csv").string() + "; --resume goes on from there";
-      }
-
-      void
-      finish(const SweepWork &work)
-      {
-        for (const std::size_t point : points_to_do())
-          add({{point, {}, "not computed: its process ended early", {}}, {}});
-        table.finish();
-        if (scene.parameters().output.write_report)
-          directory.write_file("sweep.html", [&](std::ostream &out) {
-            write_sweep_page(out, scene, table.rows(), histories, work);
-          });
-        console.end(work, directory.main_files());
-        const std::vector<std::string> warnings = sweep_warnings(table.rows());
-        if (std::none_of(table.rows().begin(),
-                         table.rows().end(),
-                         [](const auto &row) { return row->failure.empty(); }))
-          throw ComputationError(warnings.front());
-        print_warnings(warnings);
-      }
-
-    private:
-      /// Cleared for another sweep, or with the rows of this one.
-      static const ResultDirectory &
-      prepared(const ResultDirectory &directory,
-               const SweepScene      &scene,
-               const SweepOptions    &options)
-      {
-        if (options.resume)
-          check_scene_to_resume(directory, scene);
-        else
-          directory.clear();
-        directory.write_scene(scene.name, scene.text());
-        return directory;
-      }
-
       SweepScene           &scene;
-      SweepConsole          console;
+      Console               console;
       const ResultDirectory directory;
       SweepTable            table;
+      const dealii::Timer   timer;
+      std::size_t n_points = 0, n_computed = 0; ///< without those before
 
       std::map<std::size_t, ContactHistory> histories; ///< for the page
     };
@@ -290,14 +258,14 @@ namespace PlateImpact
             Processes          &processes)
   {
     // mpirun has its own way to end processes
-    if (processes.size() > 1)
+    if (processes.size > 1)
       await_no_interrupt();
     // the first process alone reads and writes results; without any it has
     // nothing to do for the others
     std::unique_ptr<SweepRecord> record;
     std::vector<std::size_t>     to_do;
     std::exception_ptr           failure;
-    if (processes.is_first())
+    if (processes.rank == 0)
       try
         {
           record = std::make_unique<SweepRecord>(scene, options);
@@ -311,16 +279,13 @@ namespace PlateImpact
     if (failure)
       std::rethrow_exception(failure);
 
-    const SweepGroups groups(scene.plan,
-                             scene.may_adapt(),
-                             scene.is_laminate());
+    const SweepGroups groups(scene.plan, scene.parameters);
     std::vector<bool> is_to_do(scene.plan.n_points, false);
     for (const std::size_t point : to_do)
       is_to_do[point] = true;
     // a few tasks for each process, so that all end at about the same time
-    const std::size_t n_parts =
-      processes.size() == 1 ? 1 : 8 * processes.size();
-    const auto tasks =
+    const std::size_t n_parts = processes.size == 1 ? 1 : 8 * processes.size;
+    const auto        tasks =
       groups.tasks(is_to_do, std::max<std::size_t>(1, to_do.size() / n_parts));
 
     SweepComputation computation(scene, groups);
@@ -337,9 +302,7 @@ namespace PlateImpact
       }
     catch (const Interruption &interruption)
       {
-        throw Interruption(std::string(interruption.what()) + ": " +
-                             record->kept(),
-                           interruption.signal);
+        throw interruption.with(record->kept());
       }
   }
 } // namespace PlateImpact

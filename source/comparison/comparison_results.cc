@@ -218,13 +218,13 @@ namespace PlateImpact
     Json json = {{"scene", scene.name},
                  {"version", PLATE_IMPACT_VERSION},
                  {"warnings", warnings},
-                 {"reference", to_json(comparison.reference())},
+                 {"reference", to_json(comparison.reference)},
                  {"curves", Json::array()},
                  {"thresholds", Json::array()}};
-    for (const ComparisonCurve &curve : comparison.curves())
+    for (const ComparisonCurve &curve : comparison.curves)
       json["curves"].push_back(to_json(curve));
     for (const ThresholdRow &row : comparison.thresholds())
-      json["thresholds"].push_back(to_json(row, comparison.curves()));
+      json["thresholds"].push_back(to_json(row, comparison.curves));
     return json;
   }
 
@@ -262,7 +262,7 @@ namespace PlateImpact
                         const Json               &results)
   {
     const Parameters &parameters = scene.parameters;
-    const Reference  &reference  = comparison.reference();
+    const Reference  &reference  = comparison.reference;
     const auto forces = [](const std::optional<ContactHistory> &history) {
       return history ?
         history_on_page(*history, most_plotted_states, {"time", "force"}) :
@@ -273,7 +273,7 @@ namespace PlateImpact
     study["target"]     = parameters.adaptivity.target_error;
     study.update(plate_on_page(parameters));
     study["meshes"] = Json::array();
-    for (const ComparisonCurve &curve : comparison.curves())
+    for (const ComparisonCurve &curve : comparison.curves)
       {
         study["histories"].push_back(forces(curve.history));
         if (!curve.picture.is_null())

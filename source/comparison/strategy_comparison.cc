@@ -9,10 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <new>
-#include <optional>
 
 namespace PlateImpact
 {
@@ -109,42 +107,6 @@ namespace PlateImpact
     /// Thrown out of a cycle that would exceed the time budget.
     struct BudgetSpent
     {};
-
-
-
-    /// Passes on what a transient tells, and the cycles of a curve.
-    class CurveListener : public AnalysisListener
-    {
-    public:
-      using Progress = StrategyComparison::Progress;
-
-      explicit CurveListener(
-        const Progress                           &progress,
-        const std::function<void(const Cycle &)> &add_cycle = {})
-        : progress(progress)
-        , add_cycle(add_cycle)
-      {}
-
-      void
-      step(const unsigned int cycle,
-           const unsigned int step,
-           const unsigned int n_steps) override
-      {
-        if (progress)
-          progress(cycle, step, n_steps);
-      }
-
-      void
-      cycle(Cycle &cycle) override
-      {
-        if (add_cycle)
-          add_cycle(cycle);
-      }
-
-    private:
-      const Progress                           progress;
-      const std::function<void(const Cycle &)> add_cycle;
-    };
   } // namespace
 
 
@@ -188,8 +150,8 @@ namespace PlateImpact
     if (const double given = scene.parameters.comparison.reference_peak_force;
         given > 0.)
       {
-        the_reference.peak_force = given;
-        return the_reference;
+        reference.peak_force = given;
+        return reference;
       }
     const Timer      timer;
     const Parameters parameters =
@@ -205,10 +167,11 @@ namespace PlateImpact
           return Outcome::target_reached;
         return {};
       });
-    HalvedTargets once(parameters.adaptivity, [](const CycleResult &) {
+    HalvedTargets    once(parameters.adaptivity, [](const CycleResult &) {
       return Outcome::single_mesh;
     });
-    CurveListener listener(progress);
+    AnalysisListener listener;
+    listener.step = progress;
     analysis.run(until_fine, listener);
     const double coarse_peak =
       analysis.last_cycle().result.history->peak().force;
@@ -216,29 +179,29 @@ namespace PlateImpact
     analysis.run(once, listener);
     const CycleResult &fine = analysis.last_cycle().result;
 
-    the_reference.peak_force = fine.history->peak().force;
-    if (!(the_reference.peak_force > 0.))
+    reference.peak_force = fine.history->peak().force;
+    if (!(reference.peak_force > 0.))
       throw ComputationError("the peak force of the reference is " +
-                             number(the_reference.peak_force) +
+                             number(reference.peak_force) +
                              " N: there is nothing to compare with; choose a "
                              "longer Time/End time");
     // Ritz vectors have a tolerance of their own
-    the_reference.uncertainty =
-      std::max(std::abs(coarse_peak / the_reference.peak_force - 1.),
+    reference.uncertainty =
+      std::max(std::abs(coarse_peak / reference.peak_force - 1.),
                fine.work.ritz_vectors > 0 ? parameters.time.ritz_tolerance :
                                             0.);
-    the_reference.time_step_error    = fine.time_error;
-    the_reference.contact_end        = fine.history->first_contact_end();
-    the_reference.eta                = fine.error->eta;
-    the_reference.history            = fine.history;
-    the_reference.cells              = fine.cells;
-    the_reference.degrees_of_freedom = fine.degrees_of_freedom;
-    the_reference.seconds            = timer.wall_time();
+    reference.time_step_error    = fine.time_error;
+    reference.contact_end        = fine.history->first_contact_end();
+    reference.eta                = fine.error->eta;
+    reference.history            = fine.history;
+    reference.cells              = fine.cells;
+    reference.degrees_of_freedom = fine.degrees_of_freedom;
+    reference.seconds            = timer.wall_time();
     if (!parameters.contact.load_is_singular())
-      the_reference.field_error = std::make_shared<const ReferenceError>(
+      reference.field_error = std::make_shared<const ReferenceError>(
         analysis.last_cycle().discretization(),
         fine.snapshots);
-    return the_reference;
+    return reference;
   }
 
 
@@ -249,8 +212,8 @@ namespace PlateImpact
     const ElementType                                   element,
     const std::function<void(const ComparisonCurve &)> &listener)
   {
-    the_curves.emplace_back();
-    ComparisonCurve &curve = the_curves.back();
+    curves.emplace_back();
+    ComparisonCurve &curve = curves.back();
     curve.strategy         = strategy;
     curve.element          = element;
     try
@@ -295,47 +258,34 @@ namespace PlateImpact
         return Outcome::maximum_cycles;
       return {};
     };
-    const auto tell_step = [&](auto cycle, auto step, auto n_steps) {
+    AnalysisListener teller;
+    teller.step = [&](auto cycle, auto step, auto n_steps) {
       if (is_spent())
         throw BudgetSpent();
-      if (progress)
-        progress(cycle, step, n_steps);
+      progress(cycle, step, n_steps);
     };
     ImpactAnalysis analysis(parameters);
-    const auto     tell_cycle = [&](const Cycle &cycle) {
+    teller.cycle = [&](const Cycle &cycle) {
+      const CycleResult &result = cycle.result;
+      // of the mesh that met the scene's target, or the last that is drawn
+      const bool was_met = !curve.meshes.empty() &&
+        curve.meshes.back().eta <= parameters.adaptivity.target_error;
+      if (!was_met && result.cells <= most_drawn_cells)
+        curve.picture = mesh_on_page(cycle.mesh(),
+                                     curve.name() + ": " +
+                                       std::to_string(result.cells) + " cells",
+                                     result.element_errors());
       curve.meshes.push_back(compared(cycle, seconds));
-      seconds = curve.meshes.back().cumulative_seconds;
-      show_mesh(curve, cycle);
-      curve.history  = cycle.result.history;
-      curve.warnings = analysis.warnings();
-      if (listener)
-        listener(curve);
+      seconds        = curve.meshes.back().cumulative_seconds;
+      curve.history  = result.history;
+      curve.warnings = analysis.warnings;
+      listener(curve);
       timer.restart();
     };
     HalvedTargets control(parameters.adaptivity,
                           end,
                           curve.strategy.is_outside ? marking : nullptr);
-    CurveListener teller(tell_step, tell_cycle);
     curve.end = word_for(analysis.run(control, teller));
-  }
-
-
-
-  void
-  StrategyComparison::show_mesh(ComparisonCurve &curve,
-                                const Cycle     &cycle) const
-  {
-    // of the mesh that met the scene's target, or the last that is drawn
-    const CycleResult &result  = cycle.result;
-    const std::size_t  n       = curve.meshes.size();
-    const bool         was_met = n > 1 &&
-      curve.meshes[n - 2].eta <= scene.parameters.adaptivity.target_error;
-    if (was_met || result.cells > most_drawn_cells)
-      return;
-    curve.picture = mesh_on_page(cycle.mesh(),
-                                 curve.name() + ": " +
-                                   std::to_string(result.cells) + " cells",
-                                 result.element_errors());
   }
 
 
@@ -346,32 +296,31 @@ namespace PlateImpact
   {
     const CycleResult &result     = cycle.result;
     const double       peak_force = result.history->peak().force;
-    const double error = std::abs(peak_force / the_reference.peak_force - 1.);
-    ComparedMesh mesh  = {result.cycle,
-                          result.cells,
-                          result.degrees_of_freedom,
-                          result.cells_at_minimum_size,
-                          result.error->eta,
-                          peak_force,
-                          error,
+    const double       error = std::abs(peak_force / reference.peak_force - 1.);
+    ComparedMesh       mesh  = {result.cycle,
+                                result.cells,
+                                result.degrees_of_freedom,
+                                result.cells_at_minimum_size,
+                                result.error->eta,
+                                peak_force,
+                                error,
                          result.peak_force_bar ?
-                            std::optional(result.peak_force_bar->total()) :
-                            std::nullopt,
-                          error > the_reference.uncertainty,
-                          {},
-                          result.seconds.total(),
-                          seconds_before + result.seconds.total(),
-                          {}};
+                                  std::optional(result.peak_force_bar->total()) :
+                                  std::nullopt,
+                                error > reference.uncertainty,
+                                {},
+                                result.seconds.total(),
+                                seconds_before + result.seconds.total(),
+                                {}};
     if (const auto end = result.history->first_contact_end();
-        end && the_reference.contact_end)
-      mesh.contact_end_error = std::abs(*end / *the_reference.contact_end - 1.);
-    const double end      = result.history->states().back().time;
-    const bool   is_whole = the_reference.history &&
-      end == the_reference.history->states().back().time;
-    if (the_reference.field_error && is_whole &&
-        !(mesh.eta < 3. * *the_reference.eta))
+        end && reference.contact_end)
+      mesh.contact_end_error = std::abs(*end / *reference.contact_end - 1.);
+    const double end = result.history->states().back().time;
+    const bool   is_whole =
+      reference.history && end == reference.history->states().back().time;
+    if (reference.field_error && is_whole && !(mesh.eta < 3. * *reference.eta))
       mesh.effectivity = mesh.eta /
-        the_reference.field_error->of(cycle.discretization(), result.snapshots);
+        reference.field_error->of(cycle.discretization(), result.snapshots);
     return mesh;
   }
 
@@ -382,11 +331,11 @@ namespace PlateImpact
     const CycleResult          &result,
     const AdaptivityParameters &adaptivity) const
   {
-    if (!the_reference.eta)
+    if (!reference.eta)
       return false;
     return adaptivity.goal == AdaptationGoal::peak_force ?
-      make_goal(adaptivity)->error(result) < 3. * the_reference.uncertainty :
-      result.error->eta < 3. * *the_reference.eta;
+      make_goal(adaptivity)->error(result) < 3. * reference.uncertainty :
+      result.error->eta < 3. * *reference.eta;
   }
 
 
@@ -405,7 +354,7 @@ namespace PlateImpact
     for (const double threshold : {0.05, 0.02, 0.01, 0.005, 0.003, 0.001})
       add(&ComparedMesh::peak_force_error,
           threshold,
-          threshold > the_reference.uncertainty);
+          threshold > reference.uncertainty);
     for (const double threshold : {0.1, 0.05, 0.02, 0.01})
       add(&ComparedMesh::eta, threshold, true);
     return rows;
@@ -418,7 +367,7 @@ namespace PlateImpact
                                    double ComparedMesh::*error) const
   {
     std::vector<Achievement> result;
-    for (const ComparisonCurve &curve : the_curves)
+    for (const ComparisonCurve &curve : curves)
       {
         if (error == &ComparedMesh::eta &&
             curve.strategy.goal == AdaptationGoal::peak_force)

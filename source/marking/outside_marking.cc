@@ -1,6 +1,8 @@
 #include "plate_impact/marking/outside_marking.h"
 
 #include <deal.II/base/quadrature_lib.h>
+#include <deal.II/base/utilities.h>
+#include <deal.II/grid/grid_tools.h>
 
 #include "plate_impact/adaptation/cell_sizes.h"
 #include "plate_impact/base/exceptions.h"
@@ -46,19 +48,11 @@ namespace PlateImpact
     Json
     neighbours_of(const Triangulation<2>::active_cell_iterator &cell)
     {
+      std::vector<Triangulation<2>::active_cell_iterator> cells;
+      GridTools::get_active_neighbors<Triangulation<2>>(cell, cells);
       Json neighbours = Json::array();
-      for (const unsigned int side : cell->face_indices())
-        {
-          if (cell->at_boundary(side))
-            continue;
-          const auto face = cell->face(side);
-          if (!face->has_children())
-            neighbours.push_back(cell->neighbor(side)->active_cell_index());
-          else
-            for (unsigned int child = 0; child < face->n_children(); ++child)
-              neighbours.push_back(cell->neighbor_child_on_subface(side, child)
-                                     ->active_cell_index());
-        }
+      for (const auto &neighbour : cells)
+        neighbours.push_back(neighbour->active_cell_index());
       return neighbours;
     }
 
@@ -72,7 +66,10 @@ namespace PlateImpact
       const QGauss<2>            samples(2);
       const unsigned int         m = plate.section().n_resultants();
       const Eigen::MatrixXd      recovered =
-        cycle.recovered_resultants(state.unknowns, samples.get_points());
+        recovered_resultants(plate,
+                             cycle.recovery(),
+                             state.unknowns,
+                             samples.get_points());
       for (const auto &cell : cycle.mesh().active_cell_iterators())
         {
           const unsigned int   c   = cell->active_cell_index();
@@ -209,11 +206,7 @@ namespace PlateImpact
     std::string
     quoted(const std::string &text)
     {
-      std::string result = "'";
-      for (const char character : text)
-        result +=
-          character == '\'' ? std::string("'\\''") : std::string(1, character);
-      return result + '\'';
+      return "'" + Utilities::replace_in_string(text, "'", "'\\''") + '\'';
     }
   } // namespace
 

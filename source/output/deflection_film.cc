@@ -1,5 +1,6 @@
 #include "plate_impact/output/deflection_film.h"
 
+#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/utilities.h>
 #include <deal.II/fe/fe_system.h>
 
@@ -36,20 +37,6 @@ namespace PlateImpact
       return Utilities::encode_base64(
         std::vector<unsigned char>(bytes,
                                    bytes + sizeof(Number) * values.size()));
-    }
-
-
-
-    /// A lattice on the reference cell, row by row.
-    std::vector<Point<2>>
-    lattice(const unsigned int points_per_side)
-    {
-      std::vector<Point<2>> points;
-      const double          n = points_per_side - 1;
-      for (unsigned int j = 0; j < points_per_side; ++j)
-        for (unsigned int i = 0; i < points_per_side; ++i)
-          points.emplace_back(i / n, j / n);
-      return points;
     }
 
 
@@ -172,9 +159,11 @@ namespace PlateImpact
     const unsigned int          points_per_side = n_cells > 1000 ? 2 :
                n_cells > 60                                      ? 3 :
                                                                    5;
-    const std::vector<Point<2>> unit_points     = lattice(points_per_side);
-    const std::size_t           n_points        = n_cells * unit_points.size();
-    const auto                  frames_with = [&](const std::size_t n_fields) {
+    const std::vector<Point<2>> unit_points =
+      QIterated<2>(QTrapezoid<1>(), points_per_side - 1)
+        .get_points(); // row by row
+    const std::size_t n_points    = n_cells * unit_points.size();
+    const auto        frames_with = [&](const std::size_t n_fields) {
       return chosen_frames(result.frames.size(),
                            n_points * (2 + n_fields) + 2 * n_cells);
     };

@@ -6,6 +6,7 @@
 
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/text.h"
+#include "plate_impact/estimator/recovered_field.h"
 #include "plate_impact/output/section_fields.h"
 #include "plate_impact/plate/plate_mesh.h"
 
@@ -128,8 +129,10 @@ namespace PlateImpact
     for (const Snapshot &snapshot : result.snapshots)
       {
         const Eigen::MatrixXd resultants =
-          cycle.recovered_resultants(snapshot.unknowns,
-                                     nodal.get_unit_support_points());
+          recovered_resultants(plate,
+                               cycle.recovery(),
+                               snapshot.unknowns,
+                               nodal.get_unit_support_points());
         for (const auto &cell : dof_handler.active_cell_iterators())
           {
             const unsigned int c = cell->active_cell_index();

@@ -1,6 +1,5 @@
 #include "plate_impact/output/section_fields.h"
 
-#include <utility>
 
 namespace PlateImpact
 {

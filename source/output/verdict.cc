@@ -83,7 +83,7 @@ namespace PlateImpact
                    const std::vector<std::string> &warnings)
     {
       Verdict::Part part;
-      if (!is_success(outcome))
+      if (outcome != Outcome::single_mesh && outcome != Outcome::target_reached)
         part.trust = Trust::doubtful; // a warning says why
       if (outcome == Outcome::single_mesh &&
           !parameters.adaptivity.is_adaptive())

@@ -2,7 +2,6 @@
 
 const nameOf = ({ strategy, element }) => `${strategy}, ${element}`;
 const isOfEta = (row) => row.quantity === 'eta';
-const wallTime = (seconds) => `${seconds.toFixed(2)} s`;
 
 /** The entry of a curve among those that reach a threshold. */
 const reachedBy = (row, curve) => row.reached.find((reached) => nameOf(reached) === nameOf(curve));
@@ -31,8 +30,8 @@ function showOutcome({ warnings, reference, thresholds }) {
 function showThresholds({ thresholds, curves }) {
   const names = (key) => [...new Set(curves.map((curve) => curve[key]))], elements = names('element'), holder = element('div');
   const achieved = (row, curve) => {
-    const reached = row.reached.find((one) => nameOf(one) === nameOf(curve));
-    return reached ? `${reached.cells} cells, ${wallTime(reached.cumulative_seconds)}${reached.as_fast_as_the_first ? ' ✓' : ''}` : '–';
+    const reached = reachedBy(row, curve);
+    return reached ? `${reached.cells} cells, ${reached.cumulative_seconds.toFixed(2)} s${reached.as_fast_as_the_first ? ' ✓' : ''}` : '–';
   };
   const show = (chosen) => {
     const row = thresholds[chosen];

@@ -110,17 +110,8 @@ class Film {
       for (let cell = 0; cell < film.cells; ++cell)
         for (const [quad, border] of quads)
           this.patches.push({ cell, mirrorX, mirrorY, border, nodes: quad.map((n) => cell * this.nodesPerCell + n) });
-    this.struck = this.nodeAt(0, 0);
-  }
-
-  /** The node nearest to a point. */
-  nodeAt(x, y) {
-    let best = 0, least = Infinity;
-    for (let n = 0; n < this.nodes.length / 2; ++n) {
-      const distance = Math.hypot(this.nodes[2 * n] - x, this.nodes[2 * n + 1] - y);
-      if (distance < least) [best, least] = [n, distance];
-    }
-    return best;
+    const fromImpact = (n) => Math.hypot(this.nodes[2 * n], this.nodes[2 * n + 1]);
+    this.struck = Array.from({ length: this.nodes.length / 2 }, (_, n) => n).reduce((a, b) => (fromImpact(b) < fromImpact(a) ? b : a));
   }
 
   makeControls() {

@@ -37,16 +37,6 @@ function percentage(fraction, digits = 4) {
   return `${formatted(100 * fraction, digits)} %`;
 }
 
-/** As with_error() of base/text.h: "1390.10 N ± 0.10 N". */
-function withError(value, error, unit) {
-  const { name, factor } = prefixed(unit, [value]), shown = factor * error;
-  if (!(shown > 0)) return withUnit(value, unit);
-  const power = Math.floor(Math.log10(shown)), two = shown / 10 ** power < 3;
-  const digits = Math.min(9, Math.max(0, two ? 1 - power : -power));
-  return `${(factor * value).toFixed(digits)} ${name} ± ` +
-    `${(Math.ceil(shown * 10 ** digits - 1e-9) / 10 ** digits).toFixed(digits)} ${name}`;
-}
-
 /** How far a value is from another: "+0.56 %", or "12.6 times". */
 function deviation(value, other) {
   const ratio = value / other;

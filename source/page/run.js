@@ -16,10 +16,10 @@ const quantitiesOfCycles = [
   ['Largest stress of the plate', 'max_effective_stress', 'Pa'], ['Energy drift', 'relative_energy_drift', '']];
 
 /** What a reader looks for first: peak force, Zener's beside it, contact, rebound, error, outcome. */
-function factsOfRun({ summary, expected }) {
+function factsOfRun({ summary, expected, words }) {
   const last = summary.cycles.at(-1), { inputs } = summary, bar = last.peak_force_error_bar;
   const ofForce = last.peak_force === undefined ? [] : [
-    ['Peak force', withError(last.peak_force, (bar ?? 0) * last.peak_force, 'N'), `at ${withUnit(last.time_of_peak_force, 's')}` +
+    ['Peak force', words.force, `at ${withUnit(last.time_of_peak_force, 's')}` +
       (bar ? '; by mesh and time step; what the model may leave is below' : '')],
     ["Zener's infinite thin plate", withUnit(expected.force, 'N'), `at ${withUnit(expected.time, 's')}` +
       (inputs['Impactor/Shape'] === 'cylinder' ? ', struck at a point: a lower bound for a cylinder' : '') +

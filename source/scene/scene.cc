@@ -12,20 +12,23 @@ namespace PlateImpact
              const std::vector<std::string>   &overrides,
              const std::optional<std::string> &output)
   {
-    SceneReader  reader(path, overrides, output);
-    SceneChecker checker(reader.entries, reader.parameters);
-    checker.check_together();
+    SceneReader      reader(path, overrides, output);
+    SceneChecker     checker(reader.entries, reader.parameters);
     const Parameters given = checker.parameters;
-    if (reader.mistakes.empty() && checker.mistakes.empty())
+    if (reader.mistakes.empty())
       checker.complete();
     reader.add_mistakes(checker.mistakes);
     reader.add_mistakes(SweepPlan(reader.entries, given.sweep).mistakes);
     reader.refuse_mistakes();
-    return {printable(path),
-            checker.parameters,
-            reader.entries.text(/*with_meanings=*/false),
-            given,
-            checker.expected};
+    Scene scene{printable(path),
+                checker.parameters,
+                reader.entries.text(/*with_meanings=*/false),
+                given,
+                checker.expected,
+                {}};
+    for (const Entry &entry : reader.entries.all)
+      scene.inputs.push_back({entry.path, entry.text()});
+    return scene;
   }
 
 

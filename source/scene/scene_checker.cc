@@ -86,8 +86,9 @@ namespace PlateImpact
 
 
 
-  void
-  SceneChecker::check_together()
+  SceneChecker::SceneChecker(Entries &entries, const Parameters &given)
+    : parameters(given)
+    , entries(entries)
   {
     const bool has_outline = read_plate();
     choose_contact();
@@ -295,7 +296,7 @@ namespace PlateImpact
   void
   SceneChecker::complete()
   {
-    if (!parameters.has_impactor())
+    if (!mistakes.empty() || !parameters.has_impactor())
       return;
     complete_impactor();
     if (!expected)

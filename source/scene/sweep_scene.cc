@@ -22,7 +22,6 @@ namespace PlateImpact
         entry.is_known = false;
       }
     SceneChecker checker(reader.entries, reader.parameters);
-    checker.check_together();
     reader.add_mistakes(checker.mistakes);
     reader.add_mistakes(plan.mistakes);
     if (reader.mistakes.empty() && plan.n_points == 0)
@@ -32,8 +31,8 @@ namespace PlateImpact
          "example Impactor/Velocity and 1, 2, 5"});
     reader.refuse_mistakes();
 
-    base_text = reader.entries.text(/*with_meanings=*/false);
-    base      = checker.parameters;
+    text       = reader.entries.text(/*with_meanings=*/false);
+    parameters = checker.parameters;
   }
 
 
@@ -56,13 +55,11 @@ namespace PlateImpact
       entry.chosen.reset();
     std::vector<std::string> mistakes = reader.set(assignments);
 
-    reader.parameters.plate.file = base.plate.file;
+    reader.parameters.plate.file = parameters.plate.file;
     SceneChecker checker(reader.entries, reader.parameters);
     if (mistakes.empty())
       {
-        checker.check_together();
-        if (checker.mistakes.empty())
-          checker.complete();
+        checker.complete();
         mistakes = checker.mistakes;
       }
     if (mistakes.empty() && !checker.expected)

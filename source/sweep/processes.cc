@@ -107,69 +107,37 @@ namespace PlateImpact
 
 
 
-  /// What needs MPI: the shared counter.
-  struct Processes::Connection
-  {
-    Connection()
-    {
-      MPI_Init(nullptr, nullptr);
-      int number;
-      MPI_Comm_rank(MPI_COMM_WORLD, &number);
-      rank = number;
-      MPI_Comm_size(MPI_COMM_WORLD, &number);
-      size = number;
-      MPI_Win_allocate(rank == 0 ? sizeof(*counter) : 0,
-                       sizeof(*counter),
-                       MPI_INFO_NULL,
-                       MPI_COMM_WORLD,
-                       &counter,
-                       &window);
-      if (rank == 0)
-        {
-          MPI_Win_lock(MPI_LOCK_EXCLUSIVE, 0, 0, window);
-          *counter = 0;
-          MPI_Win_unlock(0, window);
-        }
-      MPI_Barrier(MPI_COMM_WORLD);
-    }
-
-    ~Connection()
-    {
-      MPI_Win_free(&window);
-      MPI_Finalize();
-    }
-
-    unsigned int   rank, size;
-    MPI_Win        window;
-    unsigned long *counter = nullptr; ///< on the first process
-  };
-
-
-
   Processes::Processes()
+    : uses_mpi(is_started_by_mpi())
   {
-    if (is_started_by_mpi())
-      connection = std::make_unique<Connection>();
+    if (!uses_mpi)
+      return;
+    MPI_Init(nullptr, nullptr);
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    MPI_Comm_size(MPI_COMM_WORLD, &size);
+    MPI_Win_allocate(rank == 0 ? sizeof(*shared_counter) : 0,
+                     sizeof(*shared_counter),
+                     MPI_INFO_NULL,
+                     MPI_COMM_WORLD,
+                     &shared_counter,
+                     &window);
+    if (rank == 0)
+      {
+        MPI_Win_lock(MPI_LOCK_EXCLUSIVE, 0, 0, window);
+        *shared_counter = 0;
+        MPI_Win_unlock(0, window);
+      }
+    MPI_Barrier(MPI_COMM_WORLD);
   }
 
 
 
-  Processes::~Processes() = default;
-
-
-
-  unsigned int
-  Processes::size() const
+  Processes::~Processes()
   {
-    return connection ? connection->size : 1;
-  }
-
-
-
-  bool
-  Processes::is_first() const
-  {
-    return !connection || connection->rank == 0;
+    if (!uses_mpi)
+      return;
+    MPI_Win_free(&window);
+    MPI_Finalize();
   }
 
 
@@ -177,19 +145,13 @@ namespace PlateImpact
   std::size_t
   Processes::next_task()
   {
-    if (!connection)
+    if (!uses_mpi)
       return counter++;
     const unsigned long one = 1;
     unsigned long       task;
-    MPI_Win_lock(MPI_LOCK_SHARED, 0, 0, connection->window);
-    MPI_Fetch_and_op(&one,
-                     &task,
-                     MPI_UNSIGNED_LONG,
-                     0,
-                     0,
-                     MPI_SUM,
-                     connection->window);
-    MPI_Win_unlock(0, connection->window);
+    MPI_Win_lock(MPI_LOCK_SHARED, 0, 0, window);
+    MPI_Fetch_and_op(&one, &task, MPI_UNSIGNED_LONG, 0, 0, MPI_SUM, window);
+    MPI_Win_unlock(0, window);
     return task;
   }
 
@@ -198,7 +160,7 @@ namespace PlateImpact
   void
   Processes::broadcast(std::vector<std::size_t> &numbers) const
   {
-    if (connection)
+    if (uses_mpi)
       numbers = Utilities::MPI::broadcast(MPI_COMM_WORLD, numbers);
   }
 
@@ -220,7 +182,7 @@ namespace PlateImpact
       all.loads += work.loads;
     };
     unsigned int n_others =
-      is_first() ? size() - 1 : 0; // that have not sent their work
+      rank == 0 ? size - 1 : 0; // that have not sent their work
     const auto take_others = [&](bool wait, const auto &take) {
       while (n_others > 0)
         {
@@ -244,7 +206,7 @@ namespace PlateImpact
             {
               const ComputedPoint point =
                 computation.compute(tasks[task].group, index);
-              if (is_first())
+              if (rank == 0)
                 {
                   take(point);
                   throw_if_interrupted();
@@ -253,8 +215,8 @@ namespace PlateImpact
               else
                 send(Utilities::pack(Message(point), false));
             }
-        if (!is_first())
-          send(Utilities::pack(Message(computation.work()), false));
+        if (rank != 0)
+          send(Utilities::pack(Message(computation.work), false));
         while (n_others > 0)
           take_others(/*wait=*/true, take);
       }
@@ -267,7 +229,7 @@ namespace PlateImpact
           take_others(/*wait=*/true, [](const ComputedPoint &) {});
         throw;
       }
-    add_work(computation.work());
+    add_work(computation.work);
     return all;
   }
 } // namespace PlateImpact

@@ -1,5 +1,7 @@
 #include "plate_impact/sweep/sweep_computation.h"
 
+#include <deal.II/base/utilities.h>
+
 #include "plate_impact/analysis/impact_analysis.h"
 #include "plate_impact/analysis/impact_quantities.h"
 #include "plate_impact/analysis/warnings.h"
@@ -21,17 +23,6 @@ namespace PlateImpact
 
   namespace
   {
-    /// A message in one line.
-    std::string
-    in_one_line(std::string text)
-    {
-      for (std::size_t end; (end = text.find('\n')) != std::string::npos;)
-        text.replace(end, 1, "; ");
-      return text;
-    }
-
-
-
     /// Calls a function.
     /// @return why it failed, empty when it did not
     template <typename Function>
@@ -53,7 +44,7 @@ namespace PlateImpact
         }
       catch (const std::exception &error)
         {
-          return in_one_line(error.what());
+          return Utilities::replace_in_string(error.what(), "\n", "; ");
         }
     }
   } // namespace
@@ -78,6 +69,9 @@ namespace PlateImpact
         result.row.quantities.push_back(
           quantity.value(impact).value_or(std::nan("")));
       result.row.warnings = std::move(computed.warnings);
+      result.row.warnings.insert(result.row.warnings.end(),
+                                 mesh_warnings.begin(),
+                                 mesh_warnings.end());
       if (valid.parameters.sweep.write_histories)
         result.history = std::move(computed.impact.history);
     });
@@ -105,7 +99,7 @@ namespace PlateImpact
           plate_model   = std::make_unique<PlateModel>(parameters.plate,
                                                      parameters.discretization,
                                                      std::move(mesh));
-          ++done.plates;
+          ++work.plates;
         });
       }
     if (plate_model == nullptr)
@@ -115,12 +109,7 @@ namespace PlateImpact
       {
         Parameters on_mesh          = parameters;
         on_mesh.adaptivity.strategy = AdaptationStrategy::none;
-        Computed computed =
-          analyse(on_mesh, copy_of(plate_model->discretization().mesh()));
-        computed.warnings.insert(computed.warnings.end(),
-                                 mesh_warnings.begin(),
-                                 mesh_warnings.end());
-        return computed;
+        return analyse(on_mesh, copy_of(plate_model->discretization().mesh()));
       }
     return strike(point);
   }
@@ -136,7 +125,7 @@ namespace PlateImpact
       until_contact_ends(*plate_model, point.parameters, needs_states);
     const LoadedPlate plate = plate_model->under(parameters, needs_states);
     Computed          computed{plate.strike(), {}, {}, {}};
-    done.loads += plate_model->work().loads - loads_before;
+    work.loads += plate_model->work().loads - loads_before;
 
     const Triangulation<2> &mesh = plate_model->discretization().mesh();
     CycleResult             result;
@@ -149,9 +138,6 @@ namespace PlateImpact
          impact_warnings(parameters, result, point.expected) :
          reliability_warnings(parameters, mesh, result, point.expected))
         .all();
-    computed.warnings.insert(computed.warnings.end(),
-                             mesh_warnings.begin(),
-                             mesh_warnings.end());
     return computed;
   }
 
@@ -160,16 +146,16 @@ namespace PlateImpact
   std::unique_ptr<Triangulation<2>>
   SweepComputation::make_mesh(const std::size_t group, const SweepPoint &point)
   {
-    ++done.meshes;
+    ++work.meshes;
     if (!point.parameters.adaptivity.is_adaptive())
       return make_plate_mesh(point.parameters.plate,
                              point.parameters.discretization.initial_cells);
     const SweepPoint worst = worst_point(group);
     ImpactAnalysis   analysis(worst.parameters);
     analysis.run();
-    mesh_warnings           = analysis.warnings();
+    mesh_warnings           = analysis.warnings;
     const CycleResult &last = analysis.last_cycle().result;
-    done.meshes += last.cycle - 1;
+    work.meshes += last.cycle - 1;
     const AdaptivityParameters &adaptivity = worst.parameters.adaptivity;
     if (adaptivity.goal == AdaptationGoal::peak_force)
       {
@@ -225,10 +211,10 @@ namespace PlateImpact
     const CycleResult &last = analysis.last_cycle().result;
     if (parameters.adaptivity.is_adaptive())
       {
-        done.meshes += last.cycle;
-        done.plates += last.cycle;
+        work.meshes += last.cycle;
+        work.plates += last.cycle;
       }
-    done.loads += last.cycle;
+    work.loads += last.cycle;
     Impact impact;
     impact.history = *last.history;
     impact.impulse = last.impulse;

@@ -30,11 +30,11 @@ namespace PlateImpact
 
 
 
-  SweepGroups::SweepGroups(const SweepPlan &plan,
-                           const bool       is_adaptive,
-                           const bool       is_laminate)
+  SweepGroups::SweepGroups(const SweepPlan &plan, const Parameters &parameters)
   {
-    const bool law_changes_plate = is_laminate || plan.sweeps("Plate/Layup");
+    const bool is_adaptive = plan.may_adapt(parameters),
+               law_changes_plate =
+                 parameters.plate.is_laminate() || plan.sweeps("Plate/Layup");
     // numbers in the order in which their first points come
     std::map<std::string, std::size_t> number_of_group, number_of_load;
     std::vector<std::size_t>           load_of(plan.n_points);

@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
-#include <map>
 #include <ostream>
 #include <regex>
 #include <system_error>
@@ -34,10 +33,8 @@ namespace PlateImpact
     {
       if (text.find_first_of(",\"\n") == std::string::npos)
         return text;
-      std::string result = "\"";
-      for (const char c : text)
-        result += c == '"' ? "\"\"" : std::string(1, c);
-      return result + '"';
+      return '"' + dealii::Utilities::replace_in_string(text, "\"", "\"\"") +
+        '"';
     }
 
 
@@ -88,15 +85,6 @@ namespace PlateImpact
 
 
 
-    /// Points that have the same to tell.
-    struct Kind
-    {
-      std::string name, first;
-      std::size_t n_points;
-    };
-
-
-
     /// Numbers of all quantities together, so that a page stays below some
     /// megabytes. Of very large sweeps it has the first quantities only.
     constexpr std::size_t most_numbers = 500000;
@@ -135,9 +123,9 @@ namespace PlateImpact
   SweepTable::SweepTable(const ResultDirectory &directory,
                          const SweepPlan       &plan,
                          const bool             resume)
-    : directory(directory)
+    : rows(plan.n_points)
+    , directory(directory)
     , plan(plan)
-    , found(plan.n_points)
   {
     if (resume)
       read();
@@ -212,8 +200,8 @@ namespace PlateImpact
         if (place != points.end())
           for (const std::size_t point : place->second)
             {
-              row.point    = point;
-              found[point] = row;
+              row.point   = point;
+              rows[point] = row;
             }
       }
   }
@@ -225,7 +213,7 @@ namespace PlateImpact
   {
     directory.write_file(file_name, [this](std::ostream &file) {
       file << header() << '\n';
-      for (const std::optional<SweepRow> &row : found)
+      for (const std::optional<SweepRow> &row : rows)
         if (row)
           file << line(*row) << '\n';
     });
@@ -241,7 +229,7 @@ namespace PlateImpact
       throw ComputationError(
         (directory / file_name).string() +
         " cannot be written: " + std::generic_category().message(errno));
-    found[row.point] = row;
+    rows[row.point] = row;
   }
 
 
@@ -258,24 +246,20 @@ namespace PlateImpact
   std::vector<std::string>
   sweep_warnings(const std::vector<std::optional<SweepRow>> &rows)
   {
-    std::size_t       n_failed = 0;
-    std::string       first_failure;
-    std::vector<Kind> kinds;
+    std::size_t n_failed = 0;
+    std::string first_failure;
+    // by sentences without numbers: the first one, and how many points have it
+    nlohmann::ordered_map<std::string, std::pair<std::string, std::size_t>>
+      kinds;
     for (const auto &row : rows)
       {
         if (!row->failure.empty() && ++n_failed == 1)
           first_failure = row->failure;
         for (const std::string &warning : row->warnings)
           {
-            const std::string name = kind_of(warning);
-            const auto        kind =
-              std::find_if(kinds.begin(), kinds.end(), [&](const Kind &k) {
-                return k.name == name;
-              });
-            if (kind == kinds.end())
-              kinds.push_back({name, warning, 1});
-            else
-              ++kind->n_points;
+            auto &[first, n_points] = kinds[kind_of(warning)];
+            if (n_points++ == 0)
+              first = warning;
           }
       }
 
@@ -284,8 +268,8 @@ namespace PlateImpact
     if (n_failed > 0)
       warnings.push_back(std::to_string(n_failed) + of_all +
                          " points failed; the first: " + first_failure);
-    for (const Kind &kind : kinds)
-      warnings.push_back(std::to_string(kind.n_points) + of_all +
+    for (const auto &[name, kind] : kinds)
+      warnings.push_back(std::to_string(kind.second) + of_all +
                          " points; the first: " + kind.first);
     return warnings;
   }
@@ -302,7 +286,7 @@ namespace PlateImpact
     const SweepPlan &plan  = scene.plan;
     Json             study = {{"study", "sweep"},
                               {"version", PLATE_IMPACT_VERSION},
-                              {"text", scene.text()},
+                              {"text", scene.text},
                               {"isProduct", plan.is_product},
                               {"warnings", sweep_warnings(rows)},
                               {"warned", Json::array()},
@@ -328,10 +312,10 @@ namespace PlateImpact
         study["histories"].back()["point"] = point;
       }
     study["words"].push_back("The scene, but for what is swept: " +
-                             scene_in_words(scene.parameters()));
-    if (scene.may_adapt())
+                             scene_in_words(scene.parameters));
+    if (scene.plan.may_adapt(scene.parameters))
       study["words"].push_back(
-        scene.parameters().sweep.adapt == SweepAdaptation::each_point ?
+        scene.parameters.sweep.adapt == SweepAdaptation::each_point ?
           "Every point has a mesh of its own." :
           "The points of a plate share the mesh that was adapted for the one "
           "with the shortest contact.");

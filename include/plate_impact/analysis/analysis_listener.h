@@ -1,35 +1,26 @@
 #ifndef plate_impact_analysis_analysis_listener_h
 #define plate_impact_analysis_analysis_listener_h
 
+#include <functional>
 #include <string>
 
 namespace PlateImpact
 {
   class Cycle;
 
-  /// Who follows an analysis.
-  class AnalysisListener
+  /// Who follows an analysis: by default nobody.
+  struct AnalysisListener
   {
-  public:
-    virtual ~AnalysisListener() = default;
+    /// Before what may take long: the cycle and "assembly" or the like.
+    std::function<void(unsigned int, const std::string &)> stage =
+      [](const auto &...) {};
 
-    /// Before what may take long.
-    /// @param what  "assembly" and the like
-    virtual void
-    stage(unsigned int /*cycle*/, const std::string & /*what*/)
-    {}
-
-    /// After every step of a transient.
-    virtual void
-    step(unsigned int /*cycle*/,
-         unsigned int /*step*/,
-         unsigned int /*n_steps*/)
-    {}
+    /// After every step of a transient: the cycle, the step and their number.
+    std::function<void(unsigned int, unsigned int, unsigned int)> step =
+      [](const auto &...) {};
 
     /// After every cycle, before its mesh is adapted.
-    virtual void
-    cycle(Cycle & /*cycle*/)
-    {}
+    std::function<void(Cycle &)> cycle = [](const auto &...) {};
   };
 } // namespace PlateImpact
 

@@ -1,7 +1,6 @@
 #ifndef plate_impact_analysis_cycle_h
 #define plate_impact_analysis_cycle_h
 
-#include <deal.II/base/point.h>
 #include <deal.II/grid/tria.h>
 
 #include "plate_impact/analysis/cycle_result.h"
@@ -10,11 +9,8 @@
 #include "plate_impact/plate/plate_discretization.h"
 #include "plate_impact/transient/plate_model.h"
 
-#include <Eigen/Core>
-
 #include <memory>
 #include <optional>
-#include <vector>
 
 namespace PlateImpact
 {
@@ -39,12 +35,6 @@ namespace PlateImpact
     {
       return discretization().mesh();
     }
-
-    /// As the function of that name.
-    Eigen::MatrixXd
-    recovered_resultants(
-      const Eigen::VectorXd               &unknowns,
-      const std::vector<dealii::Point<2>> &unit_points) const;
 
     /// Made when it is first asked for.
     const StressRecovery &

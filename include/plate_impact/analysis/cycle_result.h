@@ -7,6 +7,7 @@
 #include "plate_impact/estimator/peak_force_error.h"
 #include "plate_impact/plate/plate_discretization.h"
 #include "plate_impact/transient/loaded_plate.h"
+#include "plate_impact/transient/plate_model.h"
 
 #include <cmath>
 #include <optional>
@@ -14,16 +15,6 @@
 
 namespace PlateImpact
 {
-  /// What a scene paid for.
-  struct Work
-  {
-    unsigned int factorizations    = 0;
-    unsigned int linear_solves     = 0;
-    unsigned int contact_steps     = 0; ///< with a force other than zero
-    unsigned int estimator_samples = 0;
-    unsigned int ritz_vectors      = 0;
-  };
-
   /// Wall time of the stages of a cycle, every second in one of them. [s]
   struct Seconds
   {
@@ -82,8 +73,9 @@ namespace PlateImpact
     std::optional<Snapshot> peak_state;
     std::vector<Snapshot>   frames;
 
-    Work    work;    ///< on the mesh, those of transients before included
-    Seconds seconds; ///< of this transient
+    PlateModel::Work work; ///< on the mesh, those of transients before included
+    unsigned int     contact_steps = 0; ///< with a force other than zero
+    Seconds          seconds;           ///< of this transient
 
     /// For this force alone: what the choice of steps or vectors is judged by.
     unsigned int new_vectors = 0, new_solves = 0;

@@ -61,16 +61,12 @@ namespace PlateImpact
       return *current;
     }
 
-    /// What a user should know about the meshes so far.
-    const std::vector<std::string> &
-    warnings() const
-    {
-      return adaptation_warnings;
-    }
-
     /// All that a user should know about the last result, the meshes included.
     Warnings
     all_warnings() const;
+
+    /// What a user should know about the meshes so far.
+    std::vector<std::string> warnings;
 
   private:
     /// All that belongs to the next mesh.
@@ -105,7 +101,6 @@ namespace PlateImpact
     std::unique_ptr<Cycle>        current;          ///< null before the first
     unsigned int                  n_cycles         = 0;
     double                        seconds_for_mesh = 0.;
-    std::vector<std::string>      adaptation_warnings;
     std::optional<PeakOnMesh>     peak_here, peak_before;       ///< mesh before
     std::optional<ContactHistory> history_here, history_before; ///< the same
     Window                        window; ///< the last, or the next

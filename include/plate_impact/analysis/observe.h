@@ -1,9 +1,10 @@
 #ifndef plate_impact_analysis_observe_h
 #define plate_impact_analysis_observe_h
 
+#include <deal.II/base/timer.h>
+
 #include "plate_impact/analysis/analysis_listener.h"
 #include "plate_impact/analysis/cycle.h"
-#include "plate_impact/base/stage_clock.h"
 
 namespace PlateImpact
 {
@@ -24,7 +25,8 @@ namespace PlateImpact
     void
     charge(double Seconds::*stage)
     {
-      clock.charge(seconds.*stage);
+      seconds.*stage += timer.wall_time();
+      timer.restart();
       const PlateModel::Work work = plate.work();
       const double assembly = work.assembly_seconds - noted.assembly_seconds,
                    factorization =
@@ -39,13 +41,8 @@ namespace PlateImpact
     const PlateModel &plate;
     Seconds          &seconds;
     PlateModel::Work  noted;
-    StageClock        clock;
+    dealii::Timer     timer;
   };
-
-
-  /// What a scene asks for.
-  Wanted
-  wanted_by(const Parameters &parameters);
 
 
   /// Strikes the plate of a cycle.

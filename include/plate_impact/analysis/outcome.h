@@ -19,14 +19,6 @@ namespace PlateImpact
     nearly_as_fine_as_the_reference
   };
 
-  /// Whether it is what the scene asks for.
-  inline bool
-  is_success(const Outcome outcome)
-  {
-    return outcome == Outcome::single_mesh ||
-      outcome == Outcome::target_reached;
-  }
-
   template <>
   const std::vector<Word<Outcome>> Choices<Outcome>::words;
 } // namespace PlateImpact

@@ -60,6 +60,13 @@ namespace PlateImpact
       , signal(signal)
     {}
 
+    /// The same, with what is kept.
+    Interruption
+    with(const std::string &kept) const
+    {
+      return {std::string(what()) + ": " + kept, signal};
+    }
+
     const int signal;
   };
 } // namespace PlateImpact

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <optional>
 #include <string>
-#include <vector>
 
 /// Numbers and words that a user reads, by one rule everywhere: results have
 /// four significant digits, or as many as their error leaves them, estimates
@@ -34,18 +33,12 @@ namespace PlateImpact
     /// @param value  the largest to show; 0 or not finite: no prefix
     PrefixedUnit(const std::string &unit, double value);
 
-    /// For the largest of some values.
-    PrefixedUnit(const std::string &unit, const std::vector<double> &values);
-
     /// A value in this unit, from SI units.
     double
     operator()(const double value) const
     {
       return factor * value;
     }
-
-    std::vector<double>
-    operator()(std::vector<double> values) const;
 
     /// A result with the unit.
     std::string
@@ -140,15 +133,10 @@ namespace PlateImpact
 
   /// In the letters that every terminal has: u for µ, +- for ±.
   std::string
-  in_ascii(std::string text);
+  in_ascii(const std::string &text);
 
-  /// Columns of the tables that the program prints: a word at the left or at
-  /// the right end of a column of some width.
-  inline std::string
-  left(const std::size_t width, const std::string &word)
-  {
-    return fmt::format("{:<{}}", word, width);
-  }
+  /// Columns of the tables that the program prints: a word at the right end of
+  /// a column of some width.
   inline std::string
   right(const std::size_t width, const std::string &word)
   {

@@ -2,6 +2,7 @@
 #define plate_impact_comparison_strategy_comparison_h
 
 #include "plate_impact/analysis/adaptation_control.h"
+#include "plate_impact/analysis/analysis_listener.h"
 #include "plate_impact/analysis/cycle.h"
 #include "plate_impact/analysis/cycle_result.h"
 #include "plate_impact/contact/contact_history.h"
@@ -153,14 +154,14 @@ namespace PlateImpact
   {
   public:
     /// Told after every step: the cycle, the step and the number of steps.
-    using Progress =
-      std::function<void(unsigned int, unsigned int, unsigned int)>;
+    using Progress = decltype(AnalysisListener::step);
 
     /// @param scene    must outlive the comparison
     /// @param marking  of strategies that are outside; outlives it as well
-    explicit StrategyComparison(const Scene             &scene,
-                                const Progress          &progress = {},
-                                const AdaptationControl *marking  = nullptr)
+    explicit StrategyComparison(
+      const Scene             &scene,
+      const Progress          &progress = AnalysisListener().step,
+      const AdaptationControl *marking  = nullptr)
       : scene(scene)
       , progress(progress)
       , marking(marking)
@@ -179,23 +180,15 @@ namespace PlateImpact
     compute_curve(
       const ComparedStrategy                             &strategy,
       ElementType                                         element,
-      const std::function<void(const ComparisonCurve &)> &listener = {});
-
-    const Reference &
-    reference() const
-    {
-      return the_reference;
-    }
-
-    const std::vector<ComparisonCurve> &
-    curves() const
-    {
-      return the_curves;
-    }
+      const std::function<void(const ComparisonCurve &)> &listener =
+        [](const ComparisonCurve &) {});
 
     /// Who reaches 5, 2, 1, 0.5, 0.3 and 0.1 % of peak-force error, and of eta.
     std::vector<ThresholdRow>
     thresholds() const;
+
+    Reference                    reference;
+    std::vector<ComparisonCurve> curves;
 
   private:
     /// Whether there is nothing to learn from a comparison.
@@ -211,15 +204,10 @@ namespace PlateImpact
                const std::function<void(const ComparisonCurve &)> &listener);
     ComparedMesh
     compared(const Cycle &cycle, double seconds_before) const;
-    /// The mesh of a cycle, unless one before it met the target.
-    void
-    show_mesh(ComparisonCurve &curve, const Cycle &cycle) const;
 
-    const Scene                 &scene;
-    const Progress               progress;
-    const AdaptationControl     *marking;
-    Reference                    the_reference;
-    std::vector<ComparisonCurve> the_curves;
+    const Scene             &scene;
+    const Progress           progress;
+    const AdaptationControl *marking;
   };
 } // namespace PlateImpact
 

@@ -7,6 +7,7 @@
 #include <iosfwd>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace PlateImpact
@@ -19,6 +20,8 @@ namespace PlateImpact
     std::string text;  ///< every value used, as a scene that repeats the run
     Parameters  given; ///< with the zeros that let the program choose
     std::optional<ZenerImpact> expected; ///< of an impactor
+    std::vector<std::pair<std::string, std::string>>
+      inputs; ///< entries by their paths, with the values used
   };
 
   /// Reads a scene file, the overrides "Section/Entry=value" and the output

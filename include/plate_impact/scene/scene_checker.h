@@ -16,22 +16,16 @@ namespace PlateImpact
   class SceneChecker
   {
   public:
+    /// Checks entries against each other, with words in place of those not
+    /// given that follow from others.
     /// @param entries  must outlive the checker; what involves one that is not
     ///                 known is not judged
-    SceneChecker(Entries &entries, const Parameters &parameters)
-      : parameters(parameters)
-      , entries(entries)
-    {}
+    SceneChecker(Entries &entries, const Parameters &given);
 
     SceneChecker(const SceneChecker &) = delete;
 
-    /// Entries against each other, with words in place of those not given that
-    /// follow from others.
-    void
-    check_together();
-
     /// Replaces zeros that mean "chosen by the program", and checks what is
-    /// chosen.
+    /// chosen; nothing where there are mistakes.
     void
     complete();
 

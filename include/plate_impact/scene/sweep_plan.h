@@ -36,6 +36,15 @@ namespace PlateImpact
     bool
     sweeps(const std::string &path) const;
 
+    /// Whether points may adapt their mesh.
+    /// @param parameters  of what is not swept
+    bool
+    may_adapt(const Parameters &parameters) const
+    {
+      return parameters.adaptivity.is_adaptive() ||
+        sweeps("Adaptivity/Strategy");
+    }
+
     /// Their paths, for a sentence.
     std::string
     names() const;

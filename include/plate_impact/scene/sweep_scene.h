@@ -33,35 +33,6 @@ namespace PlateImpact
                const std::vector<std::string>   &overrides,
                const std::optional<std::string> &output);
 
-    /// Whether points of it may adapt their mesh.
-    bool
-    may_adapt() const
-    {
-      return base.adaptivity.is_adaptive() ||
-        plan.sweeps("Adaptivity/Strategy");
-    }
-
-    /// Whether its plate is a laminate where no lay-up is swept.
-    bool
-    is_laminate() const
-    {
-      return base.plate.is_laminate();
-    }
-
-    /// The scene with the points' values left out.
-    const Parameters &
-    parameters() const
-    {
-      return base;
-    }
-
-    /// Every value, as a scene that repeats the sweep.
-    const std::string &
-    text() const
-    {
-      return base_text;
-    }
-
     /// @throws InputError when its values are not valid together, or without an
     ///         impactor
     SweepPoint
@@ -69,10 +40,8 @@ namespace PlateImpact
 
     const std::string name; ///< of the file, printable
     const SweepPlan   plan;
-
-  private:
-    std::string base_text;
-    Parameters  base;
+    Parameters        parameters; ///< the points' values left out
+    std::string       text; ///< every value, as a scene that repeats the sweep
   };
 } // namespace PlateImpact
 

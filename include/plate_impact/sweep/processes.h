@@ -1,11 +1,12 @@
 #ifndef plate_impact_sweep_processes_h
 #define plate_impact_sweep_processes_h
 
+#include <deal.II/base/mpi.h>
+
 #include "plate_impact/sweep/sweep_groups.h"
 
 #include <cstddef>
 #include <functional>
-#include <memory>
 #include <vector>
 
 namespace PlateImpact
@@ -26,12 +27,6 @@ namespace PlateImpact
 
     Processes(const Processes &) = delete;
 
-    unsigned int
-    size() const;
-
-    bool
-    is_first() const;
-
     /// Makes the first process' numbers known to all.
     void
     broadcast(std::vector<std::size_t> &numbers) const;
@@ -47,15 +42,17 @@ namespace PlateImpact
             SweepComputation                                 &computation,
             const std::function<void(const ComputedPoint &)> &take);
 
-  private:
-    struct Connection;
+    int size = 1, rank = 0; ///< rank 0 is the first process
 
+  private:
     /// The next number of 0, 1, 2, ... that no process has been given.
     std::size_t
     next_task();
 
-    std::unique_ptr<Connection> connection;  ///< null: this process is alone
-    std::size_t                 counter = 0; ///< of a process that is alone
+    const bool     uses_mpi;
+    MPI_Win        window; ///< with the counter of the first process
+    unsigned long *shared_counter = nullptr;
+    std::size_t    counter        = 0; ///< without MPI
   };
 } // namespace PlateImpact
 

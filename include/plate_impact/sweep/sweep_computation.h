@@ -40,11 +40,7 @@ namespace PlateImpact
     ComputedPoint
     compute(std::size_t group, std::size_t point);
 
-    const SweepWork &
-    work() const
-    {
-      return done;
-    }
+    SweepWork work; ///< so far
 
   private:
     struct Computed
@@ -73,7 +69,6 @@ namespace PlateImpact
 
     SweepScene        &scene;
     const SweepGroups &groups;
-    SweepWork          done;
 
     std::optional<std::size_t>  current_group;
     double                      min_cell_size = 0.; ///< of its mesh [m]

@@ -4,7 +4,6 @@
 #include "plate_impact/scene/sweep_plan.h"
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
 namespace PlateImpact
@@ -21,9 +20,8 @@ namespace PlateImpact
   /// adaptive points share a mesh only where both are the same.
   struct SweepGroups
   {
-    /// @param is_adaptive  whether points of the sweep may adapt their mesh
-    /// @param is_laminate  whether the plate that is not swept is one
-    SweepGroups(const SweepPlan &plan, bool is_adaptive, bool is_laminate);
+    /// @param parameters  of what is not swept
+    SweepGroups(const SweepPlan &plan, const Parameters &parameters);
 
     /// Parts of groups to compute one after another: points that are still to
     /// be computed, at most so many.

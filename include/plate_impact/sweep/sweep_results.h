@@ -55,11 +55,7 @@ namespace PlateImpact
     finish();
 
     /// By point; empty for points to come.
-    const std::vector<std::optional<SweepRow>> &
-    rows() const
-    {
-      return found;
-    }
+    std::vector<std::optional<SweepRow>> rows;
 
   private:
     std::string
@@ -71,10 +67,9 @@ namespace PlateImpact
     void
     write() const;
 
-    const ResultDirectory               &directory;
-    const SweepPlan                     &plan;
-    std::vector<std::optional<SweepRow>> found;
-    std::ofstream                        out;
+    const ResultDirectory &directory;
+    const SweepPlan       &plan;
+    std::ofstream          out;
   };
 
 
