@@ -130,7 +130,7 @@ namespace PlateImpact
     study["errors"]    = std::move(errors);
     if (parameters.has_impactor())
       {
-        const ExpectedPeak &expected = scene.expected->peak;
+        const ContactState &expected = scene.expected->peak;
         study["expected"]            = {{"force", expected.force},
                                         {"time", expected.time}};
         study["safety"]              = safety_of_bar;
