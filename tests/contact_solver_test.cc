@@ -14,7 +14,7 @@ namespace PlateImpact
   {
     TEST(ContactSolver, SolvesTheCollocatedEquation)
     {
-      const CollocatedContact collocation;
+      const ContactIntegration collocation = ForceIntegration::collocation;
       for (const double compliance : {1e-20, 1e-12, 1e-8, 1e-4, 1e4})
         for (const double free : {1e-12, 1e-6, 1e-2})
           {
@@ -30,7 +30,7 @@ namespace PlateImpact
 
     TEST(ContactSolver, SolvesTheEnergyConservingEquation)
     {
-      const EnergyConservingContact conserving;
+      const ContactIntegration conserving = ForceIntegration::energy_conserving;
       for (const double compliance : {1e-20, 1e-12, 1e-8, 1e-4, 1e4})
         for (const double begin : {-1e-6, 0., 1e-9, 1e-6, 1e-3})
           for (const double free : {-1e-3, 1e-12, 1e-6, 1e-2})
@@ -54,8 +54,6 @@ namespace PlateImpact
     TEST(ContactSolver, SolvesStepsOfEveryKind)
     {
       // indentations of both signs and compliances over many orders
-      const EnergyConservingContact          conserving;
-      const CollocatedContact                collocation;
       std::mt19937                           generator(1);
       std::uniform_real_distribution<double> exponent(0., 6.), sign(-1., 1.);
       const auto                             indentation = [&] {
@@ -74,12 +72,12 @@ namespace PlateImpact
           const Contact &contact = *contacts[i % contacts.size()];
           const double   begin = indentation(), free = indentation(),
                        compliance = 1e-5 * std::pow(10., -exponent(generator));
-          for (const ContactIntegration *integration :
-               std::initializer_list<const ContactIntegration *>{&conserving,
-                                                                 &collocation})
+          for (const ContactIntegration integration :
+               {ForceIntegration::energy_conserving,
+                ForceIntegration::collocation})
             {
               const double phi =
-                solve_contact(*integration, contact, begin, free, compliance);
+                solve_contact(integration, contact, begin, free, compliance);
               ASSERT_GE(phi, 0.);
               const double end =
                 contact.indentation_under(free - compliance * phi);
@@ -91,9 +89,9 @@ namespace PlateImpact
               const double slope = contact.stiffness(end);
               const double slack = 1e-12 * phi +
                 1e-15 * std::abs(end) * slope * (1. + compliance * slope);
-              ASSERT_LE(integration->force(contact, begin, end - bound),
+              ASSERT_LE(integration.force(contact, begin, end - bound),
                         phi + slack);
-              ASSERT_GE(integration->force(contact, begin, end + bound),
+              ASSERT_GE(integration.force(contact, begin, end + bound),
                         phi - slack);
             }
         }
@@ -103,8 +101,8 @@ namespace PlateImpact
 
     TEST(ContactSolver, NoContactIsExactlyNoForce)
     {
-      const CollocatedContact       collocation;
-      const EnergyConservingContact conserving;
+      const ContactIntegration collocation = ForceIntegration::collocation;
+      const ContactIntegration conserving = ForceIntegration::energy_conserving;
       EXPECT_EQ(solve_contact(collocation, hertz, -1e-6, -1e-9, 1e-8), 0.);
       EXPECT_EQ(solve_contact(conserving, hertz, -1e-6, -1e-9, 1e-8), 0.);
       EXPECT_EQ(solve_contact(collocation, hertz, 1e-6, -1e-9, 1e-8), 0.);
@@ -114,7 +112,7 @@ namespace PlateImpact
 
     TEST(ContactSolver, RefusesValuesThatAreNotFinite)
     {
-      const CollocatedContact collocation;
+      const ContactIntegration collocation = ForceIntegration::collocation;
       EXPECT_THROW(solve_contact(collocation,
                                  hertz,
                                  0.,

@@ -98,13 +98,13 @@ namespace PlateImpact
       const StressRecovery  recovery(mesh);
       const Eigen::MatrixXd recovered =
         recovered_resultants(model, recovery, z, quadrature.get_points());
-      Eigen::MatrixXd     values;
       std::vector<double> e2(mesh.n_active_cells(), 0.);
       double              total_e2 = 0., total_u2 = 0., recovered_e2 = 0.;
       for (const auto &cell : mesh.active_cell_iterators())
         {
-          const unsigned int c = cell->active_cell_index();
-          model.cell_values(c, z, values);
+          const unsigned int    c = cell->active_cell_index();
+          const Eigen::VectorXd values =
+            model.free_unknowns().cell_values(c, z);
           const Eigen::VectorXd strains =
             model.shape(c).at_quadrature.linear * values;
           for (unsigned int q = 0; q < quadrature.size(); ++q)

@@ -36,12 +36,12 @@ namespace PlateImpact
                    const Field               &field,
                    const Resultants          &expected) const
       {
-        const Eigen::VectorXd z = model.interpolate(field);
-        Eigen::MatrixXd       values;
+        const Eigen::VectorXd z     = model.interpolate(field);
         double                error = 0.;
         for (unsigned int c = 0; c < model.mesh().n_active_cells(); ++c)
           {
-            model.cell_values(c, z, values);
+            const Eigen::VectorXd values =
+              model.free_unknowns().cell_values(c, z);
             for (const CellOperator *B : {&model.shape(c).at_quadrature.linear,
                                           &model.shape(c).at_samples.linear})
               {
@@ -221,10 +221,10 @@ namespace PlateImpact
       const FE_Q<2>             scalar(2);
       std::map<std::pair<long, long>, double> seen;
       unsigned int                            n_compared = 0;
-      Eigen::MatrixXd                         values;
       for (const auto &cell : mesh->active_cell_iterators())
         {
-          model.cell_values(cell->active_cell_index(), z, values);
+          const Eigen::VectorXd values =
+            model.free_unknowns().cell_values(cell->active_cell_index(), z);
           for (unsigned int i = 0; i <= 8; ++i)
             for (const Point<2> unit : {Point<2>(i / 8., 0.),
                                         Point<2>(i / 8., 1.),

@@ -235,7 +235,7 @@ namespace PlateImpact
       {
         const auto problem = loaded.peak_force_problem(impact.history);
         ASSERT_TRUE(problem);
-        EXPECT_NE(problem->own_integrator, nullptr);
+        EXPECT_NE(problem->own_reduction, nullptr);
       }
       const unsigned int n_vectors = plate.work().ritz_vectors;
       EXPECT_GT(n_vectors, 0u);

@@ -86,9 +86,9 @@ namespace PlateImpact
         for (const Contact *contact : {&hertz, &soft, &series, &yielding})
           for (const double mass : {0.01, 1., 100.})
             {
-              const auto       integration = make_contact_integration(choice);
-              const Responding plate(1., *integration),
-                stiffer(1. + 1e-6, *integration);
+              const ContactIntegration integration = choice;
+              const Responding         plate(1., integration),
+                stiffer(1. + 1e-6, integration);
               const Impactor impactor{mass, 0., 0.5};
               const ContactHistory
                 before =
@@ -98,11 +98,11 @@ namespace PlateImpact
                   stiffer.response.impact(*contact, impactor, scheme.n_steps)
                     .history;
               const Eigen::VectorXd phi =
-                forces_to_peak(before, *contact, *integration);
+                forces_to_peak(before, *contact, integration);
               const Eigen::VectorXd mu        = peak_force_weights(before,
                                                             scheme,
                                                             *contact,
-                                                            *integration,
+                                                            integration,
                                                             impactor,
                                                             plate.response);
               double                predicted = 0.;
@@ -129,9 +129,9 @@ namespace PlateImpact
     {
       // M = 0 would make the sum of products with K that of the response; with
       // inertia it is the work of both: sum_n mu_n w_n by one motion alone
-      const auto integration =
-        make_contact_integration(ForceIntegration::energy_conserving);
-      Responding          plate(1., *integration);
+      const ContactIntegration integration =
+        ForceIntegration::energy_conserving;
+      Responding          plate(1., integration);
       const NewmarkScheme scheme(twenty_seconds());
       Eigen::VectorXd     phi(61), mu(61);
       for (Eigen::Index n = 0; n < phi.size(); ++n)
@@ -140,9 +140,9 @@ namespace PlateImpact
           mu[n]  = 0.02 * n;
         }
       const DualMotions all =
-        dual_motions(phi, mu, scheme, *integration, plate.system, 1000);
+        dual_motions(phi, mu, scheme, integration, plate.system, 1000);
       const DualMotions some =
-        dual_motions(phi, mu, scheme, *integration, plate.system, 20);
+        dual_motions(phi, mu, scheme, integration, plate.system, 20);
       EXPECT_EQ(all.weight, 1.);
       EXPECT_EQ(some.weight, 4.);
       const auto products = [&](const DualMotions &motions) {

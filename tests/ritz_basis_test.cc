@@ -18,11 +18,8 @@ namespace PlateImpact
     /// A plate on a mesh, ready to be struck.
     struct Target
     {
-      explicit Target(const std::vector<std::string> &overrides)
-        : parameters(read_scene(std::string(TEST_DATA) +
-                                  "/reference/scene-interface.prm",
-                                overrides)
-                       .parameters)
+      explicit Target(std::vector<std::string> overrides)
+        : parameters(by_ritz_vectors(std::move(overrides)))
         , mesh(make_plate_mesh(parameters.plate,
                                parameters.discretization.initial_cells))
         , element(parameters.discretization.element)
@@ -33,6 +30,16 @@ namespace PlateImpact
                                                 parameters.impactor.length))},
             {}}
       {}
+
+      static Parameters
+      by_ritz_vectors(std::vector<std::string> overrides)
+      {
+        overrides.push_back("Time/Integrator=Ritz vectors");
+        return read_scene(std::string(TEST_DATA) +
+                            "/reference/scene-interface.prm",
+                          overrides)
+          .parameters;
+      }
 
       static std::unique_ptr<PlateDiscretization>
       assembled(const dealii::Triangulation<2> &mesh,
@@ -66,8 +73,8 @@ namespace PlateImpact
       const std::unique_ptr<dealii::Triangulation<2>> mesh;
       const PlateElement                              element;
       const std::unique_ptr<PlateDiscretization>      model;
-      const std::unique_ptr<const ContactIntegration> integration =
-        make_contact_integration(ForceIntegration::energy_conserving);
+      const ContactIntegration                        integration =
+        ForceIntegration::energy_conserving;
       LoadedMesh  loaded;
       FullSystem &plate = loaded.system;
     };
@@ -181,7 +188,7 @@ namespace PlateImpact
           const double   velocity = target.parameters.impactor.velocity;
           RitzReduction  reduction(target.loaded,
                                   target.parameters.time,
-                                  *target.integration,
+                                  target.integration,
                                   /*needs_fields=*/false);
           ReducedSystem *reduced = target.settle(reduction, velocity);
           ASSERT_NE(reduced, nullptr);
@@ -201,7 +208,7 @@ namespace PlateImpact
       const auto fresh = [&](LoadedMesh &loaded) {
         return RitzReduction(loaded,
                              target.parameters.time,
-                             *target.integration,
+                             target.integration,
                              /*needs_fields=*/true);
       };
       RitzReduction shared = fresh(target.loaded);
@@ -351,7 +358,7 @@ namespace PlateImpact
       Target         target({"Discretization/Initial cells=6,6"});
       RitzReduction  reduction(target.loaded,
                               target.parameters.time,
-                              *target.integration,
+                              target.integration,
                               /*needs_fields=*/true);
       ReducedSystem *reduced = target.settle(reduction, 1.);
       ASSERT_NE(reduced, nullptr);
@@ -361,7 +368,7 @@ namespace PlateImpact
         TimeStepper         stepper(target.parameters.time,
                             plate,
                             contact,
-                            *target.integration,
+                            target.integration,
                             make_impactor(target.parameters.impactor));
         std::vector<double> times;
         Eigen::MatrixXd     states(plate.load().size(), 0);

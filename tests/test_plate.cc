@@ -212,12 +212,10 @@ namespace PlateImpact
   impact(const Parameters &parameters, SemidiscreteSystem &plate)
   {
     const Contact contact = make_contact(parameters);
-    const auto    integration =
-      make_contact_integration(parameters.contact.integration);
-    TimeStepper stepper(parameters.time,
+    TimeStepper   stepper(parameters.time,
                         plate,
                         contact,
-                        *integration,
+                        parameters.contact.integration,
                         make_impactor(parameters.impactor));
     stepper.advance(stepper.n_steps());
     return stepper.impact().history;

@@ -38,7 +38,7 @@ namespace PlateImpact
     {
       // a plate so thick that nothing is lost into it
       const Impactor     impactor{0.03, 0., 1.};
-      const ExpectedPeak peak =
+      const ContactState peak =
         ZenerImpact(hertz, impactor, steel_section(100.)).peak;
       const double alpha = std::pow(1.25 * 0.03 / 1.4e10, 0.4);
       EXPECT_NEAR(peak.indentation / alpha, 1., 1e-4);
@@ -53,7 +53,7 @@ namespace PlateImpact
       // the plate gives way at once: F = 8 sqrt(D rho t) v
       const PlateSection section = steel_section(1e-5);
       const Impactor     impactor{0.03, 0., 1.};
-      const ExpectedPeak peak = ZenerImpact(hertz, impactor, section).peak;
+      const ContactState peak = ZenerImpact(hertz, impactor, section).peak;
       const double       impedance =
         8. * std::sqrt(section.bending_stiffness(0, 0) * section.mass_per_area);
       EXPECT_NEAR(peak.force / impedance, 1., 2e-3);
@@ -69,7 +69,7 @@ namespace PlateImpact
       for (const double compliance : {-2e-9, 3e-9, 1e-7})
         {
           const Contact      contact = hertz.in_series(compliance);
-          const ExpectedPeak peak =
+          const ContactState peak =
             ZenerImpact(contact, impactor, steel_section(100.)).peak;
           EXPECT_NEAR((0.4 * peak.force * peak.indentation +
                        0.5 * compliance * peak.force * peak.force) /
@@ -88,7 +88,7 @@ namespace PlateImpact
       // N; that plate has rotary inertia, which Zener's equation leaves out
       const Contact  contact(std::make_shared<HertzLaw>(14659685863.874344));
       const Impactor impactor{0.03267256359733385, 0., 1.};
-      const ExpectedPeak peak =
+      const ContactState peak =
         ZenerImpact(contact, impactor, steel_section(0.008)).peak;
       EXPECT_NEAR(peak.force / 1370.835, 1., 0.03);
     }
@@ -166,11 +166,6 @@ namespace PlateImpact
       {
         return 0.5 * alpha * force(alpha);
       }
-      double
-      indentation(const double force) const override
-      {
-        return force > 0. ? 0.5 * force : 0.;
-      }
     };
 
 
@@ -179,7 +174,7 @@ namespace PlateImpact
     {
       const ZenerImpact    impact(hertz, {0.03, 0., 1.}, steel_section(0.008));
       const ContactHistory history = impact.history(1.);
-      const ExpectedPeak   peak    = impact.peak;
+      const ContactState   peak    = impact.peak;
       EXPECT_NEAR(history.peak().force / peak.force, 1., 1e-4);
       EXPECT_NEAR(history.peak().time / peak.time, 1., 0.01);
       ASSERT_TRUE(history.first_contact_end());

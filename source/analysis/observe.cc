@@ -23,40 +23,36 @@ namespace PlateImpact
     /// estimator, states for the fields, and what the page shows, the state of
     /// the largest force and frames of a film, at most 48, fewer where they
     /// would take more than 64 MB.
-    class TransientRecord : public TransientListener
+    class TransientRecord
     {
     public:
       /// All must outlive the record.
-      TransientRecord(const Parameters &impact,
-                      const Cycle      &cycle,
-                      const Wanted     &wanted,
-                      StageCharges     &charges,
-                      AnalysisListener &listener)
-        : impact(impact)
-        , cycle(cycle)
+      /// @param system  that is stepped
+      TransientRecord(const Parameters         &impact,
+                      const Cycle              &cycle,
+                      const Wanted             &wanted,
+                      const SemidiscreteSystem &system,
+                      StageCharges             &charges,
+                      AnalysisListener         &listener)
+        : cycle(cycle)
         , wanted(wanted)
+        , system(system)
         , charges(charges)
         , listener(listener)
-      {}
-
-      void
-      begin(const SemidiscreteSystem &stepped,
-            const TimeStepper        &stepper) override
+        , n_steps(NewmarkScheme(impact.time).n_steps)
+        , sampling_interval(std::clamp(n_steps / min_estimator_samples,
+                                       1u,
+                                       impact.adaptivity.sampling_interval))
+        , n_samples_at_once(std::min(n_steps / sampling_interval + 1,
+                                     system.n_states_at_once()))
+        , samples_per_frame(1 +
+                            n_steps / sampling_interval /
+                              std::clamp(most_frame_unknowns /
+                                           cycle.discretization().n_unknowns(),
+                                         8u,
+                                         48u))
       {
         charges.charge(&Seconds::stepping);
-        system            = &stepped;
-        n_steps           = stepper.n_steps();
-        sampling_interval = std::clamp(n_steps / min_estimator_samples,
-                                       1u,
-                                       impact.adaptivity.sampling_interval);
-        n_samples_at_once =
-          std::min(n_steps / sampling_interval + 1, stepped.n_states_at_once());
-        samples_per_frame = 1 +
-          n_steps / sampling_interval /
-            std::clamp(most_frame_unknowns /
-                         cycle.discretization().n_unknowns(),
-                       8u,
-                       48u);
         if (wanted.errors)
           estimator = make_error_estimator(impact,
                                            cycle.discretization(),
@@ -66,7 +62,7 @@ namespace PlateImpact
       }
 
       void
-      take_step(const unsigned int step, const TimeStepper &stepper) override
+      take_step(const unsigned int step, const TimeStepper &stepper)
       {
         const double           time  = stepper.state().time;
         const Eigen::VectorXd &state = stepper.displacement();
@@ -122,7 +118,7 @@ namespace PlateImpact
       {
         if (times.empty())
           return;
-        const auto span = system->span(states.leftCols(times.size()));
+        const auto span = system.span(states.leftCols(times.size()));
         estimator->add_samples(times, span.vectors, span.coordinates);
         times.clear();
       }
@@ -139,23 +135,22 @@ namespace PlateImpact
             Eigen::MatrixXd   columns(snapshots[first].unknowns.size(), n);
             for (std::size_t i = 0; i < n; ++i)
               columns.col(i) = snapshots[first + i].unknowns;
-            const Eigen::MatrixXd unknowns = system->unknowns(columns);
+            const Eigen::MatrixXd unknowns = system.unknowns(columns);
             for (std::size_t i = 0; i < n; ++i)
               snapshots[first + i].unknowns = unknowns.col(i);
           }
         return snapshots;
       }
 
-      const Parameters &impact;
-      const Cycle      &cycle;
-      const Wanted     &wanted;
-      StageCharges     &charges;
-      AnalysisListener &listener;
+      const Cycle              &cycle;
+      const Wanted             &wanted;
+      const SemidiscreteSystem &system;
+      StageCharges             &charges;
+      AnalysisListener         &listener;
 
-      /// from begin() on
-      const SemidiscreteSystem *system = nullptr;
-      unsigned int n_steps = 0, sampling_interval = 0, n_samples_at_once = 0,
-                   samples_per_frame = 0, n_samples = 0;
+      const unsigned int n_steps, sampling_interval, n_samples_at_once,
+        samples_per_frame;
+      unsigned int                    n_samples = 0;
       std::unique_ptr<ErrorEstimator> estimator; ///< where errors are wanted
 
       /// in coordinates of the system
@@ -203,10 +198,18 @@ namespace PlateImpact
     };
     const PlateModel::Work before = cycle.plate.work();
     stage("factors and vectors");
-    TransientRecord   record(impact, cycle, wanted, charges, listener);
     const LoadedPlate plate =
       cycle.plate.under(impact, wanted.errors || wanted.fields > 0);
-    Impact struck = plate.strike(record);
+    TransientRecord record(impact,
+                           cycle,
+                           wanted,
+                           plate.stepped_system(),
+                           charges,
+                           listener);
+    Impact          struck =
+      plate.strike([&](const unsigned int step, const TimeStepper &stepper) {
+        record.take_step(step, stepper);
+      });
     record.finish(seen);
 
     const PlateModel::Work work = cycle.plate.work();
@@ -215,7 +218,7 @@ namespace PlateImpact
     seen.time                   = impact.time;
     seen.impulse                = struck.impulse;
     seen.separation_time        = struck.separation_time;
-    seen.damping                = plate.damping();
+    seen.damping                = plate.stepped_system().damping();
     seen.vector_error =
       plate.is_stepped_on_the_mesh() ? 0. : impact.time.ritz_tolerance;
     if (wanted.errors)

@@ -81,7 +81,7 @@ namespace PlateImpact
                        parameters.impactor.is_cylinder() ?
                          ", which strikes at a point" :
                          ""));
-      const ExpectedPeak rigid = expected.zener.peak_on_rigid_plate();
+      const ContactState rigid = expected.zener.peak_on_rigid_plate();
       text.line("half-space",
                 format("{} at {}, on a plate that does not move: the upper "
                        "bound of a single contact",

@@ -1,7 +1,5 @@
 #include "plate_impact/contact/contact.h"
 
-#include <boost/math/tools/roots.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -60,14 +58,6 @@ namespace PlateImpact
       }
 
       double
-      indentation(const double force) const override
-      {
-        const double beyond = force - law->force(limit);
-        return beyond <= 0. ? law->indentation(force) :
-                              limit + beyond / law->stiffness(limit);
-      }
-
-      double
       mean_force(const double a, const double b) const override
       {
         return std::max(a, b) <= limit ? law->mean_force(a, b) :
@@ -101,27 +91,14 @@ namespace PlateImpact
                          const Unloading *const unloading,
                          const double           bound)
     {
-      const auto beyond_bound = [&](const double alpha) {
+      return zero_of([&](const double alpha) {
         double slope = law.stiffness(alpha);
         if (unloading != nullptr)
           slope = std::max(slope,
                            unloading->power(alpha) * law.force(alpha) /
                              (alpha - unloading->dent(alpha)));
         return slope / bound - 1.;
-      };
-      double high = 1e-6;
-      while (beyond_bound(high) < 0.)
-        high *= 2.;
-      std::uintmax_t n_iterations = 200;
-      return boost::math::tools::toms748_solve(
-               beyond_bound,
-               0.,
-               high,
-               -1.,
-               beyond_bound(high),
-               boost::math::tools::eps_tolerance<double>(),
-               n_iterations)
-        .first;
+      });
     }
   } // namespace
 
@@ -347,14 +324,6 @@ namespace PlateImpact
 
 
 
-  double
-  Contact::dent() const
-  {
-    return reload.dent;
-  }
-
-
-
   void
   Contact::follow(const double indentation)
   {
@@ -379,21 +348,5 @@ namespace PlateImpact
                              unloading->reloading_power(indentation)};
         unload = {dent, indentation, F, unloading->power(indentation)};
       }
-  }
-
-
-
-  double
-  Contact::largest_force() const
-  {
-    return force_limit;
-  }
-
-
-
-  const ContactLaw &
-  Contact::first_loading() const
-  {
-    return *law;
   }
 } // namespace PlateImpact

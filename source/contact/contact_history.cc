@@ -6,30 +6,6 @@
 
 namespace PlateImpact
 {
-  void
-  ContactHistory::reserve(const std::size_t n_states)
-  {
-    history.reserve(n_states);
-  }
-
-
-
-  void
-  ContactHistory::add(const ContactState &state)
-  {
-    history.push_back(state);
-  }
-
-
-
-  const std::vector<ContactState> &
-  ContactHistory::states() const
-  {
-    return history;
-  }
-
-
-
   const ContactState &
   ContactHistory::peak() const
   {

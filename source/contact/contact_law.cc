@@ -1,8 +1,10 @@
 #include "plate_impact/contact/contact_law.h"
 
 #include <boost/math/quadrature/gauss.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
 
 #include <algorithm>
+#include <cstdint>
 
 namespace PlateImpact
 {
@@ -30,6 +32,32 @@ namespace PlateImpact
         (high - low);
     }
   } // namespace
+
+
+
+  double
+  zero_of(const std::function<double(double)> &increasing)
+  {
+    std::uintmax_t n_iterations = 500;
+    return boost::math::tools::bracket_and_solve_root(
+             increasing,
+             /*guess=*/1e-6,
+             /*factor=*/2.,
+             /*rising=*/true,
+             boost::math::tools::eps_tolerance<double>(),
+             n_iterations)
+      .first;
+  }
+
+
+
+  double
+  ContactLaw::indentation(const double force) const
+  {
+    return force <= 0. ? 0. : zero_of([&](const double alpha) {
+      return this->force(alpha) / force - 1.;
+    });
+  }
 
 
 

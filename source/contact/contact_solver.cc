@@ -6,79 +6,17 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
-#include <stdexcept>
 
 namespace PlateImpact
 {
   double
-  CollocatedContact::known_begin_force(const double force_at_begin) const
+  ContactIntegration::stiffness(const Contact &contact,
+                                const double   begin,
+                                const double   end,
+                                const double   force) const
   {
-    return force_at_begin;
-  }
-
-
-
-  bool
-  CollocatedContact::acts_at_begin() const
-  {
-    return false;
-  }
-
-
-
-  double
-  CollocatedContact::force(const Contact &contact,
-                           const double,
-                           const double end) const
-  {
-    return contact.force(end);
-  }
-
-
-
-  double
-  CollocatedContact::stiffness(const Contact &contact,
-                               const double,
-                               const double end,
-                               const double) const
-  {
-    return contact.stiffness(end);
-  }
-
-
-
-  double
-  EnergyConservingContact::known_begin_force(const double) const
-  {
-    return 0.;
-  }
-
-
-
-  bool
-  EnergyConservingContact::acts_at_begin() const
-  {
-    return true;
-  }
-
-
-
-  double
-  EnergyConservingContact::force(const Contact &contact,
-                                 const double   begin,
-                                 const double   end) const
-  {
-    return contact.mean_force(begin, end);
-  }
-
-
-
-  double
-  EnergyConservingContact::stiffness(const Contact &contact,
-                                     const double   begin,
-                                     const double   end,
-                                     const double   force) const
-  {
+    if (!is_mean)
+      return contact.stiffness(end);
     // The quotient is exact but cancels for close indentations; there half the
     // stiffness in the middle is its limit.
     const double distance = end - begin;
@@ -88,21 +26,6 @@ namespace PlateImpact
                     (contact.force(end) - force) *
                       contact.approach_derivative(end) /
                       (contact.approach(end) - contact.approach(begin)));
-  }
-
-
-
-  std::unique_ptr<const ContactIntegration>
-  make_contact_integration(const ForceIntegration integration)
-  {
-    switch (integration)
-      {
-        case ForceIntegration::collocation:
-          return std::make_unique<CollocatedContact>();
-        case ForceIntegration::energy_conserving:
-          return std::make_unique<EnergyConservingContact>();
-      }
-    throw std::logic_error("no such contact integration");
   }
 
 

@@ -80,17 +80,4 @@ namespace PlateImpact
     return 0.5 * F * alpha - 0.125 * compliance * F * F +
       beyond * (F + 0.5 * beyond * stiffness(largest_indentation));
   }
-
-
-
-  double
-  LineLaw::indentation(const double force) const
-  {
-    if (force <= 0.)
-      return 0.;
-    if (force >= tangent_force)
-      return largest_indentation +
-        (force - tangent_force) / stiffness(largest_indentation);
-    return compliance * force * logarithm(force);
-  }
 } // namespace PlateImpact

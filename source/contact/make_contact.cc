@@ -59,7 +59,7 @@ namespace PlateImpact
       double radius = impactor.contact_radius;
       if (radius == 0.)
         {
-          const ExpectedPeak peak = make_zener_impact(parameters).peak;
+          const ContactState peak = make_zener_impact(parameters).peak;
           radius                  = bodies.radius(peak.force, peak.indentation);
         }
       return ball_compliance(impactor.radius,
@@ -151,18 +151,18 @@ namespace PlateImpact
   ZenerImpact
   make_zener_impact(const Parameters &parameters)
   {
-    return {row_of(parameters.contact.law, laws).make(parameters, {}),
+    return {make_contact(parameters, /*layer_constant=*/{}),
             make_impactor(parameters.impactor),
             PlateSection(parameters.plate)};
   }
 
 
 
-  double
+  std::optional<double>
   layer_constant(const PlateParameters &plate, const ContactParameters &contact)
   {
     if (contact.local_response == LocalResponse::half_space)
-      return 0.;
+      return {};
     const LayerResponse layer(PlateSection(plate), contact.load_distribution);
     const double        radius = contact.patch_radius / plate.thickness;
     return contact.law == ForceLaw::line ? layer.line_constant(radius) :
@@ -181,12 +181,11 @@ namespace PlateImpact
 
 
   Contact
-  make_contact(const Parameters &parameters, const double layer_constant)
+  make_contact(const Parameters            &parameters,
+               const std::optional<double> &layer_constant)
   {
-    const LawRow &law = row_of(parameters.contact.law, laws);
-    if (parameters.contact.local_response == LocalResponse::half_space)
-      return law.make(parameters, {});
-    return law.make(parameters, layer_constant);
+    return row_of(parameters.contact.law, laws)
+      .make(parameters, layer_constant);
   }
 
 

@@ -2,7 +2,6 @@
 
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/quadrature/gauss.hpp>
-#include <boost/math/tools/roots.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -89,28 +88,6 @@ namespace PlateImpact
         begin,
         std::min(2. * begin, indentation));
     return work;
-  }
-
-
-
-  double
-  YieldingLaw::indentation(const double force) const
-  {
-    const double elastic = hertz.indentation(force);
-    if (elastic <= first_yield)
-      return elastic;
-    // F grows faster than alpha
-    std::uintmax_t n_iterations = 100;
-    return boost::math::tools::newton_raphson_iterate(
-      [this, force](const double alpha) {
-        return std::make_pair(this->force(alpha) / force - 1.,
-                              stiffness(alpha) / force);
-      },
-      elastic,
-      elastic,
-      first_yield * force / hertz.force(first_yield),
-      std::numeric_limits<double>::digits / 2 + 2,
-      n_iterations);
   }
 
 

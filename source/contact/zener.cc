@@ -63,10 +63,10 @@ namespace PlateImpact
       }
 
     private:
-      const EnergyConservingContact step;
-      Contact                       contact;
-      const double                  mass, impedance;
-      double                        approach = 0., alpha = 0., velocity;
+      const ContactIntegration step = ForceIntegration::energy_conserving;
+      Contact                  contact;
+      const double             mass, impedance;
+      double                   approach = 0., alpha = 0., velocity;
     };
 
 
@@ -107,7 +107,7 @@ namespace PlateImpact
 
 
 
-  ExpectedPeak
+  ContactState
   ZenerImpact::peak_in_steps(const double dt) const
   {
     ZenerSteps steps(contact, impactor, section);
@@ -122,9 +122,9 @@ namespace PlateImpact
                          curve     = next - 2. * alpha + before;
             const double to_vertex = curve < 0. ? -slope / curve : 0.;
             const double at_peak   = alpha + 0.5 * slope * to_vertex;
-            return {contact.first_loading().force(at_peak),
-                    at_peak,
-                    (n - 1 + to_vertex) * dt};
+            return {(n - 1 + to_vertex) * dt,
+                    contact.first_loading().force(at_peak),
+                    at_peak};
           }
         before = alpha;
         alpha  = next;
@@ -134,7 +134,7 @@ namespace PlateImpact
 
 
 
-  ExpectedPeak
+  ContactState
   ZenerImpact::peak_on_rigid_plate() const
   {
     PlateSection immovable = section;

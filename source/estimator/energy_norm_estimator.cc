@@ -124,7 +124,7 @@ namespace PlateImpact
     const Norms  now =
       Norms(regular_e2, regular_e2 + regular_u2, e2.sum(), e2.sum() + u2)
         .cwiseSqrt();
-    const unsigned int first = first_norm();
+    const unsigned int first = samples.singular_cells_count ? 2 : 0;
     const double       scale = now[first + 1] > 0. ? 1. / now[first + 1] : 0.;
     norms.add(time, now);
     relative.add(time, scale * e2.cwiseSqrt());
@@ -180,9 +180,10 @@ namespace PlateImpact
               norms.integral[first] / norms.integral[first + 1] :
               0.;
     };
-    result.eta                  = eta(first_norm());
     result.eta_of_regular_cells = eta(0);
     result.eta_of_all_cells     = eta(2);
+    result.eta = samples.singular_cells_count ? result.eta_of_all_cells :
+                                                result.eta_of_regular_cells;
     for (const double integral : relative.integral)
       result.element_errors.push_back(
         relative.time > 0. ? integral / relative.time : 0.);

@@ -169,10 +169,10 @@ namespace PlateImpact
                 const CellStrains                       &strains,
                 const Eigen::Ref<const Eigen::MatrixXd> &fields)
   {
-    const CellOperator &linear = strains.linear;
-    const Eigen::Index  m = factor.rows(), n = fields.cols();
-    Eigen::MatrixXd     nodal_values;
-    discretization.cell_values(cell, fields, nodal_values);
+    const CellOperator   &linear = strains.linear;
+    const Eigen::Index    m = factor.rows(), n = fields.cols();
+    const Eigen::MatrixXd nodal_values =
+      discretization.free_unknowns().cell_values(cell, fields);
     RowMajorMatrix             result(linear.rows() / m, m * n);
     Eigen::Map<RowMajorMatrix> by_row(result.data(), linear.rows(), n);
     if (!discretization.is_nonlinear())

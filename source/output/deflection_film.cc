@@ -55,14 +55,15 @@ namespace PlateImpact
             element.shape_value_component(i, unit_points[p], deflection);
       const unsigned int n_cells = discretization.mesh().n_active_cells();
       Eigen::MatrixXf    result(n_cells * unit_points.size(), frames.size());
-      Eigen::MatrixXd    values;
       for (std::size_t frame = 0; frame < frames.size(); ++frame)
         for (unsigned int cell = 0; cell < n_cells; ++cell)
           {
-            discretization.cell_values(cell, frames[frame]->unknowns, values);
+            const Eigen::VectorXd values =
+              discretization.free_unknowns()
+                .cell_values(cell, frames[frame]->unknowns);
             result.col(frame).segment(cell * unit_points.size(),
                                       unit_points.size()) =
-              (shapes * values.col(0)).cast<float>();
+              (shapes * values).cast<float>();
           }
       return result;
     }

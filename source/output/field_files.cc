@@ -8,6 +8,7 @@
 #include "plate_impact/base/text.h"
 #include "plate_impact/estimator/recovered_field.h"
 #include "plate_impact/output/section_fields.h"
+#include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
 
 #include <algorithm>
@@ -125,7 +126,6 @@ namespace PlateImpact
     Vector<float> element_errors(result.error_ratios->elements.begin(),
                                  result.error_ratios->elements.end());
     std::vector<types::global_dof_index> dofs(fields_element.n_dofs_per_cell());
-    Eigen::MatrixXd                      values;
     for (const Snapshot &snapshot : result.snapshots)
       {
         const Eigen::MatrixXd resultants =
@@ -135,8 +135,9 @@ namespace PlateImpact
                                nodal.get_unit_support_points());
         for (const auto &cell : dof_handler.active_cell_iterators())
           {
-            const unsigned int c = cell->active_cell_index();
-            plate.cell_values(c, snapshot.unknowns, values);
+            const unsigned int    c = cell->active_cell_index();
+            const Eigen::MatrixXd values =
+              plate.free_unknowns().cell_values(c, snapshot.unknowns);
             const std::vector<SectionField> of_section = section_fields(
               plate.section(),
               resultants.col(c).reshaped(n_resultants,
@@ -170,7 +171,7 @@ namespace PlateImpact
                                2,
                                DataOut<2>::CurvedCellRegion::curved_boundary);
         for (const unsigned int d : {0, 1})
-          if (plate.is_symmetric()[d])
+          if (geometry_of(cycle.parameters.plate)->is_symmetric(d))
             data_out.mirror(d, odd[d]);
         const std::string name =
           "fields_" + std::to_string(record.size()) + ".vtu";

@@ -289,7 +289,7 @@ namespace PlateImpact
     study["errors"]    = std::move(errors);
     if (parameters.has_impactor())
       {
-        const ExpectedPeak &expected = scene.expected->peak;
+        const ContactState &expected = scene.expected->peak;
         const double        force    = last.result.history->peak().force;
         const auto         &bar      = last.result.peak_force_bar;
         study["expected"]            = {{"force", expected.force},

@@ -6,11 +6,6 @@ namespace PlateImpact
 {
   using namespace dealii;
 
-  namespace
-  {
-    using Row = Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator;
-  }
-
   void
   FreeUnknowns::reinit(const DoFHandler<2>             &dof_handler,
                        const AffineConstraints<double> &homogeneous_constraints)
@@ -78,7 +73,9 @@ namespace PlateImpact
     };
     std::vector<Weight> weights;
     for (int i = 0; i < n_cell_dofs; ++i)
-      for (Row entry(nodal_values_of_cells, n_cell_dofs * cell + i); entry;
+      for (decltype(nodal_values_of_cells)::InnerIterator
+             entry(nodal_values_of_cells, n_cell_dofs * cell + i);
+           entry;
            ++entry)
         weights.push_back(
           {i,
@@ -91,20 +88,6 @@ namespace PlateImpact
       for (const Weight &k : weights)
         result(k.position, l.position) +=
           k.value * l.value * matrix(k.row, l.row);
-  }
-
-
-
-  void
-  FreeUnknowns::cell_values(const unsigned int                       cell,
-                            const Eigen::Ref<const Eigen::MatrixXd> &unknowns,
-                            Eigen::MatrixXd &values) const
-  {
-    values.setZero(n_cell_dofs, unknowns.cols());
-    for (int i = 0; i < n_cell_dofs; ++i)
-      for (Row entry(nodal_values_of_cells, n_cell_dofs * cell + i); entry;
-           ++entry)
-        values.row(i) += entry.value() * unknowns.row(entry.col());
   }
 
 
@@ -125,19 +108,6 @@ namespace PlateImpact
   {
     return nodal_values_of_cells.transpose() *
       Eigen::Map<const Eigen::VectorXd>(of_cells.data(), of_cells.size());
-  }
-
-
-
-  void
-  FreeUnknowns::add_force(const unsigned int cell,
-                          const unsigned int i,
-                          const double       force,
-                          Eigen::VectorXd   &forces) const
-  {
-    for (Row entry(nodal_values_of_cells, n_cell_dofs * cell + i); entry;
-         ++entry)
-      forces[entry.col()] += force * entry.value();
   }
 
 

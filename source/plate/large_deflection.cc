@@ -70,7 +70,8 @@ namespace PlateImpact
   StretchedPlate
   LargeDeflection::stretched(const Eigen::VectorXd &unknowns) const
   {
-    const Eigen::MatrixXd values  = plate.values_of_cells(unknowns),
+    const Eigen::MatrixXd values =
+                            plate.free_unknowns().values_of_cells(unknowns),
                           causing = values(causes, Eigen::all);
     StretchedPlate result;
     result.slopes = SlopeSquares::slopes() * values(deflections, Eigen::all);
@@ -118,7 +119,7 @@ namespace PlateImpact
         of_cells(causes, cell)      = on_causes;
         of_cells(deflections, cell) = on_deflections;
       }
-    return plate.n_parts() * plate.forces(of_cells);
+    return plate.n_parts() * plate.free_unknowns().forces(of_cells);
   }
 
 

@@ -11,7 +11,6 @@
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
-#include "plate_impact/plate/support.h"
 
 #include <Epetra_CrsGraph.h>
 #include <Epetra_Map.h>
@@ -121,19 +120,13 @@ namespace PlateImpact
     , plate_section(plate)
     , multiplicity(multiplicity)
     , dofs(mesh)
-    , holds_deflection(hold_deflection(geometry_of(plate)->supports()))
-    , holds_in_plane(hold_in_plane(geometry_of(plate)->supports(),
-                                   geometry_of(plate)->in_plane_supports()))
   {
     if (element.stretching() != plate_section.stretching())
       throw std::logic_error("the element has not the unknowns of the section");
     dofs.distribute_dofs(element.finite_element());
     DoFTools::make_hanging_node_constraints(dofs, constraints);
     plate_element.add_internal_constraints(dofs, constraints);
-    hold_edges(dofs,
-               geometry_of(plate)->supports(),
-               geometry_of(plate)->in_plane_supports(),
-               constraints);
+    held = hold_edges(dofs, *geometry_of(plate), constraints);
     constraints.close();
     unknowns.reinit(dofs, constraints);
     find_shapes();
@@ -362,17 +355,5 @@ namespace PlateImpact
     const double area = GridTools::volume(mesh());
     return plate_section.mean_bending_stiffness() /
       plate_section.mass_per_area / (area * area);
-  }
-
-
-
-  std::array<bool, 2>
-  PlateDiscretization::is_symmetric() const
-  {
-    const auto ids = mesh().get_boundary_ids();
-    const auto has = [&ids](const types::boundary_id id) {
-      return std::find(ids.begin(), ids.end(), id) != ids.end();
-    };
-    return {{has(symmetry_x), has(symmetry_y)}};
   }
 } // namespace PlateImpact

@@ -57,13 +57,7 @@ namespace PlateImpact
 
 
 
-    struct TheoryRow
-    {
-      DeflectionTheory choice;
-      std::string      word;
-    };
-
-    const std::vector<TheoryRow> deflection_theories = {
+    const std::vector<Word<DeflectionTheory>> deflection_theories = {
       {DeflectionTheory::linear, "linear"},
       {DeflectionTheory::large, "large"}};
 

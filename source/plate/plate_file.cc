@@ -7,7 +7,6 @@
 #include <deal.II/numerics/rtree.h>
 
 #include "plate_impact/plate/msh_file.h"
-#include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
 
 #include <boost/pending/disjoint_sets.hpp>

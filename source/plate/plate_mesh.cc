@@ -20,18 +20,6 @@ namespace PlateImpact
 
 
 
-  namespace
-  {
-    const Mapping<2> &
-    bilinear_mapping()
-    {
-      static const MappingQ1<2> mapping;
-      return mapping;
-    }
-  } // namespace
-
-
-
   const Mapping<2> &
   mapping_of(const Triangulation<2>::cell_iterator &cell)
   {
@@ -39,7 +27,7 @@ namespace PlateImpact
       for (const auto &face : cell->face_iterators())
         if (face->manifold_id() != numbers::flat_manifold_id)
           return curved_mapping();
-    return bilinear_mapping();
+    return StaticMappingQ1<2>::mapping;
   }
 
 
@@ -50,7 +38,7 @@ namespace PlateImpact
     for (const types::manifold_id id : mesh.get_manifold_ids())
       if (id != numbers::flat_manifold_id)
         return curved_mapping();
-    return bilinear_mapping();
+    return StaticMappingQ1<2>::mapping;
   }
 
 

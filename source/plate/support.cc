@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 namespace PlateImpact
 {
@@ -60,19 +61,6 @@ namespace PlateImpact
 
     /// Of both rotations and displacements in a plane of symmetry.
     constexpr Held mirrored = {true, false};
-
-
-
-    /// Of the middle surface at an edge.
-    Held
-    held_in_plane(const types::boundary_id    edge,
-                  const EdgeSupport           support,
-                  const InPlaneSupportOfEdge &in_plane)
-    {
-      return row_of(support, support_rows).deflection ?
-        row_of(in_plane.at(edge), in_plane_rows).displacements :
-        Held{false, false};
-    }
 
 
 
@@ -125,24 +113,21 @@ namespace PlateImpact
       void
       hold_oblique()
       {
-        for (const auto &[first, edges] : held_along)
-          {
-            hold_corners(edges, first);
-            VectorTools::compute_normal_flux_constraints(dof_handler,
-                                                         first,
-                                                         edges,
-                                                         constraints,
-                                                         curved_mapping());
-          }
-        for (const auto &[first, edges] : held_across)
-          {
-            hold_corners(edges, first);
-            VectorTools::compute_no_normal_flux_constraints(dof_handler,
-                                                            first,
-                                                            edges,
-                                                            constraints,
-                                                            curved_mapping());
-          }
+        for (const auto &[edges_by_component, constrain] :
+             {std::pair(&held_along,
+                        &VectorTools::compute_normal_flux_constraints<2, 2>),
+              std::pair(
+                &held_across,
+                &VectorTools::compute_no_normal_flux_constraints<2, 2>)})
+          for (const auto &[first, edges] : *edges_by_component)
+            {
+              hold_corners(edges, first);
+              constrain(dof_handler,
+                        first,
+                        edges,
+                        constraints,
+                        curved_mapping());
+            }
       }
 
     private:
@@ -151,44 +136,39 @@ namespace PlateImpact
       /// Both components where two edges, or two sides of one, meet at an angle
       /// and each holds that along its own tangent or normal.
       void
-      hold_corners(const Edges &edges, unsigned int first);
+      hold_corners(const Edges &edges, const unsigned int first)
+      {
+        // a mean normal, which deal.II takes at vertices of several cells, is
+        // that of a smooth edge
+        const double least_cosine = std::cos(10. * numbers::PI / 180.);
+        const auto  &mesh         = dof_handler.get_triangulation();
+        std::map<unsigned int, Tensor<1, 2>> normals;
+        for (const auto &cell : dof_handler.active_cell_iterators())
+          for (const auto &face : cell->face_iterators())
+            {
+              if (!face->at_boundary() || edges.count(face->boundary_id()) == 0)
+                continue;
+              for (const unsigned int v : face->vertex_indices())
+                {
+                  const Tensor<1, 2> normal =
+                    mesh.get_manifold(face->manifold_id())
+                      .normal_vector(face, face->vertex(v));
+                  const auto [known, is_new] =
+                    normals.insert({face->vertex_index(v), normal});
+                  if (is_new || std::abs(known->second * normal) > least_cosine)
+                    continue;
+                  for (const unsigned int component : {first, first + 1})
+                    if (const auto dof = face->vertex_dof_index(v, component);
+                        !constraints.is_constrained(dof))
+                      constraints.add_line(dof);
+                }
+            }
+      }
 
       const DoFHandler<2>          &dof_handler;
       AffineConstraints<double>    &constraints;
       std::map<unsigned int, Edges> held_along, held_across; ///< by component
     };
-
-
-
-    void
-    EdgeHolder::hold_corners(const Edges &edges, const unsigned int first)
-    {
-      // a mean normal, which deal.II takes at vertices of several cells, is
-      // that of a smooth edge
-      const double least_cosine = std::cos(10. * numbers::PI / 180.);
-      const auto  &mesh         = dof_handler.get_triangulation();
-      std::map<unsigned int, Tensor<1, 2>> normals;
-      for (const auto &cell : dof_handler.active_cell_iterators())
-        for (const auto &face : cell->face_iterators())
-          {
-            if (!face->at_boundary() || edges.count(face->boundary_id()) == 0)
-              continue;
-            for (const unsigned int v : face->vertex_indices())
-              {
-                const Tensor<1, 2> normal =
-                  mesh.get_manifold(face->manifold_id())
-                    .normal_vector(face, face->vertex(v));
-                const auto [known, is_new] =
-                  normals.insert({face->vertex_index(v), normal});
-                if (is_new || std::abs(known->second * normal) > least_cosine)
-                  continue;
-                for (const unsigned int component : {first, first + 1})
-                  if (const auto dof = face->vertex_dof_index(v, component);
-                      !constraints.is_constrained(dof))
-                    constraints.add_line(dof);
-              }
-          }
-    }
   } // namespace
 
 
@@ -203,39 +183,10 @@ namespace PlateImpact
 
 
 
-  bool
-  hold_deflection(const SupportOfEdge &supports)
-  {
-    return std::any_of(supports.begin(),
-                       supports.end(),
-                       [](const auto &of_edge) {
-                         return row_of(of_edge.second, support_rows).deflection;
-                       });
-  }
-
-
-
-  bool
-  hold_in_plane(const SupportOfEdge        &supports,
-                const InPlaneSupportOfEdge &in_plane)
-  {
-    return std::any_of(supports.begin(),
-                       supports.end(),
-                       [&](const auto &of_edge) {
-                         const Held held = held_in_plane(of_edge.first,
-                                                         of_edge.second,
-                                                         in_plane);
-                         return held.normal || held.tangential;
-                       });
-  }
-
-
-
-  void
-  hold_edges(const DoFHandler<2>        &dof_handler,
-             const SupportOfEdge        &supports,
-             const InPlaneSupportOfEdge &in_plane,
-             AffineConstraints<double>  &constraints)
+  HeldByEdges
+  hold_edges(const DoFHandler<2>       &dof_handler,
+             const PlateGeometry       &geometry,
+             AffineConstraints<double> &constraints)
   {
     EdgeHolder holder(dof_handler, constraints);
     const bool stretches = dof_handler.get_fe().n_components() > displacement_x;
@@ -245,17 +196,23 @@ namespace PlateImpact
         if (stretches)
           holder.hold(plane, mirrored, displacement_x);
       }
-    for (const auto &[edge, support] : supports)
+    HeldByEdges                any;
+    const InPlaneSupportOfEdge in_plane = geometry.in_plane_supports();
+    for (const auto &[edge, support] : geometry.supports())
       {
         const SupportRow &row = row_of(support, support_rows);
         if (row.deflection)
           holder.hold(edge, deflection);
+        any.deflection |= row.deflection;
         holder.hold(edge, row.rotations, rotation_x);
-        if (stretches)
-          holder.hold(edge,
-                      held_in_plane(edge, support, in_plane),
-                      displacement_x);
+        if (!stretches || !row.deflection)
+          continue;
+        const Held &held =
+          row_of(in_plane.at(edge), in_plane_rows).displacements;
+        holder.hold(edge, held, displacement_x);
+        any.in_plane |= held.normal || held.tangential;
       }
     holder.hold_oblique();
+    return any;
   }
 } // namespace PlateImpact

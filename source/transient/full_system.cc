@@ -5,53 +5,15 @@
 #include "plate_impact/transient/plate_stepper.h"
 
 #include <limits>
-#include <utility>
 
 namespace PlateImpact
 {
-  FullSystem::FullSystem(std::shared_ptr<EffectiveStiffness> shared_matrices,
-                         const Eigen::VectorXd              &load)
-    : matrices(std::move(shared_matrices))
-    , u(load)
-  {}
-
-
-
-  void
-  FullSystem::multiply_stiffness(const Eigen::VectorXd &x,
-                                 Eigen::VectorXd       &y) const
-  {
-    y.noalias() = as_eigen(matrices->discretization.stiffness()) * x;
-  }
-
-
-
-  void
-  FullSystem::solve(const double           c,
-                    const Eigen::VectorXd &b,
-                    Eigen::VectorXd       &x)
-  {
-    matrices->solve(c, b, x);
-  }
-
-
-
   std::unique_ptr<PlateMotion>
   FullSystem::motion(const NewmarkScheme &scheme)
   {
     if (is_linear())
       return std::make_unique<PlateStepper>(scheme, *this);
     return std::make_unique<LargeDeflectionStepper>(scheme, *matrices, u);
-  }
-
-
-
-  double
-  FullSystem::static_compliance()
-  {
-    if (!compliance)
-      compliance = computed_compliance();
-    return *compliance;
   }
 
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <string>
+#include <utility>
 
 namespace PlateImpact
 {
@@ -94,8 +95,17 @@ namespace PlateImpact
     current.impactor_energy   = impactor.kinetic_energy();
     current.dissipated_energy = contact.dissipated_energy(current.indentation);
     current.plate_dissipated_energy = plate_dissipated;
-    require_finite(current.plate_displacement, "plate displacement");
-    require_finite(current.total_energy(), "total energy");
+    for (const auto &[value, quantity] :
+         {std::pair(current.plate_displacement, "plate displacement"),
+          std::pair(current.total_energy(), "total energy")})
+      if (!std::isfinite(value))
+        throw ComputationError(fmt::format(
+          "step {} (t = {} s): the {} is not finite ({}); try a smaller "
+          "Time/Time step",
+          step,
+          current.time,
+          quantity,
+          value));
     if (current.force > contact.largest_force())
       throw ComputationError(fmt::format(
         "step {} (t = {}): the contact force, {}, is beyond what the local "
@@ -110,22 +120,4 @@ namespace PlateImpact
     current.permanent_indentation = contact.dent();
     so_far.history.add(current);
   }
-
-
-
-  void
-  ImpactorStepper::require_finite(const double value,
-                                  const char  *quantity) const
-  {
-    if (std::isfinite(value))
-      return;
-    throw ComputationError(fmt::format(
-      "step {} (t = {} s): the {} is not finite ({}); try a smaller "
-      "Time/Time step",
-      step,
-      current.time,
-      quantity,
-      value));
-  }
-
 } // namespace PlateImpact

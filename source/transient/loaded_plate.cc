@@ -3,7 +3,6 @@
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/contact/make_contact.h"
-#include "plate_impact/transient/integrator.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,7 +54,7 @@ namespace PlateImpact
     , load(std::move(shared_load))
     , contact(make_contact(parameters, load->layer_constant))
     , impactor(make_impactor(parameters.impactor))
-    , system(load->integrator->system_for(parameters))
+    , system(load->reduction.system_for(parameters))
   {}
 
 
@@ -63,7 +62,7 @@ namespace PlateImpact
   TimeStepper
   LoadedPlate::steps(const NewmarkScheme &by, SemidiscreteSystem &stepped) const
   {
-    return {by, stepped, contact, *load->integration, impactor};
+    return {by, stepped, contact, load->integration, impactor};
   }
 
 
@@ -72,7 +71,7 @@ namespace PlateImpact
   LoadedPlate::strike() const
   {
     Impact result =
-      load->integrator->impact(system, contact, impactor, scheme.n_steps);
+      load->reduction.impact(system, contact, impactor, scheme.n_steps);
     require_energy(parameters, result.history);
     return result;
   }
@@ -80,14 +79,15 @@ namespace PlateImpact
 
 
   Impact
-  LoadedPlate::strike(TransientListener &listener) const
+  LoadedPlate::strike(
+    const std::function<void(unsigned int, const TimeStepper &)> &take_step)
+    const
   {
     TimeStepper stepper = steps(scheme, system);
-    listener.begin(system, stepper);
     for (unsigned int step = 1; step <= scheme.n_steps; ++step)
       {
         stepper.advance();
-        listener.take_step(step, stepper);
+        take_step(step, stepper);
       }
     require_energy(parameters, stepper.impact().history);
     return stepper.impact();
@@ -164,7 +164,7 @@ namespace PlateImpact
     Impactor     faster = impactor;
     faster.velocity *= 1. + change;
     const ContactHistory other =
-      load->integrator->impact(system, contact, faster, scheme.n_steps).history;
+      load->reduction.impact(system, contact, faster, scheme.n_steps).history;
     const double peak = history.peak().force;
     Sensitivity  result;
     for (std::size_t step = 0; step < history.states().size(); ++step)
@@ -181,15 +181,18 @@ namespace PlateImpact
 
 
 
-  std::unique_ptr<Integrator>
-  LoadedPlate::integrator_to(const double time_of_peak) const
+  std::unique_ptr<RitzReduction>
+  LoadedPlate::reduction_to(const double time_of_peak) const
   {
     TimeParameters to_peak = parameters.time;
     to_peak.integrator     = IntegratorType::Ritz_vectors;
     to_peak.end_time       = time_of_peak;
     to_peak.time_step      = scheme.dt;
     to_peak.ritz_tolerance = tolerance_of_estimate;
-    return make_integrator(*load->mesh, to_peak, *load->integration, true);
+    return std::make_unique<RitzReduction>(*load->mesh,
+                                           to_peak,
+                                           load->integration,
+                                           true);
   }
 
 
@@ -202,25 +205,25 @@ namespace PlateImpact
         history.peak().time > most_steps_to_peak * scheme.dt)
       return {};
     // on the mesh it would take three more transients up to the peak
-    std::unique_ptr<Integrator> own;
+    std::unique_ptr<RitzReduction> own;
     if (is_stepped_on_the_mesh())
-      own = integrator_to(history.peak().time);
-    Integrator          &integrator = own ? *own : *load->integrator;
-    SemidiscreteSystem  &of_dual    = integrator.system_for(parameters);
-    const PlateResponse &response   = integrator.response(of_dual);
+      own = reduction_to(history.peak().time);
+    RitzReduction       &reduction = own ? *own : load->reduction;
+    SemidiscreteSystem  &of_dual   = reduction.system_for(parameters);
+    const PlateResponse &response  = reduction.response(of_dual);
     // a motion takes half of what is looked at together
     const unsigned int most_times =
       std::max(32u, of_dual.n_states_at_once() / 2);
     DualMotions motions =
-      dual_motions(forces_to_peak(history, contact, *load->integration),
+      dual_motions(forces_to_peak(history, contact, load->integration),
                    peak_force_weights(history,
                                       scheme,
                                       contact,
-                                      *load->integration,
+                                      load->integration,
                                       impactor,
                                       response),
                    scheme,
-                   *load->integration,
+                   load->integration,
                    of_dual,
                    most_times);
     return PeakForceProblem{std::move(motions), &of_dual, std::move(own)};

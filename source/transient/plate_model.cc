@@ -6,7 +6,6 @@
 #include "plate_impact/plate/layer_response.h"
 #include "plate_impact/plate/load_distribution.h"
 #include "plate_impact/plate/plate_mesh.h"
-#include "plate_impact/transient/integrator.h"
 #include "plate_impact/transient/natural_frequencies.h"
 
 #include <algorithm>
@@ -61,13 +60,13 @@ namespace PlateImpact
     if (found == loads.end())
       {
         forget_loads();
-        const auto load = std::make_shared<Load>(
-          Load{loaded_mesh(impact),
+        const ContactIntegration integration = impact.contact.integration;
+        const auto              &loaded      = loaded_mesh(impact);
+        const auto               load        = std::make_shared<Load>(
+          Load{loaded,
                layer_constant(impact.plate, impact.contact),
-               make_contact_integration(impact.contact.integration),
-               nullptr});
-        load->integrator =
-          make_integrator(*load->mesh, time, *load->integration, needs_states);
+               integration,
+               {*loaded, time, integration, needs_states}});
         found = loads.emplace(key, load).first;
         ++n_loads;
       }

@@ -93,7 +93,7 @@ namespace PlateImpact
     , mass(continued_mass(basis, n, n_terminator))
     , stiffness(stiffness_to(mass, basis.shift()))
     , u(basis.load() * Eigen::VectorXd::Unit(mass.diagonal.size(), 0))
-    , compliance(basis.is_free() ?
+    , compliance(basis.matrices.discretization.is_free() ?
                    std::numeric_limits<double>::infinity() :
                    1.001 * u[0] * u[0] * first_of_inverse(stiffness))
     , inverse_pivots(u.size())

@@ -1,5 +1,6 @@
 #include "plate_impact/transient/ritz_reduction.h"
 
+#include "plate_impact/base/entries.h"
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/contact/make_contact.h"
 #include "plate_impact/plate/plate_geometry.h"
@@ -234,6 +235,8 @@ namespace PlateImpact
   SemidiscreteSystem &
   RitzReduction::system_for(const Parameters &parameters)
   {
+    if (time.integrator == IntegratorType::Newmark || !full.is_linear())
+      return full;
     Parameters rounded = parameters;
     rounded.time       = time;
     rounded.impactor   = nearby(parameters.impactor, parameters.plate);
@@ -331,5 +334,72 @@ namespace PlateImpact
                    std::min(n, basis.n_vectors()),
                    n_terminator)
       .first->second;
+  }
+
+
+
+  Impact
+  RitzReduction::impact(SemidiscreteSystem &system,
+                        const Contact      &contact,
+                        const Impactor     &impactor,
+                        const unsigned int  n_steps)
+  {
+    const NewmarkScheme scheme(time);
+    // the work of the force is the plate's energy where nothing dissipates it
+    if (scheme.conserves_energy() && system.damping() == 0. &&
+        system.is_linear())
+      return response(system).impact(contact, impactor, n_steps);
+    TimeStepper stepper(scheme, system, contact, integration, impactor);
+    stepper.advance(n_steps);
+    return stepper.impact();
+  }
+
+
+
+  const PlateResponse &
+  RitzReduction::response(SemidiscreteSystem &system)
+  {
+    return responses
+      .try_emplace(&system, NewmarkScheme(time), system, integration)
+      .first->second;
+  }
+
+
+
+  namespace
+  {
+    const std::vector<Word<IntegratorType>> integrators = {
+      {IntegratorType::Newmark, "Newmark"},
+      {IntegratorType::Ritz_vectors, "Ritz vectors"}};
+  } // namespace
+
+
+
+  void
+  TimeParameters::declare_entries(Entries &entries)
+  {
+    const auto entry = entries.section("Time");
+    entry("End time", "80e-6", number_from(0), end_time)
+      .means("0: to the end of the first contact. [s]");
+    entry("Time step", "1e-7", number_from(0), time_step)
+      .means("Shortened where End time is not a multiple of it. 0: by powers "
+             "of two, the largest that meets Step tolerance in Zener's "
+             "equation. [s]");
+    entry("Step tolerance", "1e-4", number_between(0, 1), step_tolerance)
+      .means("Error of the peak force by the time step, relative to it, with "
+             "which the program chooses a step. [-]");
+    entry("Integrator", "Ritz vectors", one_of(integrators), integrator)
+      .means("What Newmark's method integrates: the unknowns of the mesh "
+             "(Newmark), or their coordinates in load-dependent Ritz vectors, "
+             "as many as the force needs; on the mesh nevertheless where that "
+             "takes more of them than steps.");
+    entry("Ritz tolerance", "1e-5", number_above(0), ritz_tolerance)
+      .means("Estimated error of the force against that of the mesh, as a "
+             "fraction of its peak, below which no further Ritz vectors are "
+             "added: a root mean square over the contact. [-]");
+    entry("Newmark beta", "0.25", number_up_to(0, 1), newmark_beta)
+      .means("At least half of gamma: unconditionally stable. [-]");
+    entry("Newmark gamma", "0.5", number_from(0.5), newmark_gamma)
+      .means("Above 0.5 the scheme damps, to first order. [-]");
   }
 } // namespace PlateImpact

@@ -48,7 +48,7 @@ namespace PlateImpact
         , element(parameters.discretization.element)
         , model(*mesh, element, parameters.plate)
         , contact(make_contact(parameters))
-        , integration(make_contact_integration(parameters.contact.integration))
+        , integration(parameters.contact.integration)
         , impactor(make_impactor(parameters.impactor))
       {}
 
@@ -67,7 +67,7 @@ namespace PlateImpact
       const PlateElement                              element;
       PlateDiscretization                             model;
       const Contact                                   contact;
-      const std::unique_ptr<const ContactIntegration> integration;
+      const ContactIntegration                        integration;
       const Impactor                                  impactor;
     };
 
@@ -230,7 +230,7 @@ namespace PlateImpact
               stepper.emplace(stages.parameters.time,
                               plate,
                               stages.contact,
-                              *stages.integration,
+                              stages.integration,
                               stages.impactor);
               state.ResumeTiming();
             }
@@ -288,7 +288,7 @@ namespace PlateImpact
       TimeStepper         stepper(stages.parameters.time,
                           reduced,
                           stages.contact,
-                          *stages.integration,
+                          stages.integration,
                           stages.impactor);
       std::vector<double> times;
       Eigen::MatrixXd     coordinates(100, 100);

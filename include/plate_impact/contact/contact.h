@@ -79,7 +79,10 @@ namespace PlateImpact
 
     /// alpha_0, up to which the bodies no longer touch. [m]
     double
-    dent() const;
+    dent() const
+    {
+      return reload.dent;
+    }
 
     /// A step has ended at an indentation.
     void
@@ -88,7 +91,10 @@ namespace PlateImpact
     /// The force up to which the series holds; infinite where C is not
     /// negative. [N]
     double
-    largest_force() const;
+    largest_force() const
+    {
+      return force_limit;
+    }
 
     /// The same, before first touch, with more that gives way in series.
     /// @param more  [m/N]
@@ -100,7 +106,10 @@ namespace PlateImpact
 
     /// The law without memory and series.
     const ContactLaw &
-    first_loading() const;
+    first_loading() const
+    {
+      return *law;
+    }
 
   private:
     /// F = end_force ((alpha - dent) / (end - dent))^power from the dent to an

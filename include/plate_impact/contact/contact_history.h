@@ -47,13 +47,22 @@ namespace PlateImpact
   public:
     /// Prepares for a number of states.
     void
-    reserve(std::size_t n_states);
+    reserve(const std::size_t n_states)
+    {
+      history.reserve(n_states);
+    }
 
     void
-    add(const ContactState &state);
+    add(const ContactState &state)
+    {
+      history.push_back(state);
+    }
 
     const std::vector<ContactState> &
-    states() const;
+    states() const
+    {
+      return history;
+    }
 
     /// The state of the largest force.
     const ContactState &

@@ -1,10 +1,16 @@
 #ifndef plate_impact_contact_contact_law_h
 #define plate_impact_contact_contact_law_h
 
+#include <functional>
 #include <optional>
 
 namespace PlateImpact
 {
+  /// Where an increasing function of an indentation is 0. [m]
+  double
+  zero_of(const std::function<double(double)> &increasing);
+
+
   /// Force between two bodies as a function of their indentation, as it grows
   /// for the first time: zero for negative indentations, never decreasing, its
   /// slope never decreasing either. What gives way in series and what the
@@ -27,8 +33,8 @@ namespace PlateImpact
     potential(double indentation) const = 0;
 
     /// Indentation at which the force is reached; 0 for forces up to 0. [m]
-    virtual double
-    indentation(double force) const = 0;
+    double
+    indentation(double force) const;
 
     /// Mean of the force between two indentations, (U(b) - U(a)) / (b - a) with
     /// U the potential: the discrete gradient of Gonzalez (1996),

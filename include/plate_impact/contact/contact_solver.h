@@ -4,8 +4,6 @@
 #include "plate_impact/base/choices.h"
 #include "plate_impact/contact/contact.h"
 
-#include <memory>
-
 namespace PlateImpact
 {
   /// How the contact force acts within a time step, as the forces that
@@ -13,74 +11,55 @@ namespace PlateImpact
   /// is known when the step begins (`known_begin_force`), the other is the
   /// unknown phi of the step, which acts at the end and, where `acts_at_begin`,
   /// at the beginning as well.
+  ///
+  /// By collocation phi is the force of the law at the end of the step, as in
+  /// eqs. 28-31 of the paper. Gains energy when the contact is stiff for the
+  /// step.
+  ///
+  /// The integration that conserves energy has the mean force of the law over
+  /// the indentations of the step, constant over the step. With the
+  /// average-acceleration scheme (beta = 1/4, gamma = 1/2), which is the
+  /// midpoint rule for the linear plate, the work of this force is the change
+  /// of the contact potential: energy is conserved to round-off.
   class ContactIntegration
   {
   public:
-    virtual ~ContactIntegration() = default;
+    ContactIntegration(const ForceIntegration choice)
+      : is_mean(choice == ForceIntegration::energy_conserving)
+    {}
 
     /// Force at the beginning of the step that does not depend on its end, for
     /// the law's force there. [N]
-    virtual double
-    known_begin_force(double force_at_begin) const = 0;
+    double
+    known_begin_force(const double force_at_begin) const
+    {
+      return is_mean ? 0. : force_at_begin;
+    }
 
-    virtual bool
-    acts_at_begin() const = 0;
+    bool
+    acts_at_begin() const
+    {
+      return is_mean;
+    }
 
     /// The unknown force for the indentations [m] at both ends of the step. [N]
-    virtual double
-    force(const Contact &contact, double begin, double end) const = 0;
+    double
+    force(const Contact &contact, const double begin, const double end) const
+    {
+      return is_mean ? contact.mean_force(begin, end) : contact.force(end);
+    }
 
     /// Its derivative with respect to the indentation at the end. [N/m]
     /// @param force  for these indentations [N]
-    virtual double
-    stiffness(const Contact &contact,
-              double         begin,
-              double         end,
-              double         force) const = 0;
-  };
-
-  /// The force of the law at the end of the step, as in eqs. 28-31 of the
-  /// paper. Gains energy when the contact is stiff for the step.
-  class CollocatedContact : public ContactIntegration
-  {
-  public:
-    double
-    known_begin_force(double force_at_begin) const override;
-    bool
-    acts_at_begin() const override;
-    double
-    force(const Contact &contact, double begin, double end) const override;
     double
     stiffness(const Contact &contact,
               double         begin,
               double         end,
-              double         force) const override;
-  };
+              double         force) const;
 
-  /// The mean force of the law over the indentations of the step, constant over
-  /// the step. With the average-acceleration scheme (beta = 1/4, gamma = 1/2),
-  /// which is the midpoint rule for the linear plate, the work of this force is
-  /// the change of the contact potential: energy is conserved to round-off.
-  class EnergyConservingContact : public ContactIntegration
-  {
-  public:
-    double
-    known_begin_force(double force_at_begin) const override;
-    bool
-    acts_at_begin() const override;
-    double
-    force(const Contact &contact, double begin, double end) const override;
-    double
-    stiffness(const Contact &contact,
-              double         begin,
-              double         end,
-              double         force) const override;
+  private:
+    bool is_mean;
   };
-
-  /// The integration that the scene names: `collocation` or `energy
-  /// conserving`.
-  std::unique_ptr<const ContactIntegration>
-  make_contact_integration(ForceIntegration integration);
 
 
   /// Solves the scalar contact equation of a step, delta(alpha) + C phi(alpha)

@@ -3,6 +3,9 @@
 
 #include "plate_impact/contact/contact_law.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace PlateImpact
 {
   /// Hertz's law of two elastic bodies touching at a point, F = k alpha^{3/2}
@@ -11,20 +14,48 @@ namespace PlateImpact
   {
   public:
     /// @param coefficient k [N/m^{3/2}]
-    explicit HertzLaw(double coefficient);
+    explicit HertzLaw(const double coefficient)
+      : k(coefficient)
+    {}
 
     double
-    force(double indentation) const override;
+    force(const double indentation) const override
+    {
+      return indentation > 0. ? k * indentation * std::sqrt(indentation) : 0.;
+    }
+
     double
-    stiffness(double indentation) const override;
+    stiffness(const double indentation) const override
+    {
+      return indentation > 0. ? 1.5 * k * std::sqrt(indentation) : 0.;
+    }
+
     double
-    potential(double indentation) const override;
+    potential(const double indentation) const override
+    {
+      return 0.4 * indentation * force(indentation);
+    }
+
     double
-    indentation(double force) const override;
+    mean_force(const double a, const double b) const override
+    {
+      if (std::min(a, b) <= 0.)
+        return ContactLaw::mean_force(a, b);
+      // (x^5 - y^5) / (x^2 - y^2) with x^2 = a, y^2 = b, divided by x - y so
+      // that nothing cancels
+      const double x = std::sqrt(a), y = std::sqrt(b);
+      return 0.4 * k * (a * a + b * b + x * y * (a + x * y + b)) / (x + y);
+    }
+
     double
-    mean_force(double a, double b) const override;
-    double
-    mean_stiffness(double a, double b) const override;
+    mean_stiffness(const double a, const double b) const override
+    {
+      if (std::min(a, b) <= 0.)
+        return ContactLaw::mean_stiffness(a, b);
+      const double x = std::sqrt(a), y = std::sqrt(b);
+      return k * (a + x * y + b) / (x + y);
+    }
+
     std::optional<double>
     hertz_coefficient() const override
     {

@@ -38,8 +38,6 @@ namespace PlateImpact
     stiffness(double indentation) const override;
     double
     potential(double indentation) const override;
-    double
-    indentation(double force) const override;
 
   private:
     /// constant + ln(l/a) at a force.

@@ -4,6 +4,8 @@
 #include "plate_impact/base/parameters.h"
 #include "plate_impact/contact/zener.h"
 
+#include <optional>
+
 namespace PlateImpact
 {
   /// The contact of a scene at first touch. Its law is `line` (eq. 32), `Sun`
@@ -18,11 +20,12 @@ namespace PlateImpact
   /// The same where what it takes from the layer is known.
   /// @param layer_constant  that of the function below
   Contact
-  make_contact(const Parameters &parameters, double layer_constant);
+  make_contact(const Parameters            &parameters,
+               const std::optional<double> &layer_constant);
 
   /// Lambda of the layer under a sphere or a line contact, which no impactor
-  /// changes; 0 for a half-space.
-  double
+  /// changes; empty for a half-space.
+  std::optional<double>
   layer_constant(const PlateParameters   &plate,
                  const ContactParameters &contact);
 

@@ -3,6 +3,8 @@
 
 #include "plate_impact/contact/unloading.h"
 
+#include <cmath>
+
 namespace PlateImpact
 {
   /// What Yang & Sun measured on laminates (NASA CR-165460, 1981; Tan & Sun, J.
@@ -13,14 +15,29 @@ namespace PlateImpact
   {
   public:
     /// @param critical_indentation alpha_cr [m]
-    explicit YangSunUnloading(double critical_indentation);
+    explicit YangSunUnloading(const double critical_indentation)
+      : critical(critical_indentation)
+    {}
 
     double
-    dent(double largest_indentation) const override;
+    dent(const double largest_indentation) const override
+    {
+      return largest_indentation > critical ? largest_indentation *
+          (1. - std::pow(critical / largest_indentation, 0.4)) :
+                                              0.;
+    }
+
     double
-    power(double largest_indentation) const override;
+    power(double) const override
+    {
+      return 2.5;
+    }
+
     double
-    reloading_power(double largest_indentation) const override;
+    reloading_power(double) const override
+    {
+      return 1.5;
+    }
 
   private:
     const double critical;

@@ -52,8 +52,6 @@ namespace PlateImpact
     stiffness(double indentation) const override;
     double
     potential(double indentation) const override;
-    double
-    indentation(double force) const override;
 
     /// The force over that of Hertz's law.
     double

@@ -12,14 +12,6 @@ namespace PlateImpact
 {
   struct TimeParameters;
 
-  /// Peak of the impact on an infinite thin plate.
-  struct ExpectedPeak
-  {
-    double force;       ///< [N]
-    double indentation; ///< [m]
-    double time;        ///< [s]
-  };
-
   /// The bending wave of a thin plate that a contact sends out.
   struct BendingWave
   {
@@ -45,7 +37,7 @@ namespace PlateImpact
     Contact      contact; ///< before first touch
     Impactor     impactor;
     PlateSection section;
-    ExpectedPeak peak;
+    ContactState peak; ///< time, force and indentation
 
     /// Twice the time to the peak. [s]
     double
@@ -55,11 +47,11 @@ namespace PlateImpact
     }
 
     /// The peak with steps of a given length, as a scene takes them. [s]
-    ExpectedPeak
+    ContactState
     peak_in_steps(double time_step) const;
 
     /// The peak on a plate that does not move.
-    ExpectedPeak
+    ContactState
     peak_on_rigid_plate() const;
 
     /// The whole solution: up to the end of the contact, or to a time when that

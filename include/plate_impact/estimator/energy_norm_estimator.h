@@ -64,13 +64,6 @@ namespace PlateImpact
     /// ||e||, (||u||^2 + ||e||^2)^{1/2} without singular cells, and with them.
     using Norms = Eigen::Vector4d;
 
-    /// Of the two that count.
-    unsigned int
-    first_norm() const
-    {
-      return samples.singular_cells_count ? 2 : 0;
-    }
-
     /// Takes states as combinations of fields.
     void
     evaluate(const std::vector<double> &times,

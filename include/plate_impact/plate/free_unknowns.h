@@ -50,13 +50,16 @@ namespace PlateImpact
       const CellMatrix                                   &matrix,
       Eigen::MatrixXd                                    &result) const;
 
-    /// Values of a cell's nodal quantities.
+    /// Values of a cell's nodal quantities, dofs of the cell x n.
+    /// @param cell      active cell index
     /// @param unknowns  size() x n
-    /// @param values    set to dofs of the cell x n
-    void
+    Eigen::MatrixXd
     cell_values(unsigned int                             cell,
-                const Eigen::Ref<const Eigen::MatrixXd> &unknowns,
-                Eigen::MatrixXd                         &values) const;
+                const Eigen::Ref<const Eigen::MatrixXd> &unknowns) const
+    {
+      return nodal_values_of_cells.middleRows(n_cell_dofs * cell, n_cell_dofs) *
+        unknowns;
+    }
 
     /// Values of the nodal quantities of all cells, a column each.
     Eigen::MatrixXd
@@ -72,7 +75,11 @@ namespace PlateImpact
     add_force(unsigned int     cell,
               unsigned int     i,
               double           force,
-              Eigen::VectorXd &forces) const;
+              Eigen::VectorXd &forces) const
+    {
+      forces +=
+        force * nodal_values_of_cells.row(n_cell_dofs * cell + i).transpose();
+    }
 
     /// Those of values at all nodes, by degree of freedom.
     Eigen::VectorXd

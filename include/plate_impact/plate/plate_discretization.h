@@ -4,17 +4,16 @@
 #include <deal.II/base/function.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/lac/affine_constraints.h>
-#include <deal.II/lac/vector.h>
 
 #include "plate_impact/plate/free_unknowns.h"
 #include "plate_impact/plate/load_distribution.h"
 #include "plate_impact/plate/plate_element.h"
 #include "plate_impact/plate/plate_section.h"
+#include "plate_impact/plate/support.h"
 
 #include <Eigen/Core>
 #include <Epetra_CrsMatrix.h>
 
-#include <array>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -81,23 +80,11 @@ namespace PlateImpact
     Eigen::VectorXd
     interpolate(const dealii::Function<2> &field) const;
 
-    /// Values of a cell's nodal quantities, constraints resolved.
-    /// @param cell      active cell index
-    /// @param vectors  n_unknowns() x n
-    /// @param values   set to dofs of a cell x n
-    void
-    cell_values(unsigned int                             cell,
-                const Eigen::Ref<const Eigen::MatrixXd> &vectors,
-                Eigen::MatrixXd                         &values) const
+    /// What cells and nodes see of the unknowns.
+    const FreeUnknowns &
+    free_unknowns() const
     {
-      unknowns.cell_values(cell, vectors, values);
-    }
-
-    /// Values at all nodes, by degree of freedom of dof_handler().
-    dealii::Vector<double>
-    nodal_values(const Eigen::VectorXd &vector) const
-    {
-      return unknowns.nodal_values(vector);
+      return unknowns;
     }
 
     const CellShape &
@@ -125,16 +112,12 @@ namespace PlateImpact
       return multiplicity;
     }
 
-    /// Whether x = 0, y = 0 is a plane of symmetry that bounds the mesh.
-    std::array<bool, 2>
-    is_symmetric() const;
-
     /// Whether no support holds the deflection, so that the plate can move as
     /// a rigid body.
     bool
     is_free() const
     {
-      return !holds_deflection;
+      return !held.deflection;
     }
 
     /// Of the order of the square of the lowest frequency: bending of a square
@@ -146,7 +129,7 @@ namespace PlateImpact
     bool
     is_free_in_plane() const
     {
-      return stretches() && !holds_in_plane;
+      return stretches() && !held.in_plane;
     }
 
     bool
@@ -167,19 +150,6 @@ namespace PlateImpact
     std::unique_ptr<Epetra_CrsMatrix>
     assemble(
       const std::function<void(unsigned int, CellMatrix &)> &of_cell) const;
-
-    /// As those of FreeUnknowns.
-    Eigen::MatrixXd
-    values_of_cells(const Eigen::VectorXd &vector) const
-    {
-      return unknowns.values_of_cells(vector);
-    }
-
-    Eigen::VectorXd
-    forces(const Eigen::MatrixXd &of_cells) const
-    {
-      return unknowns.forces(of_cells);
-    }
 
     const PlateElement &
     element() const
@@ -217,7 +187,7 @@ namespace PlateImpact
     dealii::DoFHandler<2>             dofs;
     dealii::AffineConstraints<double> constraints;
 
-    const bool   holds_deflection, holds_in_plane;
+    HeldByEdges  held;
     FreeUnknowns unknowns;
 
     std::vector<unsigned int> shape_of_cell;

@@ -4,6 +4,7 @@
 #include <deal.II/grid/tria.h>
 
 #include "plate_impact/base/parameters.h"
+#include "plate_impact/plate/plate_mesh.h"
 
 #include <array>
 #include <map>
@@ -13,18 +14,6 @@
 
 namespace PlateImpact
 {
-  /// Boundary ids of a mesh, which has the impact at the origin.
-  enum PlateBoundary : dealii::types::boundary_id
-  {
-    symmetry_x = 0, ///< the plane of symmetry x = 0
-    edge_x     = 1, ///< edges of the plate across x
-    symmetry_y = 2, ///< the plane of symmetry y = 0
-    edge_y     = 3, ///< edges across y
-    edge_round = 4, ///< the edge of a circle
-    edge_named = 5  ///< the first edge of a file, followed by the others
-  };
-
-
   /// What holds each edge of a mesh, by its boundary id.
   using SupportOfEdge = std::map<dealii::types::boundary_id, EdgeSupport>;
 
@@ -114,15 +103,6 @@ namespace PlateImpact
     std::map<dealii::types::boundary_id, Support>
     by_edge(const std::vector<OnEdge<Support>> &written) const;
   };
-
-
-  /// @param plate  must outlive what is made
-  std::unique_ptr<const PlateGeometry>
-  make_rectangular_plate(const PlateParameters &plate);
-  std::unique_ptr<const PlateGeometry>
-  make_circular_plate(const PlateParameters &plate);
-  std::unique_ptr<const PlateGeometry>
-  make_plate_from_file(const PlateParameters &plate);
 
 
   /// That of the plate's outline.

@@ -10,6 +10,18 @@
 
 namespace PlateImpact
 {
+  /// Boundary ids of a mesh, which has the impact at the origin.
+  enum PlateBoundary : dealii::types::boundary_id
+  {
+    symmetry_x = 0, ///< the plane of symmetry x = 0
+    edge_x     = 1, ///< edges of the plate across x
+    symmetry_y = 2, ///< the plane of symmetry y = 0
+    edge_y     = 3, ///< edges across y
+    edge_round = 4, ///< the edge of a circle
+    edge_named = 5  ///< the first edge of a file, followed by the others
+  };
+
+
   /// Of second order, so that round edges are not polygons, on which a simple
   /// support is another (Babuska's paradox).
   const dealii::Mapping<2> &

@@ -1,6 +1,8 @@
 #ifndef plate_impact_transient_effective_stiffness_h
 #define plate_impact_transient_effective_stiffness_h
 
+#include <deal.II/base/timer.h>
+
 #include "plate_impact/plate/plate_discretization.h"
 #include "plate_impact/transient/linear_solver.h"
 
@@ -8,6 +10,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace PlateImpact
 {
@@ -31,10 +34,21 @@ namespace PlateImpact
 
     /// @throws ComputationError when it is not positive definite
     void
-    factorize(std::unique_ptr<Epetra_CrsMatrix> matrix);
+    factorize(std::unique_ptr<Epetra_CrsMatrix> matrix)
+    {
+      const dealii::Timer timer;
+      factorized = std::move(matrix);
+      solver->factorize(*factorized);
+      ++work.factorizations;
+      work.factorization_seconds += timer.wall_time();
+    }
 
     void
-    solve(const Eigen::VectorXd &b, Eigen::VectorXd &x);
+    solve(const Eigen::VectorXd &b, Eigen::VectorXd &x)
+    {
+      solver->solve(b, x);
+      ++work.linear_solves;
+    }
 
     const Epetra_CrsMatrix &
     matrix() const
@@ -67,11 +81,19 @@ namespace PlateImpact
 
     /// (K + c M) x = b.
     void
-    solve(double c, const Eigen::VectorXd &b, Eigen::VectorXd &x);
+    solve(const double c, const Eigen::VectorXd &b, Eigen::VectorXd &x)
+    {
+      factorize(c);
+      factors.solve(b, x);
+    }
 
     /// y = (K + c M) x.
     void
-    multiply(double c, const Eigen::VectorXd &x, Eigen::VectorXd &y);
+    multiply(const double c, const Eigen::VectorXd &x, Eigen::VectorXd &y)
+    {
+      factorize(c);
+      y.noalias() = as_eigen(factors.matrix()) * x;
+    }
 
     /// Adds c M.
     void

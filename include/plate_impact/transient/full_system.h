@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace PlateImpact
 {
@@ -16,7 +17,10 @@ namespace PlateImpact
   public:
     /// @param load  u, as PlateDiscretization::load() returns it
     FullSystem(std::shared_ptr<EffectiveStiffness> matrices,
-               const Eigen::VectorXd              &load);
+               const Eigen::VectorXd              &load)
+      : matrices(std::move(matrices))
+      , u(load)
+    {}
 
     const Eigen::VectorXd &
     load() const override
@@ -26,9 +30,17 @@ namespace PlateImpact
 
     void
     multiply_stiffness(const Eigen::VectorXd &x,
-                       Eigen::VectorXd       &y) const override;
+                       Eigen::VectorXd       &y) const override
+    {
+      y.noalias() = as_eigen(matrices->discretization.stiffness()) * x;
+    }
+
     void
-    solve(double c, const Eigen::VectorXd &b, Eigen::VectorXd &x) override;
+    solve(const double c, const Eigen::VectorXd &b, Eigen::VectorXd &x) override
+    {
+      matrices->solve(c, b, x);
+    }
+
     double
     damping() const override
     {
@@ -38,7 +50,12 @@ namespace PlateImpact
     /// Factorizes K when it is first asked for. Large deflections stretch the
     /// plate, which makes it stiffer.
     double
-    static_compliance() override;
+    static_compliance() override
+    {
+      if (!compliance)
+        compliance = computed_compliance();
+      return *compliance;
+    }
 
     bool
     is_linear() const override

@@ -34,7 +34,6 @@ namespace PlateImpact
   class ImpactorStepper
   {
   public:
-    /// Law and integration must outlive the stepper.
     ImpactorStepper(const NewmarkScheme      &scheme,
                     const Contact            &contact,
                     const ContactIntegration &integration,
@@ -86,17 +85,14 @@ namespace PlateImpact
     }
 
   private:
-    void
-    require_finite(double value, const char *quantity) const;
-
-    const NewmarkScheme       scheme;
-    Contact                   contact;
-    const ContactIntegration &integration;
-    Impactor                  impactor;
-    ContactState              current;
-    Impact                    so_far;
-    unsigned int              step        = 0;
-    double                    begin_force = 0.; ///< of the step [N]
+    const NewmarkScheme      scheme;
+    Contact                  contact;
+    const ContactIntegration integration;
+    Impactor                 impactor;
+    ContactState             current;
+    Impact                   so_far;
+    unsigned int             step        = 0;
+    double                   begin_force = 0.; ///< of the step [N]
   };
 } // namespace PlateImpact
 

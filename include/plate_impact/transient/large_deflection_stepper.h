@@ -30,37 +30,13 @@ namespace PlateImpact
     double
     begin_step(double begin_force) override;
 
-    double
-    unit_displacement() const override
-    {
-      return w_of_unit_response;
-    }
-
     std::optional<double>
     end_step(double at_begin, double at_end) override;
 
     double
-    displacement() const override
-    {
-      return w;
-    }
-
-    double
     energy() const override
     {
-      return 0.5 * (v.dot(Mv) + z.dot(Kz)) + now.energy;
-    }
-
-    double
-    dissipated_energy() const override
-    {
-      return dissipated;
-    }
-
-    const Eigen::VectorXd &
-    unknowns() const override
-    {
-      return z;
+      return PlateMotion::energy() + now.energy;
     }
 
   private:
@@ -81,13 +57,9 @@ namespace PlateImpact
     Factorization          tangent;
 
     Eigen::SparseMatrix<double, Eigen::RowMajor> linear; ///< of d
-    Eigen::VectorXd                              z, v, Kz, Mv;
     StretchedPlate  now, next; ///< at the beginning and the end of the step
-    Eigen::VectorXd increment; ///< of the step
     Eigen::VectorXd to_equilibrium, residual; ///< without further force
     Eigen::VectorXd known_force;              ///< what does not depend on d
-    Eigen::VectorXd unit_response;
-    double          w = 0., w_of_unit_response = 0., dissipated = 0.;
     double          largest_energy = 0.;
 
     unsigned int n_iterations = 0, n_with_tangent = 0; ///< of the step

@@ -2,41 +2,24 @@
 #define plate_impact_transient_loaded_plate_h
 
 #include "plate_impact/base/parameters.h"
-#include "plate_impact/transient/integrator.h"
 #include "plate_impact/transient/peak_force_dual.h"
+#include "plate_impact/transient/ritz_reduction.h"
 #include "plate_impact/transient/time_stepper.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 
 namespace PlateImpact
 {
-  /// Who follows a transient step by step.
-  class TransientListener
-  {
-  public:
-    virtual ~TransientListener() = default;
-
-    /// Before the first step.
-    /// @param system  that is stepped; lives as long as the loaded plate
-    virtual void
-    begin(const SemidiscreteSystem &system, const TimeStepper &stepper) = 0;
-
-    /// After every step.
-    /// @param step  from 1
-    virtual void
-    take_step(unsigned int step, const TimeStepper &stepper) = 0;
-  };
-
-
   /// What impacts share that load a plate in the same way and take the same
   /// steps.
   struct Load
   {
-    std::shared_ptr<LoadedMesh>               mesh;
-    double                                    layer_constant;
-    std::unique_ptr<const ContactIntegration> integration;
-    std::unique_ptr<Integrator>               integrator;
+    std::shared_ptr<LoadedMesh> mesh;
+    std::optional<double>       layer_constant;
+    ContactIntegration          integration;
+    RitzReduction               reduction;
   };
 
 
@@ -60,9 +43,9 @@ namespace PlateImpact
   /// the system whose states they are.
   struct PeakForceProblem
   {
-    DualMotions                 motions;
-    const SemidiscreteSystem   *system;
-    std::unique_ptr<Integrator> own_integrator; ///< null: of the load
+    DualMotions                    motions;
+    const SemidiscreteSystem      *system;
+    std::unique_ptr<RitzReduction> own_reduction; ///< null: of the load
   };
 
 
@@ -82,8 +65,10 @@ namespace PlateImpact
     strike() const;
 
     /// The same impact in steps, up to round-off.
+    /// @param take_step  called after every step, counted from 1
     Impact
-    strike(TransientListener &listener) const;
+    strike(const std::function<void(unsigned int, const TimeStepper &)>
+             &take_step) const;
 
     /// Error of the peak force by the time step, relative to it: its change
     /// when the step is doubled by 2^p - 1, p the order of the scheme
@@ -112,6 +97,13 @@ namespace PlateImpact
     std::optional<PeakForceProblem>
     peak_force_problem(const ContactHistory &history) const;
 
+    /// Lives as long as the loaded plate.
+    const SemidiscreteSystem &
+    stepped_system() const
+    {
+      return system;
+    }
+
     /// Whether Ritz vectors would cost more than the steps.
     bool
     is_stepped_on_the_mesh() const
@@ -126,22 +118,15 @@ namespace PlateImpact
       return steps(time, load->mesh->system);
     }
 
-    /// As SemidiscreteSystem::damping(). [s]
-    double
-    damping() const
-    {
-      return system.damping();
-    }
-
   private:
     /// In a multiple of the step, no further than until a time.
     ContactHistory
     in_longer_steps(unsigned int factor, double until) const;
     TimeStepper
     steps(const NewmarkScheme &by, SemidiscreteSystem &stepped) const;
-    /// An integrator for the error of the peak alone, which needs few digits.
-    std::unique_ptr<Integrator>
-    integrator_to(double time_of_peak) const;
+    /// For the error of the peak alone, which needs few digits.
+    std::unique_ptr<RitzReduction>
+    reduction_to(double time_of_peak) const;
 
     const Parameters            parameters;
     const NewmarkScheme         scheme;

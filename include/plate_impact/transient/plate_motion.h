@@ -23,8 +23,11 @@ namespace PlateImpact
 
     /// Displacement under the load at the end of a step for a unit force
     /// there. [m/N]
-    virtual double
-    unit_displacement() const = 0;
+    double
+    unit_displacement() const
+    {
+      return w_of_unit_response;
+    }
 
     /// Ends the step.
     /// @param at_begin  further force at its beginning [N]
@@ -37,20 +40,38 @@ namespace PlateImpact
     end_step(double at_begin, double at_end) = 0;
 
     /// Under the load. [m]
-    virtual double
-    displacement() const = 0;
+    double
+    displacement() const
+    {
+      return w;
+    }
 
     /// [J]
     virtual double
-    energy() const = 0;
+    energy() const
+    {
+      return 0.5 * (v.dot(Mv) + z.dot(Kz));
+    }
 
     /// By damping, so far; exact where the scheme conserves energy. [J]
-    virtual double
-    dissipated_energy() const = 0;
+    double
+    dissipated_energy() const
+    {
+      return dissipated;
+    }
 
     /// z, the unknowns of the plate.
-    virtual const Eigen::VectorXd &
-    unknowns() const = 0;
+    const Eigen::VectorXd &
+    unknowns() const
+    {
+      return z;
+    }
+
+  protected:
+    Eigen::VectorXd z, v, Kz, Mv; ///< v: rates of z
+    Eigen::VectorXd increment;    ///< of z in the step
+    Eigen::VectorXd unit_response;
+    double          w = 0., w_of_unit_response = 0., dissipated = 0.;
   };
 } // namespace PlateImpact
 

@@ -23,8 +23,7 @@ namespace PlateImpact
   {
   public:
     /// Steps the plate to the end time.
-    /// @param scheme       conserves energy
-    /// @param integration  must outlive the response
+    /// @param scheme  conserves energy
     PlateResponse(const NewmarkScheme      &scheme,
                   SemidiscreteSystem       &plate,
                   const ContactIntegration &integration);
@@ -44,9 +43,9 @@ namespace PlateImpact
            unsigned int    n_steps) const;
 
   private:
-    const NewmarkScheme       scheme;
-    const ContactIntegration &integration;
-    Eigen::VectorXd           reversed; ///< R_{n_steps - 1} ... R_0 [m/N]
+    const NewmarkScheme      scheme;
+    const ContactIntegration integration;
+    Eigen::VectorXd          reversed; ///< R_{n_steps - 1} ... R_0 [m/N]
   };
 } // namespace PlateImpact
 

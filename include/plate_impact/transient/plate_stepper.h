@@ -29,38 +29,8 @@ namespace PlateImpact
     double
     begin_step(double begin_force) override;
 
-    double
-    unit_displacement() const override
-    {
-      return w_of_unit_response;
-    }
-
     std::optional<double>
     end_step(double at_begin, double at_end) override;
-
-    double
-    displacement() const override
-    {
-      return w;
-    }
-
-    double
-    energy() const override
-    {
-      return 0.5 * (v.dot(Mv) + z.dot(Kz));
-    }
-
-    double
-    dissipated_energy() const override
-    {
-      return dissipated;
-    }
-
-    const Eigen::VectorXd &
-    unknowns() const override
-    {
-      return z;
-    }
 
     /// v, their rates.
     const Eigen::VectorXd &
@@ -74,13 +44,11 @@ namespace PlateImpact
     SemidiscreteSystem &plate;
     const double        damping;    ///< b [s]
     const double        stiffening; ///< 1 + g b
-    double              w = 0., dissipated = 0.;
 
-    /// z, v, a and what follows from them; a is needed unless gamma = 2 beta,
-    /// K v and K a with damping unless the scheme conserves energy
-    Eigen::VectorXd z, v, a, Kz, Kv, Ka, Mv, Ma;
-    Eigen::VectorXd unit_response, right_hand_side, increment, K_increment;
-    double          w_of_unit_response = 0.;
+    /// a is needed unless gamma = 2 beta, K v and K a with damping unless the
+    /// scheme conserves energy
+    Eigen::VectorXd a, Kv, Ka, Ma;
+    Eigen::VectorXd right_hand_side, K_increment;
   };
 
 

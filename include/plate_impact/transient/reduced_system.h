@@ -55,7 +55,7 @@ namespace PlateImpact
     double
     damping() const override
     {
-      return basis.damping();
+      return basis.matrices.damping;
     }
 
     double

@@ -34,6 +34,8 @@ namespace PlateImpact
       , sigma(sigma)
     {}
 
+    EffectiveStiffness &matrices; ///< of the plate
+
     /// Adds vectors, one solve each, until there are n or, when the space is
     /// exhausted, as many as there can be.
     void
@@ -43,20 +45,6 @@ namespace PlateImpact
     n_vectors() const
     {
       return n;
-    }
-
-    /// Of the plate. [s]
-    double
-    damping() const
-    {
-      return matrices.damping;
-    }
-
-    /// Whether the plate can move as a rigid body.
-    bool
-    is_free() const
-    {
-      return matrices.discretization.is_free();
     }
 
     /// Whether further vectors would be round-off, or hardly coupled to these:
@@ -112,7 +100,6 @@ namespace PlateImpact
     double
     norm_of_candidate() const;
 
-    EffectiveStiffness    &matrices;
     const Eigen::VectorXd &u;
     const double           sigma;
     unsigned int           n        = 0;

@@ -2,7 +2,8 @@
 #define plate_impact_transient_ritz_reduction_h
 
 #include "plate_impact/base/parameters.h"
-#include "plate_impact/transient/integrator.h"
+#include "plate_impact/contact/contact_solver.h"
+#include "plate_impact/transient/plate_response.h"
 #include "plate_impact/transient/reduced_system.h"
 #include "plate_impact/transient/ritz_basis.h"
 
@@ -12,36 +13,57 @@
 
 namespace PlateImpact
 {
-  /// Reduces the plate of a mesh for one impactor after another. An impactor
-  /// gets the first basis of a growing sequence with which the errors of its
-  /// force and of the displacement under the load, as the last three bases tell
-  /// them, are below `time.ritz_tolerance` of the peak, as a root mean square
-  /// over the contact and over all steps, and, where fields are asked for,
-  /// displacements hardly use what lies beyond the basis before. The number is
-  /// found with an impactor of round numbers nearby, whose contact is shorter,
-  /// so that similar impactors share it and what one gets depends on
-  /// nothing but plate, load, time and itself; vectors that another one has
-  /// asked for before are not computed again.
-  class RitzReduction : public Integrator
+  /// What Newmark's method integrates for one impactor after another, under one
+  /// load, with the same time steps and the same integration of the contact
+  /// force: the semidiscrete system of the mesh, if `time.integrator` names it
+  /// and for plates with large deflections, or one reduced from it.
+  ///
+  /// An impactor gets the first basis of a growing sequence with which the
+  /// errors of its force and of the displacement under the load, as the last
+  /// three bases tell them, are below `time.ritz_tolerance` of the peak, as a
+  /// root mean square over the contact and over all steps, and, where fields
+  /// are asked for, displacements hardly use what lies beyond the basis before.
+  /// The number is found with an impactor of round numbers nearby, whose
+  /// contact is shorter, so that similar impactors share it and what one gets
+  /// depends on nothing but plate, load, time and itself; vectors that another
+  /// one has asked for before are not computed again.
+  class RitzReduction
   {
   public:
     /// @param mesh          must outlive the reduction, which factorizes it
     ///                      and adds to its bases
-    /// @param integration   must outlive the reduction
     /// @param needs_fields  whether more than the force is to be right
     RitzReduction(LoadedMesh               &mesh,
                   const TimeParameters     &time,
                   const ContactIntegration &integration,
                   bool                      needs_fields)
-      : Integrator(time, integration)
+      : time(time)
+      , integration(integration)
       , mesh(mesh)
       , full(mesh.system)
       , needs_fields(needs_fields)
     {}
 
-    /// The reduced system, or that of the mesh where it takes fewer solves.
+    /// The system to step for an impact: where it takes fewer solves than a
+    /// reduced one, that of the mesh. It belongs to the reduction.
+    /// @param parameters  with the load and the times of this reduction
     SemidiscreteSystem &
-    system_for(const Parameters &parameters) override;
+    system_for(const Parameters &parameters);
+
+    /// An impact on such a system: by its response where scheme and plate
+    /// conserve energy, otherwise in steps.
+    /// @param n_steps  at most those of the reduction
+    /// @throws ComputationError naming step and quantity
+    Impact
+    impact(SemidiscreteSystem &system,
+           const Contact      &contact,
+           const Impactor     &impactor,
+           unsigned int        n_steps);
+
+    /// The response of such a system, kept for the next impactor; for schemes
+    /// that conserve energy.
+    const PlateResponse &
+    response(SemidiscreteSystem &system);
 
   private:
     /// @return a reduced system, or that of the mesh
@@ -50,9 +72,11 @@ namespace PlateImpact
     ReducedSystem &
     reduced_system(int half_octave, unsigned int n);
 
-    LoadedMesh &mesh;
-    FullSystem &full; ///< of the mesh
-    const bool  needs_fields;
+    const TimeParameters     time;
+    const ContactIntegration integration;
+    LoadedMesh              &mesh;
+    FullSystem              &full; ///< of the mesh
+    const bool               needs_fields;
 
     /// By the law's section, the impactor in round numbers and the plate's
     /// yield strength.
@@ -61,6 +85,7 @@ namespace PlateImpact
       settled;
     /// By the half octave of the shift and the number of vectors.
     std::map<std::pair<int, unsigned int>, ReducedSystem> reduced_systems;
+    std::map<const SemidiscreteSystem *, PlateResponse>   responses;
   };
 } // namespace PlateImpact
 

@@ -22,7 +22,7 @@ namespace PlateImpact
   class TimeStepper
   {
   public:
-    /// Plate, law and integration must outlive the stepper.
+    /// The plate must outlive the stepper.
     TimeStepper(const NewmarkScheme      &scheme,
                 SemidiscreteSystem       &plate,
                 const Contact            &contact,
@@ -78,7 +78,7 @@ namespace PlateImpact
 
     const NewmarkScheme          scheme;
     SemidiscreteSystem          &plate;
-    const ContactIntegration    &integration;
+    const ContactIntegration     integration;
     std::unique_ptr<PlateMotion> plate_motion;
     ImpactorStepper              impactor_stepper;
   };
