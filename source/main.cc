@@ -80,8 +80,8 @@ namespace
     command.add_option(
       "--marking",
       arguments.marking,
-      "Command that reads a mesh and its errors from the JSON file that it is "
-      "given, and answers which cells to refine and to coarsen, or their sizes");
+      "Command that is given a JSON file with the mesh and its errors, and "
+      "prints which cells to refine and to coarsen, or their sizes");
   }
 
 
@@ -237,8 +237,8 @@ namespace
             {"there is no command '" + std::string(argv[1]) +
              "'; expected run, compare, sweep, check or defaults"});
         if (std::count(argv, argv + argc, std::string("=")) > 0)
-          throw InputError({"'=' stands alone: a change is one word, --set "
-                            "'Section/Entry=value'"});
+          throw InputError({"'=' stands alone; write a change without blanks "
+                            "around '=', as in --set 'Section/Entry=value'"});
         throw InputError(
           {error.what() + std::string("; see plate-impact --help")});
       }

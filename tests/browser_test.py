@@ -69,7 +69,7 @@ for (const { canvas, plot } of plots) {
     !svgOf(chart, plot).includes('NaN'), plot.title + ': no SVG');
 }
 
-const matrix = [...document.querySelectorAll('section')].find((part) => part.textContent.startsWith('Who is first'));
+const matrix = [...document.querySelectorAll('section')].find((part) => part.textContent.startsWith('Fastest strategies'));
 if (matrix) {
   const select = matrix.querySelector('select'), seen = new Set();
   for (const option of select.options) {
@@ -280,10 +280,10 @@ def main():
                      "Sweep/Entry 3=Plate/Thickness", "Sweep/Values 3=0.004, 0.008"]
     small_comparison = ["Comparison/Maximum cycles=2", "Comparison/Reference peak force=1301",
                         "Comparison/Strategies=uniform, hanging nodes", "Comparison/Elements=MITC9, serendipity"]
-    struck = {"Inside of the model": True, "Zener": True, "change in the last cycle": True}
-    still = {"Nothing strikes": False, "Zener": False, "Histories": False, "In time": False, "η": False}
+    struck = {"Within the limits of the model": True, "Zener": True, "change in the last cycle": True}
+    still = {"Nothing strikes": False, "Zener": False, "Histories": False, "Animation": False, "η": False}
     alone = {"Zener": True, "change in the last cycle": False, "every cell halved": True}
-    blind = {"too coarse to tell": True, "Far outside of the model": False}
+    blind = {"too coarse to tell": True, "Far outside the limits of the model": False}
     # command, scene, entries; what the page has at least: plots, maps, meshes; whether a film; words that it has or not
     cases = [
         ("run", "sphere-on-steel-plate.prm", coarse, (11, 0, 3), True, struck),

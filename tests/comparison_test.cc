@@ -79,7 +79,8 @@ namespace PlateImpact
       // the step is coarse, and its error no part of that of the mesh
       const double of_the_step = json["reference"]["time_step_error"];
       EXPECT_GT(of_the_step, 10. * uncertainty);
-      EXPECT_NE(out.find("Time step   the same on all meshes, leaves "),
+      EXPECT_NE(out.find("Time step   the same on all meshes, with an error "
+                         "of "),
                 std::string::npos)
         << out;
 

@@ -179,7 +179,7 @@ namespace PlateImpact
       // to the digits that the error leaves
       EXPECT_NE(out.find("Peak force  " +
                          in_ascii(with_error(force, error, "N")) +
-                         " (mesh, step) +- 5 N (model, as far as compared)\n"),
+                         " (mesh, step) +- 5 N (model, from comparisons)\n"),
                 std::string::npos)
         << out;
     }

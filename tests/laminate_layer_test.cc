@@ -332,18 +332,15 @@ namespace PlateImpact
         << out;
       // the force is that of a plate which stays whole
       EXPECT_EQ(summary()["verdict"]["model"]["trust"], "doubtful");
-      EXPECT_NE(err.find("from which on the laminate delaminates"),
-                std::string::npos)
+      EXPECT_NE(err.find("times the delamination threshold"), std::string::npos)
         << err;
       // what is not known of the force is not known of the damage: its errors,
       // and whether it still grows
       ASSERT_EQ(run(scene, "--set 'Time/End time=1.5e-5'"), 0) << err;
-      EXPECT_NE(out.find("nor whether the plate delaminates"),
-                std::string::npos)
+      EXPECT_NE(out.find("delamination cannot be judged"), std::string::npos)
         << out;
       ASSERT_EQ(run(SCENES "/laminate-sun-chen.prm", toughness + "6.9'"), 0);
-      EXPECT_NE(out.find("delamination cannot be told"), std::string::npos)
-        << out;
+      EXPECT_NE(out.find("delamination is possible"), std::string::npos) << out;
       // a heavy ball pushes the plate until waves have come back many times
       ASSERT_EQ(run(scene,
                     "--set Impactor/Mass=5 --set Impactor/Velocity=0.2 --set "

@@ -187,8 +187,9 @@ namespace PlateImpact
                   1.,
                   1e-12);
       // sigma = 6 M / t^2 at the outer faces, in the axes of the ply
-      plate.layup.angles  = {90.};
-      const auto stresses = PlateSection(plate).stresses(Eigen::Vector3d(0.3, -0.2, 0.5));
+      plate.layup.angles = {90.};
+      const auto stresses =
+        PlateSection(plate).stresses(Eigen::Vector3d(0.3, -0.2, 0.5));
       EXPECT_NEAR(stresses(0, 0), 600. * 0.2, 1e-9);
       EXPECT_NEAR(stresses(0, 1), 600. * 0.3, 1e-9);
       EXPECT_NEAR(stresses(0, 2), 600. * 0.5, 1e-9);
@@ -336,7 +337,7 @@ namespace PlateImpact
         {"Plate/Layup=0/90/", "is not allowed"},
         {"Plate/Young's modulus=7e10", "isotropic plate"},
         {"Plate/Poisson's ratio=0.2", "isotropic plate"},
-        {"Ply/Poisson's ratio=4", "elastic ply"},
+        {"Ply/Poisson's ratio=4", "stiffness of the ply"},
         {"Contact/Law=Hertz", "which no fibre composite has"},
         {"Contact/Local response=layer", "does not fit the law Sun"},
         {"Contact/Unloading=plastic", "elastic | Yang-Sun"},

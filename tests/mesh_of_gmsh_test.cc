@@ -254,7 +254,7 @@ namespace PlateImpact
             }
           catch (const InputError &error)
             {
-              EXPECT_NE(std::string(error.what()).find("on each other"),
+              EXPECT_NE(std::string(error.what()).find("overlapping cells"),
                         std::string::npos)
                 << error.what();
             }

@@ -140,9 +140,9 @@ namespace PlateImpact
         peak * last_cycle()["peak_force_error_bar"].get<double>();
       EXPECT_NE(page.find("<noscript><p class=\"notice\">Peak force " +
                           with_error(peak, error, "N") +
-                          " (mesh, step) ± 5 N (model, as far as compared): "
-                          "target met. Inside of the model, elastic contact "
-                          "assumed."),
+                          " (mesh, step) ± 5 N (model, from comparisons): "
+                          "target met. Within the limits of the model, elastic "
+                          "contact assumed."),
                 std::string::npos);
       const nlohmann::json cycles = summary()["cycles"];
       ASSERT_EQ(study["histories"].size(), cycles.size());

@@ -119,7 +119,7 @@ namespace PlateImpact
                         "/paper-cylinder.prm' --set Plate/Thickness=1e-3"),
                 0)
         << err;
-      EXPECT_NE(out.find("step, end time, cost  cannot be said"),
+      EXPECT_NE(out.find("step, end time, cost  cannot be estimated"),
                 std::string::npos)
         << out;
     }

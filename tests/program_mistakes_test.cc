@@ -96,8 +96,8 @@ namespace PlateImpact
       EXPECT_EQ(std::count(err.begin(), err.end(), '\n'), 3) << err;
       EXPECT_EQ(run(main_scene, "--set Plate/Thickness = 0.01"), 1);
       EXPECT_EQ(err,
-                "plate-impact: '=' stands alone: a change is one word, --set "
-                "'Section/Entry=value'\n");
+                "plate-impact: '=' stands alone; write a change without blanks "
+                "around '=', as in --set 'Section/Entry=value'\n");
       EXPECT_EQ(run("no-such-scene.prm"), 1);
       EXPECT_EQ(err,
                 "plate-impact: no-such-scene.prm: the scene cannot be read\n");

@@ -155,7 +155,7 @@ namespace PlateImpact
       EXPECT_EQ(SceneText("").refusal(
                   {"Contact/Law=Sun", "Contact/Local response=layer"}),
                 "--set: Contact/Local response = layer does not fit the law "
-                "Sun, whose compliance of the plate is not that of its "
+                "Sun, which does not use the true compliance of the plate's "
                 "material; expected Law = Hertz, or Local response = "
                 "half-space");
       EXPECT_EQ(SceneText("").refusal({"Contact/Load distribution=point",
@@ -368,7 +368,7 @@ namespace PlateImpact
             in_section("Contact", "set Load distribution = point") +
             in_section("Time", "set Newmark beta = 0.3"),
           "scene:2: Adaptivity/Goal = peak force has no meaning under a point "
-          "load, whose peak force has no limit under refinement; expected "
+          "load, whose peak force does not converge under refinement; expected "
           "Load distribution = Hertz disc or uniform disc, or Goal = energy "
           "norm\n"
           "scene:2: Adaptivity/Goal = peak force needs Newmark beta = 0.25 and "

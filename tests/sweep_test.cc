@@ -278,8 +278,8 @@ namespace PlateImpact
                     "subsection Time\n set End time = 3e-5\nend\n");
       ASSERT_EQ(sweep(scene), 0) << err;
       const std::string growing = "the force still grows at Time/End time = "
-                                  "3e-05 s: the peak force is that of this "
-                                  "time only";
+                                  "3e-05 s: the true peak force is larger; "
+                                  "choose a later Time/End time";
       EXPECT_NE(err.find("warning: 2 of 3 points; the first: " + growing),
                 std::string::npos)
         << err;

@@ -236,46 +236,46 @@ namespace PlateImpact
     const auto share = number_between(0, 1);
     const auto entry = entries.section("Adaptivity");
     entry("Strategy", "hanging nodes", one_of(strategies), strategy)
-      .means("How the mesh follows the error. hanging nodes, remeshing: cells "
-             "of the target sizes, by refinement and coarsening or by a new "
-             "mesh of quadrilaterals. fixed fraction, fixed number: the cells "
-             "with the largest errors are halved, until they hold a share of "
-             "the error or of the cells. uniform: all cells are. graded: sizes "
-             "proportional to the distance from the contact, whatever the "
-             "error.");
+      .means("How the mesh is adapted to the error. hanging nodes: cells are "
+             "refined and coarsened to their target sizes. remeshing: a new "
+             "mesh of quadrilaterals has the target sizes. fixed fraction, "
+             "fixed number: the cells with the largest errors are halved, up "
+             "to a given share of the error or of the cells. uniform: all "
+             "cells are halved. graded: cell sizes are proportional to the "
+             "distance from the contact, whatever the error. none: one mesh.");
     entry("Goal", "energy norm", one_of(goals), goal)
-      .means("What the mesh is made for: the error in the energy norm eta, the "
-             "paper's, up to Target error, or that of the peak force, up to "
-             "Target peak force error. The first mesh is then fine at the "
-             "load.");
+      .means("What the mesh is adapted for. energy norm: the relative error in "
+             "the energy norm eta, as in the paper, down to Target error. peak "
+             "force: the error bar of the peak force, down to Target peak "
+             "force error; the first mesh is then fine at the load.");
     entry("Indicator", "SPR", one_of<ErrorIndicator>(), indicator)
-      .means("Where the error is: by the recovered field (SPR) or by the jumps "
-             "of slopes and curvatures across the sides of cells (Kelly), "
-             "which only rank cells; eta is that of the recovered field in any "
-             "case.");
+      .means("How the error of a cell is indicated. SPR: by the recovered "
+             "field. Kelly: by the jumps of slopes and curvatures across the "
+             "sides of cells, which rank cells only. eta is always that of the "
+             "recovered field.");
     entry("Recovery patches",
           "mirrored",
           one_of<RecoveryPatches>(),
           recovery_patches)
-      .means("Where the patches of the recovery lie: around every vertex, "
-             "continued across planes of symmetry by mirror images (mirrored), "
-             "or around vertices inside the mesh only (interior), whose "
-             "patches those on its edges use.");
+      .means("Where the patches of the recovery lie. mirrored: around every "
+             "vertex, continued across planes of symmetry by mirror images. "
+             "interior: around interior vertices only; vertices on the edges "
+             "of the mesh use their patches.");
     entry("Target error", "0.05", share, target_error)
       .means("Relative error in the energy norm eta, a fraction. [-]");
     entry("Target peak force error",
           "1e-3",
           number_between(0, 1),
           target_peak_force_error)
-      .means("Of the error bar of the peak force, relative to it, for the goal "
-             "peak force. [-]");
+      .means("For Goal = peak force: the largest error bar of the peak force, "
+             "relative to it. [-]");
     entry("Verify", "false", truth(), verify)
       .means("Compute the peak force again on the last mesh with every cell "
              "halved, and say how far it is.");
     entry("Maximum cycles", "6", whole_number(1, 1000), maximum_cycles)
       .means("Meshes computed on, the initial one included.");
     entry("Maximum cells", "250000", whole_number(1, 100000000), maximum_cells)
-      .means("No mesh with more is made; the run ends before it.");
+      .means("Largest number of cells; the run ends before a mesh with more.");
     entry("Size exponent", "0.5", number_up_to(0, 4), size_exponent)
       .means("phi in h_new = h_old / xi'^phi: 1/p, or 1/lambda near a "
              "singularity of strength lambda. [-]");
@@ -284,25 +284,25 @@ namespace PlateImpact
           points_and_strengths(),
           singular_points)
       .means(
-        "Where phi is 1/lambda, for the cells that touch the point: x and "
-        "y from the centre of the plate and lambda of each. automatic: for "
-        "the goal energy norm re-entrant corners and changes of support, "
-        "whose lambda follows from angle and supports, the ends of a line "
+        "Points with their x and y from the centre of the plate and their "
+        "strength lambda; phi is 1/lambda in the cells that touch them. "
+        "automatic: with Goal = energy norm the re-entrant corners and changes "
+        "of support, with lambda from angle and supports, the ends of a line "
         "load and a point load. [m, m, -]");
     entry("Cells at singularities",
           "left out",
           one_of<SingularCells>(),
           cells_at_singularities)
-      .means("Of eta, n and the limit xi' < 1 of the goal energy norm. left "
-             "out: eta and n leave out the cells at a point load, and the "
-             "target is reached with xi' above 1 in cells at the Minimum cell "
-             "size. counted, as the paper has it: all cells count, and xi' of "
-             "every cell must be below 1.");
+      .means("For Goal = energy norm. left out: eta and the number of cells n "
+             "leave out the cells at a point load, and xi' may stay above 1 in "
+             "cells at the Minimum cell size. counted, as in the paper: all "
+             "cells count, and xi' of every cell must be below 1.");
     entry("Minimum cell size", "0", number_from(0), minimum_cell_size)
-      .means("Of a cell's longer side; 0: a quarter of the patch radius, or of "
-             "the thickness under a point or line load. [m]");
+      .means("Smallest length of a cell's longer side. 0: a quarter of the "
+             "patch radius, or of the thickness under a point or line load. "
+             "[m]");
     entry("Maximum cell size", "0", number_from(0), maximum_cell_size)
-      .means("Of a cell's longer side, in meshes that follow the error; 0: "
+      .means("Largest length of a cell's longer side in adapted meshes. 0: "
              "that of the initial cells. [m]");
     entry("Refined share of error", "0.7", share, refined_share_of_error)
       .means("fixed fraction: the cells with the largest errors that together "

@@ -188,9 +188,10 @@ namespace PlateImpact
     if (adaptivity.is_for_peak_force() && !result.peak_force_error)
       throw ComputationError("cycle " + std::to_string(result.cycle) +
                              ": the error of the peak force cannot be "
-                             "estimated, with no force or more than 60000 "
-                             "steps to its peak; choose a larger Time/Time "
-                             "step, or Adaptivity/Goal = energy norm");
+                             "estimated, because there is no force or its peak "
+                             "comes after more than 60000 steps; choose a "
+                             "larger Time/Time step, or Adaptivity/Goal = "
+                             "energy norm");
     Judgement worth;
     if (const auto space = mesh_part_of_bar(); space && result.time_error)
       worth.peak_force_bar =

@@ -190,11 +190,11 @@ namespace PlateImpact
          return energy > 0. ? Value(energy) : Value();
        }},
       {"delamination_threshold",
-       "Force from which on a laminate delaminates",
+       "Delamination threshold",
        "N",
        delamination_threshold},
       {"peak_force_over_delamination_threshold",
-       "Peak force over that of delamination",
+       "Peak force over the delamination threshold",
        "",
        [](Impact i) -> Value {
          const Value threshold = delamination_threshold(i);

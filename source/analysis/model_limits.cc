@@ -106,7 +106,7 @@ namespace PlateImpact
       limit(contact.has_patch() ? contact.patch_radius : 0.,
             std::max(2. * radius, 0.5 * plate.thickness),
             "the force is spread over a strip of half-width {}, but the "
-            "contact is {} wide; choose Contact/Patch radius = {}",
+            "half-width of the contact is {}; choose Contact/Patch radius = {}",
             about(contact.patch_radius, "m"),
             about(radius, "m"),
             about(radius));
@@ -147,9 +147,9 @@ namespace PlateImpact
   {
     if (const double drop = drop_by(1.); drop >= 1e-4)
       warnings.numerical.push_back(fmt::format(
-        "the peak force under a point load has no limit: it depends on the "
-        "smallest cell, {}, and drops by about {} per halving; for a limit "
-        "choose Contact/Load distribution = Hertz disc",
+        "the peak force under a point load does not converge: it depends on "
+        "the smallest cell, {}, and drops by about {} per halving; choose "
+        "Contact/Load distribution = Hertz disc",
         about(result.min_cell_size, "m"),
         about_percentage(drop)));
   }
@@ -196,16 +196,16 @@ namespace PlateImpact
         limit(deflection / thickness,
               0.2,
               "the plate deflects by {}, {} of its thickness: beyond 0.2 it "
-              "stiffens by membrane forces, which a linear plate does not "
-              "have; choose Plate/Deflection = large",
+              "stiffens by membrane forces, which the linear theory leaves "
+              "out; choose Plate/Deflection = large",
               about(deflection, "m"),
               about(deflection / thickness));
       }
     if (is_layer)
       limit(2. * thickness / to_edge,
             1.,
-            "the impact is {}, {} thicknesses, from an edge: nearer than 2 "
-            "the plate answers other than a layer that goes on for ever",
+            "the impact is {}, {} thicknesses, from an edge: nearer than 2 the "
+            "local response, that of an infinite layer, is not valid",
             about(to_edge, "m"),
             about(to_edge / thickness));
   }
@@ -221,9 +221,9 @@ namespace PlateImpact
     leaves("slopes", slope * slope);
     limit(slope,
           0.3,
-          "the plate deflects by {} of the distance to its edge, which makes "
-          "slopes of the order of {}: beyond 0.3 von Karman's strains are not "
-          "those of the plate",
+          "the plate deflects by {} of the distance to its edge, so its slopes "
+          "are about {}: beyond 0.3 von Karman's theory, which assumes "
+          "moderate rotations, is not valid",
           about(mean_slope),
           about(slope));
   }
@@ -289,9 +289,9 @@ namespace PlateImpact
     const double of_contact = result.loss_factor_of_contact();
     limit(of_contact,
           0.3,
-          "Plate/Loss factor = {} at the first natural frequency is {} at "
-          "that of the contact, since it grows in proportion to the frequency: "
-          "beyond 0.3 the plate is stiff by its damping; choose {}",
+          "Plate/Loss factor = {} at the first natural frequency grows with "
+          "the frequency to {} at that of the contact: beyond 0.3 the damping "
+          "stiffens the plate; choose at most {}",
           about(plate.loss_factor),
           about(of_contact),
           about(0.3 * plate.loss_factor / of_contact));

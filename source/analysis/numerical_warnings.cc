@@ -55,9 +55,9 @@ namespace PlateImpact
       if (time.step_is_chosen || time.time_step <= 0.04 * rise)
         return {};
       return {fmt::format(
-        "Time/Time step = {} s resolves the rise to the peak force, {}, and "
-        "the waves that the contact sends out, coarsely; for a peak force to "
-        "0.1 % choose at most {} s, or 0",
+        "Time/Time step = {} s resolves only coarsely the rise to the peak "
+        "force, {}, and the waves that the contact sends out; for an error of "
+        "0.1 % in the peak force choose at most {} s, or 0",
         about(time.time_step),
         about(rise, "s"),
         about(0.04 * rise))};
@@ -75,10 +75,11 @@ namespace PlateImpact
            "Time/End time = " + about(time.end_time) + " s";
       if (history.peak().time == last.time)
         return {"the force still grows at " + end +
-                ": the peak force is that of this time only"};
+                ": the true peak force is larger; choose a later Time/End "
+                "time"};
       if (last.force > 0. && history.n_contacts() > 1)
         return {"another contact is under way at " + end +
-                ", and may be harder; choose a later Time/End time"};
+                "; its force may be larger; choose a later Time/End time"};
       if (last.force > 0.)
         return {"the contact has not ended at " +
                 (time.end_is_chosen ? about(last.time, "s") +
@@ -86,7 +87,8 @@ namespace PlateImpact
                                       end)};
       if (last.impactor_velocity > 0.)
         return {"the impactor still moves towards the plate at " + end +
-                ": another contact follows, which may be harder"};
+                ": another contact follows, and its force may be larger; "
+                "choose a later Time/End time"};
       return {};
     }
 
@@ -100,12 +102,13 @@ namespace PlateImpact
         {
           const double from = *result.sensitivity->unpredictable_from;
           warnings.push_back(fmt::format(
-            "from t = {} on, the force cannot be predicted: a velocity larger "
-            "by a millionth changes it by more than 0.1 % of its peak; the "
-            "peak force {}",
+            "from t = {} on, the force cannot be predicted: one millionth more "
+            "velocity changes it by more than 0.1 % of its peak; the peak "
+            "force {}",
             about(from, "s"),
-            result.history->peak().time < from ? "is known, it comes before" :
-                                                 "comes after that"));
+            result.history->peak().time < from ? "comes earlier and is not "
+                                                 "affected" :
+                                                 "comes later"));
         }
       if (const double drift = result.history->relative_energy_drift();
           drift > 1e-3)

@@ -14,8 +14,9 @@ namespace PlateImpact
         contact.unloading == UnloadingLaw::elastic)
       limit(peak.indentation,
             contact.critical_indentation,
-            "the indentation reaches {}, beyond the critical one, {}: the "
-            "contact leaves a dent, which Contact/Unloading = Yang-Sun has",
+            "the indentation reaches {}, beyond Contact/Critical indentation, "
+            "{}: the contact leaves a dent; choose Contact/Unloading = "
+            "Yang-Sun",
             about(peak.indentation, "m"),
             about(contact.critical_indentation, "m"));
     warnings.contact = "pressure " + about(pressure, "Pa");
@@ -33,8 +34,8 @@ namespace PlateImpact
     limit(
       bending,
       plate.yield_strength,
-      "the bending stress of the plate reaches {}, its yield strength is "
-      "{}: beyond it the plate itself yields, which the model does not have",
+      "the bending stress of the plate reaches {}, beyond its yield strength, "
+      "{}: the plate itself yields, which the model leaves out",
       about(bending, "Pa"),
       about(plate.yield_strength, "Pa"));
   }
@@ -57,12 +58,12 @@ namespace PlateImpact
     if (impactor.is_cylinder())
       {
         warnings.contact = "pressure " + about(pressure, "Pa") +
-          "; it yields, for which a line contact has no law";
+          "; it yields, but there is no yielding law for line contact";
         return limit(pressure,
                      first,
-                     "the contact pressure reaches {}, and the contact "
-                     "yields from {} on, for which a line contact has no "
-                     "law; the force is an upper bound",
+                     "the contact pressure reaches {}, and the contact yields "
+                     "from {} on, but there is no yielding law for line "
+                     "contact; the force is an upper bound",
                      about(pressure, "Pa"),
                      about(first, "Pa"));
       }
@@ -76,7 +77,7 @@ namespace PlateImpact
     limit(w,
           100.,
           "the indentation is {} times that at first yield: the law of "
-          "a contact that yields was compared up to 100",
+          "contacts that yield was tested up to 100 only",
           about(w));
   }
 
@@ -90,8 +91,8 @@ namespace PlateImpact
         0.45)
       {
         warnings.contact +=
-          " on a body like rubber, which does not yield, but is stiffer the "
-          "faster it is struck: the force is that of the given modulus";
+          " on a rubber-like body, which does not yield but is stiffer in "
+          "faster impacts: the force is that for the given modulus";
         return;
       }
     warnings.assumes_elastic_contact = true;
@@ -127,13 +128,13 @@ namespace PlateImpact
     const std::string threshold = " the threshold, " +
       number(crack->threshold, "N") +
       (crack->is_of_small_mass ?
-         ", of an impact whose waves are not back at its peak" :
-         ", of an impact as slow as the plate");
+         ", for a small-mass impact (no wave returns before the peak)" :
+         ", for a quasi-static impact");
     if (!result.peak_force_bar || !of_model || is_beyond_limits ||
         peak.time == history.states().back().time)
       warnings.damage = fmt::format(
-        "the peak force is {} of{}; its error is not known, nor whether the "
-        "plate delaminates",
+        "the peak force is {} of{}; the error of the force is not known, so "
+        "delamination cannot be judged",
         about(ratio),
         threshold);
     else
@@ -150,15 +151,15 @@ namespace PlateImpact
                             "errors, is " +
             percentage(ratio - error - 1.) + " above" + threshold;
         else
-          warnings.damage = "delamination cannot be told: the errors of the "
-                            "peak force reach over" +
+          warnings.damage = "delamination is possible: the peak force, within "
+                            "its errors, may be below or above" +
             threshold;
       }
     limit(
       ratio,
       1.,
-      "the peak force is {} of that from which on the laminate delaminates, "
-      "{}: it is that of a plate which stays whole",
+      "the peak force is {} times the delamination threshold, {}: the force is "
+      "that of a plate without delamination",
       about(ratio),
       about(crack->threshold, "N"));
   }

@@ -55,7 +55,7 @@ namespace PlateImpact
                     format("above {}, {}",
                            about(peak.force, "N"),
                            expected.source));
-          text.line("contact time", "cannot be said for this plate");
+          text.line("contact time", "cannot be estimated for this plate");
         }
       else
         {
@@ -79,7 +79,7 @@ namespace PlateImpact
                        about(expected.zener.peak.force, "N"),
                        about(expected.zener.peak.time, "s"),
                        parameters.impactor.is_cylinder() ?
-                         ", which strikes at a point" :
+                         ", for contact at a point" :
                          ""));
       const ContactState rigid = expected.zener.peak_on_rigid_plate();
       text.line("half-space",
@@ -105,7 +105,7 @@ namespace PlateImpact
       const double speed = expected.zener.section.fastest_wave();
       const double back  = 2. * distance_to_edge(parameters) / speed;
       text.line("first reflection",
-                format("back at {}; before, the supports do not matter",
+                format("back at {}; until then the supports have no effect",
                        about(back, "s")));
       if (const auto n = expected.crossings_before_peak(parameters))
         text.line("peak",
@@ -151,7 +151,7 @@ namespace PlateImpact
       }
     catch (const ComputationError &)
       {
-        text.line("natural frequencies", "cannot be said for this plate");
+        text.line("natural frequencies", "cannot be estimated for this plate");
       }
 
 
@@ -163,7 +163,7 @@ namespace PlateImpact
     {
       if (expected.is_bound)
         return text.line("step, end time, cost",
-                         "cannot be said for this plate");
+                         "cannot be estimated for this plate");
       const TimeParameters &time = parameters.time;
       const double          rise = expected.history.peak().time;
       const std::string     steps =
@@ -172,8 +172,8 @@ namespace PlateImpact
                about(rise / time.time_step));
       text.line("Time/Time step",
                 expected.crossings_before_peak(parameters) ?
-                  "0: a late peak sits on ripples, which ask for far shorter "
-                  "steps than its rise; " +
+                  "0: the ripples on a late peak need far shorter steps than "
+                  "its rise; " +
                     steps :
                   format("at most {} s for 0.1 %, or 0; {}",
                          about(0.04 * rise),
@@ -188,8 +188,8 @@ namespace PlateImpact
                                             "the end of the first contact"));
       if (parameters.contact.load_is_singular())
         text.line("Contact",
-                  "under a point load the peak force has no limit under "
-                  "refinement; choose Hertz disc");
+                  "under a point load the peak force does not converge under "
+                  "refinement; choose Load distribution = Hertz disc");
       const Expectation::Cost cost       = expected.cost(parameters);
       const Stretching        stretching = expected.zener.section.stretching();
       const double n_fields = stretching == Stretching::none ? 3. : 5.;
@@ -214,9 +214,10 @@ namespace PlateImpact
       if (given.contact.local_response == LocalResponse::half_space &&
           given.contact.has_patch() && given.contact.patch_radius == 0. &&
           !plan.sweeps("Contact/Patch radius"))
-        return "Contact/Patch radius = 0 lets impactors choose";
+        return "Contact/Patch radius = 0 gives each impactor a radius of its "
+               "own";
       if (given.time.time_step == 0. && !plan.sweeps("Time/Time step"))
-        return "Time/Time step = 0 lets impactors choose";
+        return "Time/Time step = 0 gives each impactor a step of its own";
       return {};
     }
 
@@ -253,7 +254,10 @@ namespace PlateImpact
                        has_own_loads || reason.empty() ? "" : "up to ",
                        counted(n_loads, "response"),
                        !has_own_meshes && n_loads > groups.n_loads ?
-                         format(": {}; {} would do", reason, groups.n_loads) :
+                         format(": {}; otherwise {} would "
+                                "do",
+                                reason,
+                                groups.n_loads) :
                          ""));
     }
   } // namespace

@@ -33,8 +33,8 @@ namespace PlateImpact
       std::vector<std::string> warnings;
       if (scene.parameters.contact.load_is_singular())
         warnings.push_back(
-          "under a point load the peak force has no limit: errors tell how "
-          "far the smallest cell is from that of the reference");
+          "under a point load the peak force does not converge: its errors "
+          "only show how far the smallest cell is from that of the reference");
       const Reference &reference = comparison.reference;
       for (const ComparisonCurve &curve : comparison.curves)
         {
@@ -70,8 +70,8 @@ namespace PlateImpact
                             about_percentage(*reference.eta),
                             wall_time(reference.seconds));
       if (reference.time_step_error)
-        text += fmt::format("\nTime step   the same on all meshes, leaves {} "
-                            "of the peak force",
+        text += fmt::format("\nTime step   the same on all meshes, with an "
+                            "error of {} of the peak force",
                             about_percentage(*reference.time_step_error));
       return text +
         "\n\ncycle  cells unknowns  eta % peak force N  error %  +- % seconds\n";
@@ -209,7 +209,7 @@ namespace PlateImpact
       {
         throw interruption.with(
           "the meshes so far are in " + directory.main_files() +
-          "; Comparison/Strategies and Elements name what is left");
+          "; to compute the rest, name it in Comparison/Strategies and Elements");
       }
   }
 } // namespace PlateImpact

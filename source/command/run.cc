@@ -282,7 +282,7 @@ namespace PlateImpact
         output.write_failure(interruption.what());
         throw interruption.with(
           output.kept() +
-          "; a larger Target error or a shorter End time takes less");
+          "; a larger Target error or a shorter End time makes the run faster");
       }
     catch (const std::bad_alloc &)
       {

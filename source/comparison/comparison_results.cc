@@ -176,7 +176,9 @@ namespace PlateImpact
       "Eta of " + percentage(row.threshold) :
       percentage(row.threshold) + " of the peak force";
     if (!row.is_comparable)
-      return what + ": not compared, the reference is not known that well.";
+      return what +
+        ": not compared, because the reference is not that "
+        "accurate.";
     const std::vector<Achievement> best = best_of_strategies(row);
     if (best.empty())
       return what + ": not reached.";
@@ -282,8 +284,8 @@ namespace PlateImpact
     study["histories"].push_back(forces(reference.history));
     write_page(out,
                {"Comparison: " + scene.name,
-                "Ways to make the mesh follow the error, side by side: what a "
-                "user waits for an error, and how many cells it takes.",
+                "Adaptive strategies side by side: the time and the number of "
+                "cells that each needs for a given error.",
                 "The peak force of the reference is " +
                   number(reference.peak_force, "N") +
                   "; comparison.csv has the meshes."},

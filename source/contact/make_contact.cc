@@ -217,42 +217,43 @@ namespace PlateImpact
     entry("Law", "Hertz", one_of<ForceLaw>(), law)
       .means("Hertz: F = k alpha^1.5 with the compliance (1 - nu^2)/E of both "
              "bodies, for a laminate with that of a half-space of its plies. "
-             "Sun: with 1/E for the plate, the paper's eq. 17, or 1/E_2. line: "
-             "of a cylinder, and what one has where no law is given; on a "
-             "half-space the paper's eq. 32.");
+             "Sun: the same with the compliance 1/E of the plate (the paper's "
+             "eq. 17), or 1/E_2 for a laminate. line: line contact of a "
+             "cylinder, the default for one; with Local response = half-space "
+             "the paper's eq. 32.");
     entry("Local response", "layer", one_of<LocalResponse>(), local_response)
-      .means("What the plate does under the contact besides bending and shear. "
-             "layer: what an elastic layer of the plate's thickness does. "
-             "half-space: what Hertz's law says, as usual and in the paper, "
-             "which counts the shortest waves twice; where no response is "
-             "given, that of the law Sun and of point and line loads.");
+      .means("Local compliance of the plate under the contact, in addition to "
+             "bending and shear. layer: that of an elastic layer as thick as "
+             "the plate. half-space: that of Hertz's law, as usual and in the "
+             "paper; it counts the shortest waves twice, so the force is too "
+             "small. It is the default for the law Sun and for point and line "
+             "loads.");
     entry("Finite ball", "true", truth(), finite_ball)
-      .means("With a layer, a sphere as the elastic body that it is, held by "
-             "its inertia; false: as Hertz's half-space. With a half-space it "
-             "has no meaning.");
+      .means("true: a sphere has the compliance of an elastic ball held by its "
+             "inertia; false: that of Hertz's half-space. It has an effect "
+             "with Local response = layer only.");
     entry("Unloading", "elastic", one_of(unloadings), unloading)
-      .means("elastic: along the curve of loading, or down to the dent of a "
-             "contact that yields. Yang-Sun: steeper, down to "
-             "a dent, and back by another curve, as measured on laminates; of "
-             "spheres.");
+      .means("elastic: along the loading curve; after yielding, elastically "
+             "down to the dent. Yang-Sun: along a steeper curve down to a "
+             "dent, with another curve for reloading, as measured on "
+             "laminates; for spheres only.");
     entry("Critical indentation", "8e-5", number_above(0), critical_indentation)
-      .means("From which on Yang-Sun leaves a dent; 8e-5 for graphite/epoxy, "
-             "1.65e-4 for glass/epoxy. [m]");
+      .means("Indentation above which Yang-Sun leaves a dent; 8e-5 for "
+             "graphite/epoxy, 1.65e-4 for glass/epoxy. [m]");
     entry("Load distribution",
           "Hertz disc",
           one_of<LoadShape>(),
           load_distribution)
-      .means("How the contact force spreads over the plate; where it is not "
-             "given, as a strip under a cylinder. The displacement of the "
-             "plate in the contact law is averaged with the same weights. "
-             "Under 'point' the peak force has no limit under refinement: it "
-             "drops with every halving of the cells.");
+      .means("How the contact force is distributed over the plate; the default "
+             "for a cylinder is strip. The plate displacement in the contact "
+             "law is averaged with the same weights. With 'point' the peak "
+             "force does not converge under refinement: it drops with every "
+             "halving of the cells.");
     entry("Patch radius", "0", number_from(0), patch_radius)
-      .means("Radius of the disc or half-width of the strip; 0: with a layer "
-             "that with which plate theory and layer answer alike to long "
-             "waves, with a half-space the Hertz contact radius at the peak "
-             "force that Zener's equation predicts, to the nearest of 64 in an "
-             "octave. [m]");
+      .means("Radius of the disc or half-width of the strip. 0 for a layer: "
+             "the radius for which plate theory and layer respond alike to "
+             "long waves. 0 for a half-space: the Hertz contact radius at the "
+             "peak force of Zener's equation, rounded in steps of 1.1 %. [m]");
     entry("Integration", "energy conserving", one_of(integrations), integration)
       .means("energy conserving: the mean force of the law over the step. "
              "collocation: the force at the end of the step, as in the paper; "

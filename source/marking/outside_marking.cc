@@ -253,7 +253,7 @@ namespace PlateImpact
     catch (const ComputationError &error)
       {
         throw ComputationError(
-          fmt::format("cycle {}: --marking does not answer with a marking: {}",
+          fmt::format("cycle {}: the answer of --marking cannot be used: {}",
                       cycle.result.cycle,
                       error.what()));
       }

@@ -35,7 +35,7 @@ namespace PlateImpact
       if (std::all_of(fields.begin(), fields.end(), fits))
         return;
       throw ComputationError("the fields at t = " + number(time, "s") +
-                             " hold values beyond the numbers of a file");
+                             " contain values that a VTU file cannot hold");
     }
 
 

@@ -101,12 +101,12 @@ namespace PlateImpact
   {
     const ContactParameters &contact = parameters.contact;
     if (contact.local_response == LocalResponse::layer)
-      return "layer, as three-dimensional elasticity has it";
+      return "layer, as in three-dimensional elasticity";
     // the shear of a homogeneous plate has a factor of 5/6
     if (parameters.plate.shear_correction_factor > 10.)
-      return "half-space, beside a plate without shear";
-    std::string text = "half-space, beside the plate's own shear: the shortest "
-                       "waves count twice and the force is too small";
+      return "half-space, for a plate without shear deformation";
+    std::string text = "half-space, in addition to the plate's shear: the "
+                       "shortest waves count twice, so the force is too small";
     if (contact.law == ForceLaw::Sun)
       text += "; the law Sun has no other";
     else if (!contact.has_patch())
@@ -125,8 +125,9 @@ namespace PlateImpact
     if (contact.load_is_singular())
       return load +
         (parameters.plate.shear_correction_factor > 10. ?
-           "; a plate without shear has a limit under it" :
-           ": the peak force has no limit under refinement");
+           "; the peak force converges, since the plate has no shear "
+           "deformation" :
+           ": the peak force does not converge under refinement");
     if (!contact.has_patch())
       return load;
     return load +

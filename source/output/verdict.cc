@@ -63,9 +63,9 @@ namespace PlateImpact
         lower(part,
               last.peak_force_error ? Trust::none : Trust::doubtful,
               last.peak_force_error ?
-                "the mesh does not see the waves that the contact sends out, "
-                "or not the load, or the step is too coarse to tell its "
-                "error: there is no bar" :
+                "there is no bar: the mesh does not resolve the load or the "
+                "waves that the contact sends out, or the time step is too "
+                "coarse to estimate its error" :
                 "no error was estimated");
       else if (last.peak_force_bar->total() > largest)
         lower(part,
@@ -115,7 +115,7 @@ namespace PlateImpact
       return text + ", error not known";
     return text + " (mesh, step)" +
       (model_error ? " ± " + error_in_words(*model_error * force, "N") +
-           " (model, as far as compared)" :
+           " (model, from comparisons)" :
                      ", error of the model not known");
   }
 
@@ -164,11 +164,13 @@ namespace PlateImpact
   model_in_words(const Verdict &verdict)
   {
     if (verdict.warnings.model.empty())
-      return std::string("Inside of the model") +
+      return std::string("Within the limits of the model") +
         (verdict.warnings.assumes_elastic_contact ?
            ", elastic contact assumed" :
            "");
-    return verdict.model.trust == Trust::doubtful ? "Outside of the model" :
-                                                    "Far outside of the model";
+    return verdict.model.trust == Trust::doubtful ? "Outside the limits of the "
+                                                    "model" :
+                                                    "Far outside the limits of "
+                                                    "the model";
   }
 } // namespace PlateImpact

@@ -23,7 +23,7 @@ function showOutcome({ warnings, reference, thresholds }) {
       ['Reference peak force', prefixed('N', [reference.peak_force]).text(reference.peak_force, 6), reference.origin === 'given' ? 'given by the scene' :
         `uncertain by ${percentage(reference.uncertainty, 3)} for its mesh: ${reference.cells} cells, η = ${percentage(reference.discretization_error, 3)}`],
       reference.time_step_error !== undefined && ['Time step', percentage(reference.time_step_error, 3),
-        'of the peak force, left by the step, which all meshes share']]));
+        'of the peak force: the error of the time step, which is the same on all meshes']]));
 }
 
 /** Strategies by elements, for the error that is chosen. */
@@ -43,8 +43,8 @@ function showThresholds({ thresholds, curves }) {
     `${percentage(row.threshold, 3)} of the peak force`), show);
   choice.querySelector('select').value = first;
   show(first);
-  section('Who is first', paragraph('Cells of the first mesh that reaches an error which all later meshes keep, and the seconds until then. ' +
-    'A last mesh alone counts where its own error bar confirms it. ✓: first, or within a tenth of the first.'),
+  section('Fastest strategies', paragraph('Cells of the first mesh from which on the error stays below the chosen one, and the seconds until then. ' +
+    'The last mesh of a curve counts only if its own error bar confirms it. ✓: the fastest, or slower by at most a tenth.'),
   element('div', { className: 'controls' }, choice), holder);
 }
 
@@ -81,8 +81,8 @@ function showCosts(comparison, colourOf) {
     list[0].series.push({ name: 'uncertainty of the reference', colour: colourOf({}), style: 'dashed', x: first, moreX: others,
       y: [0, 0].fill(100 * reference.uncertainty) });
   }
-  section('Error against cost', paragraph('Every point is a mesh, of every strategy with the element that is best for it; others can be chosen. The seconds of a mesh are those of the cycles up to it, without the start of the program. Errors of the peak force below the dashed line, ' +
-    'the uncertainty of the reference, say nothing about the mesh. By force, plates are watched until the peak only: their η has no place beside that of the others.'), plotGrid(list, 'large'));
+  section('Error against cost', paragraph('Every point is a mesh. Each strategy is shown with its best element; others can be chosen. The seconds of a mesh are those of the cycles up to it, without the start of the program. Errors of the peak force below the dashed line, ' +
+    'the uncertainty of the reference, say nothing about the mesh. Strategies by force compute the impact up to the peak only, so their η cannot be compared with that of the others.'), plotGrid(list, 'large'));
 }
 
 /** A plot for every element with a series for every strategy. */
@@ -148,10 +148,10 @@ function showNumbers({ curves }) {
     percent(mesh.contact_end_error), formatted(mesh.effectivity), formatted(mesh.seconds), formatted(mesh.cumulative_seconds)]));
   section('All meshes', paragraph('Errors in parentheses are not above the uncertainty of the reference. A star marks meshes with cells that would be ' +
     'refined if they were not at the minimum size. The effectivity is η over the ' +
-    'error in energy against the reference, where that is three times better. comparison.csv has all digits.'),
+    'error in energy against the reference, where the reference is three times better. comparison.csv has all digits.'),
   table(['Strategy and element', 'Cycle', 'Cells', 'Unknowns', 'η [%]', 'Peak force [N]', 'Error [%]', 'Error bar [%]',
-    'Error of contact end [%]', 'Effectivity', 'Seconds', 'So far [s]'], rows, 'sortable'),
-  table(['Strategy and element', 'Ends with'], curves.map((curve) => [nameOf(curve), curve.end]), 'words'));
+    'Error of contact end [%]', 'Effectivity', 'Seconds', 'Total [s]'], rows, 'sortable'),
+  table(['Strategy and element', 'Ended by'], curves.map((curve) => [nameOf(curve), curve.end]), 'words'));
 }
 
 function showComparison(study) {

@@ -141,7 +141,7 @@ class Film {
     this.readout = add('div', { className: 'readout', 'aria-live': 'off' }, holder);
     this.scale = add('div', {}, holder);
     add('figcaption', { textContent: `Deflection magnified ${formatted(this.lift / film.deflectionUnit, 3)} times; the largest is ` +
-      `${withUnit(this.largest * film.deflectionUnit, 'm')}. ξ is the error of a cell over what the target allows it at that time. ` +
+      `${withUnit(this.largest * film.deflectionUnit, 'm')}. ξ is the error of a cell divided by the error that the target allows it at that time. ` +
       'Drag or arrow keys turn the plate; wheel (after a click), two fingers, + and − change its size.' }, holder);
 
     this.slider.addEventListener('input', () => { this.frame = Number(this.slider.value); this.draw(); });

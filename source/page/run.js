@@ -5,10 +5,10 @@ const quantitiesOfCycles = [
   ['Cells', 'cells', ''], ['Unknowns', 'degrees_of_freedom', ''], ['Smallest cell', 'min_cell_size', 'm'],
   ['η', 'discretization_error', '%'], ['largest ξ′', 'max_element_error', ''],
   ['Cells with ξ′ ≥ 1', 'cells_above_limit', ''], ['Peak force', 'peak_force', 'N'],
-  ['Error bar of the peak force', 'peak_force_error_bar', '%'], ['at', 'time_of_peak_force', 's'],
+  ['Error bar of the peak force', 'peak_force_error_bar', '%'], ['Time of the peak force', 'time_of_peak_force', 's'],
   ['First contact ends', 'first_contact_end', 's'], ['Contacts', 'number_of_contacts', ''],
-  ['Impulse', 'impulse', 'N s'], ['Impactor at the end', 'final_impactor_velocity', 'm/s'],
-  ['Largest displacement', 'max_plate_displacement', 'm'],
+  ['Impulse', 'impulse', 'N s'], ['Final velocity of the impactor', 'final_impactor_velocity', 'm/s'],
+  ['Largest displacement of the plate', 'max_plate_displacement', 'm'],
   ['Contact radius over the thickness', 'contact_radius_over_thickness', ''], ['Contact pressure', 'contact_pressure', 'Pa'],
   ['Mean contact pressure over the yield strength', 'mean_pressure_over_yield_strength', ''],
   ['Dent', 'permanent_indentation', 'm'], ['Energy dissipated by the contact', 'dissipated_energy', 'J'],
@@ -20,12 +20,12 @@ function factsOfRun({ summary, expected, words }) {
   const last = summary.cycles.at(-1), { inputs } = summary, bar = last.peak_force_error_bar;
   const ofForce = last.peak_force === undefined ? [] : [
     ['Peak force', words.force, `at ${withUnit(last.time_of_peak_force, 's')}` +
-      (bar ? '; by mesh and time step; what the model may leave is below' : '')],
+      (bar ? '; the error is that of mesh and time step; that of the model is below' : '')],
     ["Zener's infinite thin plate", withUnit(expected.force, 'N'), `at ${withUnit(expected.time, 's')}` +
       (inputs['Impactor/Shape'] === 'cylinder' ? ', struck at a point: a lower bound for a cylinder' : '') +
-      `; ours: ${deviation(last.peak_force, expected.force)}`],
+      `; this run: ${deviation(last.peak_force, expected.force)}`],
     last.first_contact_end && ['First contact ends', withUnit(last.first_contact_end, 's'), `contacts: ${last.number_of_contacts}`],
-    ['Impactor at the end', withUnit(last.final_impactor_velocity, 'm/s'),
+    ['Final velocity of the impactor', withUnit(last.final_impactor_velocity, 'm/s'),
       `positive towards the plate; impulse ${withUnit(last.impulse, 'N s')}`],
     ['Largest displacement under the load', withUnit(last.max_plate_displacement, 'm'),
       `at the peak force ${withUnit(last.plate_displacement_at_peak, 'm')}`],
@@ -61,7 +61,7 @@ function evidenceOfRun({ summary, words, safety }) {
       `with a factor of safety of ${formatted(safety, 3)}`]);
   else if (last.peak_force_error_estimate !== undefined)
     rows.push(['Mesh: error of the peak force',
-      'not known: the mesh is too coarse to tell it, or the time step to tell its own']);
+      'not known: the mesh or the time step is too coarse to tell']);
   if (last.verification)
     rows.push(['Mesh: every cell halved', `${deviation(last.verification.peak_force, last.peak_force)} ` +
       `(to ${withUnit(last.verification.peak_force, 'N')} on ${last.verification.cells} cells)`]);
@@ -75,7 +75,7 @@ function evidenceOfRun({ summary, words, safety }) {
   ['Local response under the contact',
     `${words.localResponse}; contact radius ${formatted(last.contact_radius_over_thickness)} of the thickness`],
   ['Load', `${words.load}; smallest cell ${withUnit(last.min_cell_size, 'm')}`],
-  ['Model, as far as compared', (summary.verdict.model.errors ?? []).map(({ of, relative }) =>
+  ['Model: errors from comparisons', (summary.verdict.model.errors ?? []).map(({ of, relative }) =>
     `${of} ${relative === undefined ? 'not known' : percentage(relative, 2)}`).join('; ')],
   ['Contact', summary.verdict.contact],
   ...(summary.verdict.damage ? [['Damage', summary.verdict.damage]] : []));
@@ -117,7 +117,7 @@ function showHistories(study) {
         { impactor: 'impactor_energy', plate: 'plate_energy', contact: 'contact_energy', total: 'total_energy',
           ...(last.dissipated_energy.at(-1) > 0 && { 'dissipated by the contact': 'dissipated_energy' }),
           ...(last.plate_dissipated_energy.at(-1) > 0 && { 'dissipated by the plate': 'plate_dissipated_energy' }) })]),
-    paragraph('Pointer or arrow keys read values; a click on a name hides it. Cycles before the last are thin. ' +
+    paragraph('Point at a curve, or use the arrow keys, to read its values; click a name to hide its curve. Cycles before the last are thin. ' +
       'contact_history.csv has every step.'));
 }
 
@@ -145,7 +145,7 @@ function showCycles({ summary: { cycles }, errors }) {
     cycles.length > 1 && plotGrid([
       plot('η', '%', 'discretization_error', true, 100), plot('peak force', 'N', 'peak_force'),
       plot('unknowns', '', 'degrees_of_freedom', true),
-      { title: 'Error against time', caption: 'The slope is that of an error that halves when the time doubles.',
+      { title: 'Error against time', caption: 'Slope −1: the error halves when the time doubles.',
         x: { title: 'seconds since the beginning', logarithmic: true }, y: { title: 'error [%]', logarithmic: true },
         series: [
           { name: 'η', x: seconds, y: eta, colour: 0, style: 'line and points' },
@@ -181,8 +181,8 @@ function showStressesAlongLines({ stresses }) {
     makePlot(entries[i].canvas, entries[i]);
   }));
   choose.querySelector('select').value = first;
-  section('Raw and recovered', paragraph('Stresses at the peak force. Those of the elements jump from cell to cell; patch recovery fits ' +
-    'polynomials to them, and the distance between both is what the estimator takes for the error.'),
+  section('Raw and recovered stresses', paragraph('Stresses at the peak force. The raw stresses of the elements jump from cell to cell; patch recovery ' +
+    'fits polynomials to them. The estimator takes the difference of the two for the error.'),
   element('div', { className: 'controls' }, choose), grid);
 }
 
@@ -203,7 +203,7 @@ function showRun(study) {
   const shown = meshes.filter(Boolean);
   if (film) {
     const player = element('figure', { className: 'player' });
-    section('In time', paragraph(film.fields.length > 0 ? 'Deflection, local error ratio, stress resultants and stresses on the last mesh.' :
+    section('Animation', paragraph(film.fields.length > 0 ? 'Deflection, local error ratio, stress resultants and stresses on the last mesh.' :
       'Deflection and local error ratio on the last mesh.'), player);
     new Film(player, study, shown.at(-1));
   }
@@ -212,6 +212,6 @@ function showRun(study) {
     shown.length > 0 && meshGroup(shown, study.patch));
   if (study.stresses.length > 0) showStressesAlongLines(study);
   showCycles(study);
-  section('Repeat it', paragraph(`plate-impact ${summary.version}. Save these values, which are in scene.prm too, and run`),
+  section('Repeat this run', paragraph(`plate-impact ${summary.version}. Save these values, which are in scene.prm too, and run`),
     preformatted('plate-impact run scene.prm'), preformatted(study.text));
 }

@@ -131,7 +131,7 @@ function showSweep(study) {
     ['Points', String(statuses.length), `failed: ${statuses.filter((status) => status !== 'ok').length}, with warnings: ${study.warned.length}`],
     ['Meshes', String(work.meshes), `plate models: ${work.plates}, responses to a load: ${work.loads}`]]),
   study.warnings.map((warning) => notice(`Warning: ${warning}`)), study.words.map(paragraph),
-  paragraph('Models and responses are those of the computation that ended this sweep; points that share plate, mesh and load share them.'));
+  paragraph('The numbers of meshes, plate models and responses are those of the last start of this sweep; points with the same plate, mesh and load share them.'));
   showQuantities(results);
   showForcesOfPoints(results, study.histories);
   showTable(study, results);

@@ -289,17 +289,17 @@ namespace PlateImpact
   {
     const auto entry = entries.section("Discretization");
     entry("Element", "MITC9", one_of<ElementType>(), element)
-      .means("Deflection and rotations with 8 nodes (serendipity, the paper's; "
-             "serendipity full: with 3x3 points for the shear), with 8 and 9 "
-             "(heterosis) or with 9 (Lagrange); with 9 and mixed interpolation "
-             "of the shear (MITC9), which neither locks on thin plates nor has "
-             "spurious modes.");
+      .means("serendipity: 8 nodes, the paper's element. serendipity full: the "
+             "same with 3x3 Gauss points for the shear. heterosis: 8 nodes for "
+             "the deflection, 9 for the rotations. Lagrange: 9 nodes. MITC9: 9 "
+             "nodes with mixed interpolation of the shear; it neither locks on "
+             "thin plates nor has spurious modes.");
     entry("Initial cells",
           "3, 3",
           pair_of(whole_number(1, 10000)),
           initial_cells)
-      .means("On the part of the plate that is meshed, the quadrant under an "
-             "impact at the centre, along x and y.");
+      .means("Cells along x and y of the first mesh, on the part of the plate "
+             "that is meshed: a quarter if the impact is at the centre.");
     entry("Linear solver", "CHOLMOD", one_of<SolverType>(), linear_solver)
       .means("Direct solver of the effective stiffness: CHOLMOD (supernodal "
              "Cholesky) or KLU of Trilinos' Amesos.");

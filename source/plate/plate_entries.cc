@@ -121,57 +121,58 @@ namespace PlateImpact
       .means("[-]");
     entry("Density", "7800", positive, density).means("[kg/m^3]");
     entry("Yield strength", "0", number_from(0), yield_strength)
-      .means("With one of plate or impactor above 0 the contact of a sphere "
-             "yields where it is exceeded, the weaker body first, and leaves a "
-             "dent. 0 where it is not given. [Pa]");
+      .means("If it is given for the plate or the impactor, the contact of a "
+             "sphere can yield, the weaker body first, and leave a dent. 0: "
+             "not given. [Pa]");
     entry("Loss factor", "0", number_from(0), loss_factor)
-      .means("Of the damping of bending and shear by Kelvin and Voigt, at the "
-             "first natural frequency of the motions that the impact can "
-             "excite: twice the damping ratio there. It grows in proportion to "
-             "the frequency. 0: none. [-]");
+      .means("Loss factor of the Kelvin-Voigt damping of bending and shear at "
+             "the lowest natural frequency that the impact can excite: twice "
+             "the damping ratio there. It grows in proportion to the "
+             "frequency. 0: no damping. [-]");
     entry("Shear correction factor",
           "0.8333333333333333",
           number_from(0),
           shear_correction_factor)
       .means("Factor of the transverse shear stiffness; 5/6 for a parabolic "
-             "shear stress (Reissner). 0: the shear stiffness by equilibrium, "
-             "which a laminate has where the factor is not given and the law "
-             "is not Sun. [-]");
+             "shear stress (Reissner). 0: the shear stiffness follows from "
+             "equilibrium; this is the default for a laminate, except with the "
+             "law Sun. [-]");
     entry("Support", "clamped", on_edges<EdgeSupport>(), supports)
       .means("One word for all four edges, or two: for the edges x = +-a/2 and "
-             "for the edges y = +-b/2. 'simply supported' also stops the "
-             "rotation along the edge (hard support), 'soft simply supported' "
-             "the deflection only. Edges of a file may have each its own, as "
-             "rim: clamped, hole: free.");
+             "for the edges y = +-b/2. 'simply supported' fixes the deflection "
+             "and the tangential rotation (hard support), 'soft simply "
+             "supported' the deflection only. The edges of an outline from a "
+             "file can differ, for example rim: clamped, hole: free.");
     entry("Deflection", "linear", one_of(deflection_theories), deflection)
-      .means("large: a plate that deflects by more than a fifth of its "
-             "thickness stretches, and its membrane forces stiffen it (von "
-             "Karman). It has displacements in its plane beside the others "
-             "and costs several solves a step.");
+      .means("linear: small deflections. large: von Karman's theory, for "
+             "deflections of more than a fifth of the thickness: the plate "
+             "stretches, and membrane forces stiffen it. It adds in-plane "
+             "displacements as unknowns and costs several solves per step.");
     entry("In-plane support",
           "held",
           on_edges<InPlaneSupport>(),
           in_plane_supports)
-      .means("Of the middle surface, on edges that hold the deflection, for "
-             "plates that stretch: under large deflections or with a lay-up "
-             "that is not symmetric. 'held along' the edge leaves it free "
-             "to slide across, as in Navier's solution of cross-plies; 'held "
-             "across' the other way round. One word, two, or one by edge, as "
-             "Support.");
+      .means("In-plane displacements of the middle surface on edges that hold "
+             "the deflection. It matters for large deflections and for "
+             "unsymmetric lay-ups only. 'held along' fixes the displacement "
+             "along the edge and leaves that across it free, as in Navier's "
+             "solution for cross-ply laminates; 'held across' is the reverse. "
+             "One word, two, or one for each edge, as for Support.");
     entry("Outline", "rectangle", word_or_file(), outline)
-      .means("Of the plate. A circle has one edge and one support. A mesh of "
-             "Gmsh, of quadrilaterals and in metres, brings its own lengths "
-             "and cells, and its physical groups of curves name the edges; it "
-             "is looked for beside the scene first.");
+      .means("rectangle, circle, or the file of a Gmsh mesh of quadrilaterals, "
+             "in metres. A circle has one edge and one support. A mesh "
+             "replaces Side lengths and Initial cells, and its physical groups "
+             "of curves name the edges; its file is looked for in the "
+             "directory of the scene first.");
     entry("Impact point", "0, 0", pair_of(any_number()), impact_point)
-      .means("Where the impactor strikes, from the centre of the plate, that "
-             "of the rectangle around it. What is meshed follows: a quarter of "
-             "the plate, a half where one of the two is not 0, or the whole "
-             "plate. [m]");
+      .means("Where the impactor strikes: x and y from the centre of the plate "
+             "or, for an outline from a file, of its bounding rectangle. Where "
+             "the plate is symmetric, only a quarter of it is meshed if both "
+             "are 0, and half of it if one is. [m]");
     entry("Layup", "", angles_of_plies(), layup)
-      .means("Angles of the fibres to x, from the struck face, of plies with "
-             "equal shares of the thickness; an s at the end mirrors them. "
-             "Empty: homogeneous and isotropic. [degrees]");
+      .means("Angles of the fibres to the x axis, ply by ply from the struck "
+             "face; all plies are equally thick. An s at the end mirrors the "
+             "list. Empty: an isotropic plate. [degrees]");
 
     const auto of_ply = entries.section("Ply");
     of_ply("Longitudinal modulus",
@@ -213,11 +214,10 @@ namespace PlateImpact
            "0",
            any_number(),
            ply.transverse_poissons_ratio)
-      .means("nu_23; 0: E_2 / (2 G_23) - 1, that of a ply which is the same in "
-             "all directions across its fibres. [-]");
+      .means("nu_23; 0: E_2 / (2 G_23) - 1, as for a transversely isotropic "
+             "ply. [-]");
     of_ply("Mode II toughness", "0", number_from(0), ply.mode_2_toughness)
-      .means("G_IIc between plies: with it a run says how far the force stays "
-             "below that from which a laminate delaminates. 0 where it is not "
-             "given. [J/m^2]");
+      .means("G_IIc between plies. If it is given, a run compares the peak "
+             "force with the delamination threshold. 0: not given. [J/m^2]");
   }
 } // namespace PlateImpact

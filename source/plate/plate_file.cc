@@ -249,7 +249,7 @@ namespace PlateImpact
           for (const std::size_t other : others)
             if (other < c && !is_beside(corners[c], corners[other]) &&
                 !is_beside(corners[other], corners[c]))
-              refuse_file("has cells on each other at " + place(corners[c][0]) +
+              refuse_file("has overlapping cells at " + place(corners[c][0]) +
                           "; expected cells side by side, each once (in Gmsh: "
                           "every surface in one physical group)");
         }

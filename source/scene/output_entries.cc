@@ -26,9 +26,9 @@ namespace PlateImpact
     entry("Field samples", "0", whole_number(0, 100000), field_samples)
       .means("VTU snapshots over the last cycle; 0: none.");
     entry("Natural frequencies", "0", whole_number(0, 100), natural_frequencies)
-      .means("How many of the lowest summary.json has, of the last mesh: of "
-             "motions with the symmetry of the part that is meshed, which "
-             "alone the impact excites.");
+      .means("How many of the lowest natural frequencies of the last mesh are "
+             "written to summary.json. Only modes with the symmetry of the "
+             "impact are counted, since it excites no others.");
   }
 
 
@@ -43,9 +43,10 @@ namespace PlateImpact
                1,
                Choices<ComparedStrategy>::words.size()),
           strategies)
-      .means("This section is read by `plate-impact compare` only. What is "
-             "compared, each with every element: meshes made for the error in "
-             "the energy norm, or, by force, for that of the peak force "
+      .means("This section is read by `plate-impact compare` only. The "
+             "strategies to compare, each with every element. They adapt the "
+             "mesh for the error in the energy norm; those whose name ends in "
+             "'by force' adapt it for the error of the peak force "
              "(Adaptivity/Goal).");
     entry("Elements",
           "serendipity, heterosis, Lagrange, MITC9",
@@ -59,7 +60,7 @@ namespace PlateImpact
       .means("What errors are relative to; 0: computed by a run much finer "
              "than any in the comparison. [N]");
     entry("Time budget", "60", number_above(0), time_budget)
-      .means("Of a curve: none is continued past it. The reference is not "
-             "counted. [s]");
+      .means("Computing time after which a curve is not continued. The time of "
+             "the reference does not count. [s]");
   }
 } // namespace PlateImpact

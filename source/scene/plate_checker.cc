@@ -46,8 +46,8 @@ namespace PlateImpact
           for (const Entry &entry : entries.all)
             if (entry.section() == "Ply" && entry.value != entry.default_value)
               refuse({entry.path, "Plate/Layup"},
-                     "is of a ply, and there is no lay-up; expected one in "
-                     "Plate/Layup");
+                     "is an entry of plies, but there is no lay-up; expected "
+                     "one in Plate/Layup");
         return;
       }
     for (const std::string path : {"Plate/Young's modulus",
@@ -55,8 +55,8 @@ namespace PlateImpact
                                    "Plate/Yield strength"})
       if (entries.at(path).value != entries.at(path).default_value)
         refuse({path, "Plate/Layup"},
-               "is of an isotropic plate, and there is a lay-up; expected the "
-               "entries of section Ply alone");
+               "is an entry of isotropic plates, but there is a lay-up; "
+               "expected the entries of section Ply only");
     const PlyParameters &ply = plate.ply;
     const double         largest =
       std::sqrt(ply.longitudinal_modulus / ply.transverse_modulus);
@@ -64,8 +64,9 @@ namespace PlateImpact
       return refuse({"Ply/Poisson's ratio",
                      "Ply/Longitudinal modulus",
                      "Ply/Transverse modulus"},
-                    "is not that of an elastic ply; expected a magnitude below "
-                    "the root of Longitudinal over Transverse modulus, " +
+                    "makes the stiffness of the ply indefinite; expected a "
+                    "magnitude below the square root of Longitudinal modulus / "
+                    "Transverse modulus, " +
                       number(largest));
     // the law Sun takes nothing from across the plate, not even by equilibrium
     if (contact.law != ForceLaw::Sun)
@@ -94,9 +95,8 @@ namespace PlateImpact
                     "is derived as Transverse modulus / (2 Transverse shear "
                     "modulus) - 1 = " +
                       number(derived) +
-                      ", which no fibre composite has; expected the ratio "
-                      "nu_23 itself, for most 0.2 to 0.5, or moduli from which "
-                      "0 to 0.6 follows");
+                      ", which no fibre composite has; expected nu_23 itself, "
+                      "usually 0.2 to 0.5, or moduli that give 0 to 0.6");
     if (!ply.is_elastic())
       refuse({"Ply/Transverse Poisson's ratio",
               "Ply/Through-thickness Poisson's ratio",
@@ -104,8 +104,8 @@ namespace PlateImpact
               "Ply/Through-thickness modulus",
               "Ply/Longitudinal modulus",
               "Ply/Transverse modulus"},
-             "makes a ply that gives energy away when it is strained; expected "
-             "Poisson's ratios with a stiffness that is positive definite");
+             "makes the stiffness of the ply indefinite; expected Poisson's "
+             "ratios with which it is positive definite");
   }
 
 

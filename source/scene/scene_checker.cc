@@ -148,9 +148,9 @@ namespace PlateImpact
       {
         if (contact.law == ForceLaw::Sun)
           refuse({"Contact/Local response", "Contact/Law"},
-                 "does not fit the law Sun, whose compliance of the plate is "
-                 "not that of its material; expected Law = Hertz, or Local "
-                 "response = half-space");
+                 "does not fit the law Sun, which does not use the true "
+                 "compliance of the plate's material; expected Law = Hertz, or "
+                 "Local response = half-space");
         if (!contact.has_patch())
           refuse({"Contact/Local response", "Contact/Load distribution"},
                  "needs a load patch; expected Load distribution = Hertz disc, "
@@ -161,9 +161,10 @@ namespace PlateImpact
               "Plate/Impact point",
               "Plate/Outline",
               "Plate/Layup"},
-             "is a line along which the shear force jumps, and has its stress "
-             "recovered only where the plate mirrors in it; expected Load "
-             "distribution = strip for this impact point, outline and lay-up");
+             "makes the shear force jump along a line, and stresses can be "
+             "recovered there only if the line is an axis of symmetry of the "
+             "plate; expected Load distribution = strip for this impact point, "
+             "outline and lay-up");
     const double longest = 2. * geometry_of(plate)->distance_to_edge(0);
     if (is_cylinder && longest > 0. && impactor.length > longest)
       refuse({"Impactor/Length", "Plate/Side lengths", "Plate/Impact point"},
@@ -172,8 +173,8 @@ namespace PlateImpact
                number(longest) + " m");
     if (plate.is_laminate() && impactor.yield_strength > 0.)
       refuse({"Impactor/Yield strength", "Plate/Layup"},
-             "Pa is of a contact with an isotropic plate; expected 0 on a "
-             "laminate");
+             "Pa is for contacts with an isotropic plate only; expected 0 for "
+             "a laminate");
     // lead, gold and annealed aluminium have a ten thousandth and more
     const auto check_strength = [this](const std::string &body,
                                        const double       strength,
@@ -195,8 +196,8 @@ namespace PlateImpact
       refuse({"Contact/Unloading",
               "Plate/Yield strength",
               "Impactor/Yield strength"},
-             "is a law of laminates; expected elastic where a yield strength "
-             "is given, by which the contact unloads");
+             "is a law of laminates; with a yield strength the contact unloads "
+             "by a law of its own; expected elastic");
     if (is_cylinder)
       refuse({"Contact/Unloading", "Impactor/Shape"},
              "is a law of spheres; expected elastic for a cylinder");
@@ -260,14 +261,14 @@ namespace PlateImpact
       return;
     if (plate.has_large_deflection())
       refuse({"Adaptivity/Goal", "Plate/Deflection"},
-             "needs a linear plate, whose forces answer in proportion; "
-             "expected Goal = energy norm under large deflections, with Verify "
-             "= true for an error of the force");
+             "needs Plate/Deflection = linear, because its error estimate "
+             "holds for linear plates only; expected Goal = energy norm for "
+             "large deflections, with Verify = true to check the force");
     if (contact.load_is_singular())
       refuse({"Adaptivity/Goal", "Contact/Load distribution"},
-             "has no meaning under a point load, whose peak force has no limit "
-             "under refinement; expected Load distribution = Hertz disc or "
-             "uniform disc, or Goal = energy norm");
+             "has no meaning under a point load, whose peak force does not "
+             "converge under refinement; expected Load distribution = Hertz "
+             "disc or uniform disc, or Goal = energy norm");
     if (time.newmark_beta != 0.25 || time.newmark_gamma != 0.5)
       refuse({"Adaptivity/Goal", "Time/Newmark beta", "Time/Newmark gamma"},
              "needs Newmark beta = 0.25 and Newmark gamma = 0.5; with others "
@@ -427,10 +428,11 @@ namespace PlateImpact
           return refuse({"Plate/Impact point",
                          "Plate/Side lengths",
                          "Contact/Patch radius"},
-                        "m is nearer to an edge, " + number(to_edge) +
-                          " m, than the load patch of a layer is wide, " +
+                        "m is only " + number(to_edge) +
+                          " m from an edge, less than the radius of the load "
+                          "patch, " +
                           number(of_layer) +
-                          " m; expected a point farther from it");
+                          " m; expected a point farther from the edge");
         choose("Contact/Patch radius", contact.patch_radius, of_layer);
         return check_layer(/*radius_is_given=*/false);
       }
@@ -442,7 +444,10 @@ namespace PlateImpact
                      "Impactor/Velocity"},
                     "lets the program choose the Hertz contact radius, "
                     "which is " +
-                      number(radius) + " m and reaches beyond the plate");
+                      number(radius) +
+                      " m and reaches beyond the plate; "
+                      "expected a larger plate, or a smaller "
+                      "or slower impactor");
     // one of few, so that similar impactors share their load; what that changes
     // of the radius, half a per cent at most, is a ten thousandth of the force
     // of the steel case

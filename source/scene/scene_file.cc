@@ -189,8 +189,8 @@ namespace PlateImpact
         {"--set '" + text + "' is not of the form 'Section/Entry=value'"});
     if (!can_be_set(text))
       throw InputError({"--set '" + text +
-                        "' holds a character that a scene cannot: '#' or a "
-                        "control character"});
+                        "' contains a character that is not allowed in a "
+                        "scene: '#' or a control character"});
     return assignment;
   }
 

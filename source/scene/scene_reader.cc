@@ -279,8 +279,8 @@ namespace PlateImpact
             unknown(entries, assignment.section, assignment.entry));
         else if (!can_be_set(value))
           refused.push_back(refusal + value +
-                            " holds a character that a scene cannot: '#' or a "
-                            "control character");
+                            " contains a character that is not allowed in a "
+                            "scene: '#' or a control character");
         else if (!entries.at(path).set(value, assignment.origin))
           refused.push_back(refusal + (value.empty() ? "(nothing)" : value) +
                             " is not allowed; expected " +

@@ -133,7 +133,7 @@ namespace PlateImpact
                     "is not allowed: " +
                       unknown(all, section, path.substr(slash + 1)));
     if (section == "Output" || section == "Sweep" || section == "Comparison")
-      return refuse(entry, path, "is no entry of an impact");
+      return refuse(entry, path, "is not an entry that can be swept");
     if (sweeps(path))
       return refuse(entry, path, "is swept twice");
     if (values.empty())
@@ -241,15 +241,14 @@ namespace PlateImpact
         entry("Values " + number, "", any_text("a list or a range"), values[n]);
       }
     all.at("Sweep/Entry 1")
-      .means("Read by `plate-impact sweep` only, as the entries below. An "
-             "entry of the scene that is given the values below one after "
-             "another: Section/Entry, for example Impactor/Velocity; empty: "
-             "none.");
+      .means("This section is read by `plate-impact sweep` only. The entry of "
+             "the scene that takes the values below one after another, as "
+             "Section/Entry, for example Impactor/Velocity; empty: none.");
     all.at("Sweep/Values 1")
-      .means("Values separated by commas, 1, 2, 5, and ranges "
-             "first:last:number of so many equidistant values, 0.5:5:20. Where "
-             "values have commas themselves, as side lengths, semicolons "
-             "separate them.");
+      .means("Values separated by commas, such as 1, 2, 5, and ranges "
+             "first:last:number of equidistant values, such as 0.5:5:20. "
+             "Semicolons separate values that contain commas, such as side "
+             "lengths.");
     entry("Combination", "product", one_of(combinations), combination)
       .means("product: every value with every other; zip: the first values of "
              "all lists, the second ones, and so on.");

@@ -161,14 +161,15 @@ namespace PlateImpact
       {
         if (!make_goal(adaptivity)->is_met(last))
           mesh_warnings.push_back(
-            "on the mesh of the plate for its hardest point, the error bar of "
-            "the peak force does not meet Adaptivity/Target peak force error, " +
+            "on the mesh adapted for the point with the shortest contact, the "
+            "error bar of the peak force does not meet Adaptivity/Target peak "
+            "force error, " +
             about_percentage(adaptivity.target()));
       }
     else if (last.error->eta > adaptivity.target_error)
       mesh_warnings.push_back(
-        fmt::format("eta is {} on the mesh of the plate for its hardest point, "
-                    "more than Adaptivity/Target error, {}",
+        fmt::format("eta is {} on the mesh adapted for the point with the "
+                    "shortest contact, more than Adaptivity/Target error, {}",
                     about_percentage(last.error->eta),
                     about_percentage(adaptivity.target_error)));
     return copy_of(analysis.last_cycle().mesh());

@@ -311,7 +311,7 @@ namespace PlateImpact
           history_on_page(history, most_states, {"time", "force"}));
         study["histories"].back()["point"] = point;
       }
-    study["words"].push_back("The scene, but for what is swept: " +
+    study["words"].push_back("The scene, except for the swept entries: " +
                              scene_in_words(scene.parameters));
     if (scene.plan.may_adapt(scene.parameters))
       study["words"].push_back(

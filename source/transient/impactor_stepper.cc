@@ -108,10 +108,9 @@ namespace PlateImpact
           value));
     if (current.force > contact.largest_force())
       throw ComputationError(fmt::format(
-        "step {} (t = {}): the contact force, {}, is beyond what the local "
-        "response of a layer holds, {}; choose Contact/Patch radius = 0 or, "
-        "where it is and the contact becomes as wide as the plate is thick, "
-        "Contact/Local response = half-space",
+        "step {} (t = {}): the contact force, {}, is beyond the limit of the "
+        "local response of a layer, {}; choose Contact/Patch radius = 0 or, if "
+        "it is 0 already, Contact/Local response = half-space",
         step,
         number(current.time, "s"),
         number(current.force, "N"),

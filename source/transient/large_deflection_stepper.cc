@@ -124,8 +124,8 @@ namespace PlateImpact
       }
     if (n_iterations == most_iterations || !std::isfinite(change))
       throw ComputationError(
-        "the equilibrium of the plate was not found; try a smaller Time/Time "
-        "step");
+        "the equilibrium iterations of the plate did not converge; try a "
+        "smaller Time/Time step");
     if (n_with_tangent == too_many_iterations ||
         (n_with_tangent > 1 && change > last_change))
       renew_tangent();

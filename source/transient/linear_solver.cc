@@ -65,8 +65,8 @@ namespace PlateImpact
         return;
       throw ComputationError(
         fmt::format("the factor of the effective stiffness matrix of {} "
-                    "unknowns needs {} of memory, of {}; try fewer cells or a "
-                    "larger Adaptivity/Minimum cell size",
+                    "unknowns needs {} of memory, but there is only {}; try "
+                    "fewer cells or a larger Adaptivity/Minimum cell size",
                     n_unknowns,
                     number(bytes, "B"),
                     number(physical, "B")));

@@ -27,8 +27,9 @@ namespace PlateImpact
       const std::vector<double> frequencies = natural_frequencies(matrices, 1);
       if (frequencies.empty())
         throw ComputationError(
-          "the mesh has too few unknowns for the first natural frequency, at "
-          "which Plate/Loss factor is meant");
+          "the mesh has too few unknowns for the first natural frequency, to "
+          "which Plate/Loss factor refers; choose more Discretization/Initial "
+          "cells");
       return 2. * std::acos(-1.) * frequencies.front();
     }
   } // namespace

@@ -382,21 +382,21 @@ namespace PlateImpact
     entry("End time", "80e-6", number_from(0), end_time)
       .means("0: to the end of the first contact. [s]");
     entry("Time step", "1e-7", number_from(0), time_step)
-      .means("Shortened where End time is not a multiple of it. 0: by powers "
-             "of two, the largest that meets Step tolerance in Zener's "
-             "equation. [s]");
+      .means("Shortened if End time is not a multiple of it. 0: the program "
+             "halves the step until Zener's equation meets Step tolerance. "
+             "[s]");
     entry("Step tolerance", "1e-4", number_between(0, 1), step_tolerance)
-      .means("Error of the peak force by the time step, relative to it, with "
-             "which the program chooses a step. [-]");
+      .means("Relative error of the peak force that a time step chosen by the "
+             "program may cause. [-]");
     entry("Integrator", "Ritz vectors", one_of(integrators), integrator)
-      .means("What Newmark's method integrates: the unknowns of the mesh "
-             "(Newmark), or their coordinates in load-dependent Ritz vectors, "
-             "as many as the force needs; on the mesh nevertheless where that "
-             "takes more of them than steps.");
+      .means("What Newmark's method integrates. Newmark: the unknowns of the "
+             "mesh. Ritz vectors: the coordinates of load-dependent Ritz "
+             "vectors, as many as the force needs; the unknowns of the mesh "
+             "after all if it needs more vectors than there are steps.");
     entry("Ritz tolerance", "1e-5", number_above(0), ritz_tolerance)
-      .means("Estimated error of the force against that of the mesh, as a "
-             "fraction of its peak, below which no further Ritz vectors are "
-             "added: a root mean square over the contact. [-]");
+      .means("Ritz vectors are added until the estimated error that they cause "
+             "in the force, a root mean square over the contact, is below this "
+             "fraction of the peak force. [-]");
     entry("Newmark beta", "0.25", number_up_to(0, 1), newmark_beta)
       .means("At least half of gamma: unconditionally stable. [-]");
     entry("Newmark gamma", "0.5", number_from(0.5), newmark_gamma)
