@@ -192,7 +192,11 @@ namespace PlateImpact
       void
       refine_everywhere(ErrorRatios &error) const
       {
-        error.elements.assign(error.elements.size(), ratio_of_halving());
+        // halfway to the ratio of halving at least, in the order of before, by
+        // which some strategies choose
+        const double most = ratio_of_halving() - 1.;
+        for (double &ratio : error.elements)
+          ratio = 1. + most * (0.5 + 0.5 * ratio / (1. + ratio));
         error.overall = ratio_of_halving();
       }
 

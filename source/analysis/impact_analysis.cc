@@ -246,7 +246,7 @@ namespace PlateImpact
       return {};
     // two peaks may agree by accident, all ripples around them do not
     return std::max(std::abs(peak.force - history_before->peak().force),
-                    0.5 * around) /
+                    around) /
       peak.force;
   }
 
