@@ -170,18 +170,20 @@ namespace PlateImpact
 
 
 
-    /// A matrix as text, over its largest number, in thousandths.
+    /// Columns as text, each over its largest number, in thousandths.
     std::string
     in_thousandths(const Eigen::MatrixXd &columns)
     {
-      const Eigen::MatrixXi digits =
-        (1000. / columns.lpNorm<Eigen::Infinity>() * columns)
-          .array()
-          .round()
-          .cast<int>();
       nlohmann::json text;
-      for (const auto &column : digits.colwise())
-        text.push_back(std::vector<int>(column.begin(), column.end()));
+      for (const auto &column : columns.colwise())
+        {
+          const Eigen::VectorXi digits =
+            (1000. / column.lpNorm<Eigen::Infinity>() * column)
+              .array()
+              .round()
+              .cast<int>();
+          text.push_back(std::vector<int>(digits.begin(), digits.end()));
+        }
       return text.dump();
     }
 
@@ -253,7 +255,21 @@ namespace PlateImpact
                      in_thousandths(
                        deflections(plate.discretization(),
                                    problem->system->unknowns(dual))));
-      RecordProperty("cells", in_thousandths(cells));
+      // logarithms to base ten of the sizes over the largest of all
+      const Eigen::MatrixXd decades =
+        (cells.cwiseAbs() / cells.lpNorm<Eigen::Infinity>())
+          .cwiseMax(1e-6)
+          .array()
+          .log10();
+      nlohmann::json contributed;
+      for (const auto &column : decades.colwise())
+        {
+          nlohmann::json of_cells;
+          for (const double value : column)
+            of_cells.push_back(std::round(100. * value) / 100.);
+          contributed.push_back(of_cells);
+        }
+      RecordProperty("cells", contributed.dump());
     }
 
 

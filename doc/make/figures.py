@@ -255,8 +255,9 @@ def mesh_film(run, seconds=1.5):
 
 
 def maps_of_waves(found):
-    """Corners [mm] of the cells of LessonTenWaves, and its maps, by cell a row per time: the
-    motion, the dual motion, and the size of what the cells contribute."""
+    """Corners [mm] of the cells of LessonTenWaves, and its maps, a row per time: the
+    motion and the dual motion, each in thousandths of its largest number at that time, and the
+    logarithm of what the cells contribute over the largest contribution of all."""
     vertices, motion, dual, cells = (np.array(json.loads(found[name]))
                                      for name in ("vertices", "motion", "dual", "cells"))
     x, y = (np.unique(np.round(1e3 * axis, 6)) for axis in vertices.T)
@@ -264,11 +265,11 @@ def maps_of_waves(found):
     centers = np.array(json.loads(found["centers"]))
     cell_order = np.lexsort((np.round(centers[:, 0], 9), np.round(centers[:, 1], 9)))
     on_grid = [field[:, order].reshape(-1, len(y), len(x)) for field in (motion, dual)]
-    parts = abs(cells[:, cell_order]).reshape(-1, len(y) - 1, len(x) - 1)
+    parts = cells[:, cell_order].reshape(-1, len(y) - 1, len(x) - 1)
     return x, y, [*on_grid, parts]
 
 
-WAVES = ("motion of the plate", "dual motion", "what the cells contribute")
+WAVES = ("motion of the plate", "dual motion", "contributions, logarithm to base ten")
 
 
 def waves(found, *shares):
@@ -281,7 +282,7 @@ def waves(found, *shares):
             at = round(share * (len(field) - 1))
             picture = axis.pcolormesh(x, y, field[at], cmap="viridis" if row == 2 else "RdBu_r",
                                       shading="flat" if row == 2 else "gouraud", rasterized=True,
-                                      vmin=0 if row == 2 else -1000, vmax=1000)
+                                      vmin=-5 if row == 2 else -500, vmax=0 if row == 2 else 500)
             axis.set(aspect="equal", title=title if share == shares[len(shares) // 2] else "")
             if row == 0:
                 axis.annotate(f"{share:.0%} of the time", (0.5, 0.9), xycoords="axes fraction",
@@ -299,11 +300,11 @@ def wave_film(found, seconds=0.25):
     lines = []
     for row, (title, field) in enumerate(zip(WAVES, fields)):
         base = 30 + row * (height + 30)
-        middle = base + (height if row == 2 else height / 2)
+        middle = base + (0 if row == 2 else 0.6 * height)
         abscissae = x if row < 2 else 0.5 * (x[1:] + x[:-1])
         across = left + (width - left - 10) * abscissae / x[-1]
-        scale = (height if row == 2 else height / 2) / 1000
-        shapes = ["M" + " L".join(f"{a:.1f},{middle - scale * value:.1f}"
+        scale = height / 5 if row == 2 else 0.6 * height / 1000
+        shapes = ["M" + " L".join(f"{a:.1f},{middle - scale * max(value, -5 if row == 2 else -1000):.1f}"
                                   for a, value in zip(across, frame[0]))
                   for frame in field]
         lines += [f'<text x="{left}" y="{base - 8}">{title}</text>',
