@@ -33,8 +33,8 @@ namespace PlateImpact
           samples[cell->active_cell_index()].row(g) =
             field(mapping.transform_unit_to_real_cell(cell, gauss.point(g)));
 
-      const StressRecovery  recovery(mesh);
-      RecoveredField        recovered(recovery, 5, [&](const unsigned int cell) {
+      const StressRecovery recovery(mesh);
+      RecoveredField       recovered(recovery, 5, [&](const unsigned int cell) {
         return samples[cell];
       });
       std::vector<Point<2>> unit_points;

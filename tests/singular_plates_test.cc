@@ -146,12 +146,11 @@ namespace PlateImpact
               mapping.transform_unit_to_real_cell(cell, point)));
           const unsigned int   c = coarse->active_cell_index();
           const RowMajorMatrix error =
-            resultants_at(
-              fine,
-              cell->active_cell_index(),
-              stiffness,
-              fine.shape(cell->active_cell_index()).at_quadrature,
-              z_fine) -
+            resultants_at(fine,
+                          cell->active_cell_index(),
+                          stiffness,
+                          fine.shape(cell->active_cell_index()).at_quadrature,
+                          z_fine) -
             resultants_at(model,
                           c,
                           stiffness,

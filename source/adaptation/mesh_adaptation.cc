@@ -319,6 +319,7 @@ namespace PlateImpact
              "errors, is doubled. [-]");
     entry("Sampling interval", "5", whole_number(1, 1000000), sampling_interval)
       .means("Time steps between samples of the error estimator; fewer where "
-             "the transient would have less than 20 samples.");
+             "the transient would have less than 20 samples, more where the "
+             "program chooses the step and there would be more than 1000.");
   }
 } // namespace PlateImpact

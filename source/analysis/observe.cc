@@ -14,8 +14,23 @@ namespace PlateImpact
     /// Fewer samples over the transient do not make an integral over time.
     constexpr unsigned int min_estimator_samples = 20;
 
+    /// More than these cost time alone, where the program chooses short steps.
+    constexpr unsigned int most_estimator_samples = 1000;
+
     /// Unknowns in all frames of a film: 64 MB.
     constexpr unsigned int most_frame_unknowns = 8000000;
+
+
+
+    unsigned int
+    sampling_interval_of(const Parameters &impact, const unsigned int n_steps)
+    {
+      const unsigned int least =
+        impact.time.step_is_chosen ? n_steps / most_estimator_samples : 0;
+      return std::clamp(n_steps / min_estimator_samples,
+                        1u,
+                        std::max(least, impact.adaptivity.sampling_interval));
+    }
 
 
 
@@ -40,9 +55,7 @@ namespace PlateImpact
         , charges(charges)
         , listener(listener)
         , n_steps(NewmarkScheme(impact.time).n_steps)
-        , sampling_interval(std::clamp(n_steps / min_estimator_samples,
-                                       1u,
-                                       impact.adaptivity.sampling_interval))
+        , sampling_interval(sampling_interval_of(impact, n_steps))
         , n_samples_at_once(std::min(n_steps / sampling_interval + 1,
                                      system.n_states_at_once()))
         , samples_per_frame(1 +

@@ -79,10 +79,12 @@ namespace PlateImpact
     if (last.extent == Extent::peak_search)
       {
         next.extent = Extent::to_peak;
-        if (peak > return_of_waves)
-          next.to_peak = std::max(last.to_peak, reserve * peak);
-        if (peak > return_of_waves && scene.time.step_is_chosen)
-          next.step = std::min(next.step, peak / fewest_steps_to_late_peak);
+        if (is_late(*seen.history))
+          {
+            next.to_peak = std::max(last.to_peak, reserve * peak);
+            if (scene.time.step_is_chosen)
+              next.step = std::min(next.step, peak / fewest_steps_to_late_peak);
+          }
         return next;
       }
     const bool is_end = is_whole(last, seen);
@@ -115,6 +117,14 @@ namespace PlateImpact
 
 
   bool
+  TimeControl::is_late(const ContactHistory &history) const
+  {
+    return history.peak().time > return_of_waves;
+  }
+
+
+
+  bool
   TimeControl::is_whole(const Window &window, const CycleResult &seen) const
   {
     const double end = scene.time.end_time; // 0 for that of the contact
@@ -131,8 +141,8 @@ namespace PlateImpact
     const double mesh_error = seen.peak_force_bar ? seen.peak_force_bar->space :
       seen.peak_force_error ? seen.peak_force_error->bar() :
                               0.;
-    const bool   is_late    = seen.history->peak().time > return_of_waves;
-    const double share      = is_late ? share_before_late_peak : share_of_time;
+    const double share =
+      is_late(*seen.history) ? share_before_late_peak : share_of_time;
     const double most =
       std::max(share * scene.adaptivity.target_peak_force_error,
                0.1 * mesh_error);

@@ -1,17 +1,9 @@
 #include "plate_impact/scene/scene_checker.h"
 
-#include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/text.h"
-#include "plate_impact/contact/contact_bodies.h"
-#include "plate_impact/contact/impactor.h"
-#include "plate_impact/contact/make_contact.h"
-#include "plate_impact/plate/layer_response.h"
 #include "plate_impact/plate/plate_geometry.h"
-#include "plate_impact/plate/plate_section.h"
 
 #include <algorithm>
-#include <cmath>
-#include <fmt/format.h>
 #include <tuple>
 
 namespace PlateImpact
@@ -39,17 +31,6 @@ namespace PlateImpact
   SceneChecker::is_given(const std::string &path) const
   {
     return entries.at(path).origin != "default";
-  }
-
-
-
-  void
-  SceneChecker::choose(const std::string &path,
-                       double            &variable,
-                       const double       value)
-  {
-    variable                = value;
-    entries.at(path).chosen = shortest(value);
   }
 
 
@@ -216,13 +197,12 @@ namespace PlateImpact
              "is below half of Newmark gamma, so that the scheme is unstable "
              "on fine meshes; expected at least " +
                number(0.5 * time.newmark_gamma));
-    if (plate.has_large_deflection() &&
-        (time.newmark_beta != 0.25 || time.newmark_gamma != 0.5))
+    if (plate.has_large_deflection() && !time.is_average_acceleration())
       refuse({"Plate/Deflection", "Time/Newmark beta", "Time/Newmark gamma"},
              "is integrated by the midpoint rule, which conserves energy; "
              "expected Newmark beta = 0.25 and Newmark gamma = 0.5");
     if (contact.integration == ForceIntegration::energy_conserving &&
-        (time.newmark_beta != 0.25 || time.newmark_gamma != 0.5))
+        !time.is_average_acceleration())
       refuse({"Contact/Integration", "Time/Newmark beta", "Time/Newmark gamma"},
              "needs Newmark beta = 0.25 and Newmark gamma = 0.5, which alone "
              "conserve energy; with others set Integration = collocation");
@@ -269,7 +249,7 @@ namespace PlateImpact
              "has no meaning under a point load, whose peak force does not "
              "converge under refinement; expected Load distribution = Hertz "
              "disc or uniform disc, or Goal = energy norm");
-    if (time.newmark_beta != 0.25 || time.newmark_gamma != 0.5)
+    if (!time.is_average_acceleration())
       refuse({"Adaptivity/Goal", "Time/Newmark beta", "Time/Newmark gamma"},
              "needs Newmark beta = 0.25 and Newmark gamma = 0.5; with others "
              "there is no error bar, set Goal = energy norm");
@@ -290,197 +270,5 @@ namespace PlateImpact
     const ComparisonParameters &comparison = parameters.comparison;
     refuse_repetition("Comparison/Strategies", comparison.strategies);
     refuse_repetition("Comparison/Elements", comparison.elements);
-  }
-
-
-
-  void
-  SceneChecker::complete()
-  {
-    if (!mistakes.empty() || !parameters.has_impactor())
-      return;
-    complete_impactor();
-    if (!expected)
-      return;
-    complete_time();
-    complete_contact();
-    if (!contact.has_patch() || contact.patch_radius > 0.)
-      complete_mesh();
-  }
-
-
-
-  void
-  SceneChecker::complete_impactor()
-  {
-    const Impactor mass_point = make_impactor(impactor);
-    if (!std::isnormal(mass_point.kinetic_energy()))
-      return refuse({"Impactor/Velocity", "Impactor/Mass", "Impactor/Radius"},
-                    "m/s gives the impactor an energy of " +
-                      fmt::format("{:.6g}", mass_point.kinetic_energy()) +
-                      " J, which is beyond what can be computed with");
-    if (impactor.mass == 0.)
-      choose("Impactor/Mass", impactor.mass, mass_point.mass);
-    try
-      {
-        expected.emplace(make_zener_impact(parameters));
-      }
-    catch (const ComputationError &error)
-      {
-        refuse({"Impactor/Velocity", "Impactor/Mass"},
-               "m/s gives no finite force in Zener's equation: " +
-                 std::string(error.what()));
-      }
-  }
-
-
-
-  void
-  SceneChecker::complete_time()
-  {
-    const bool is_for_peak = adaptivity.is_for_peak_force();
-    if (time.time_step == 0.)
-      {
-        TimeParameters to_choose = time;
-        // what the step really costs is measured (TimeControl)
-        if (is_for_peak)
-          to_choose.step_tolerance = adaptivity.target_peak_force_error;
-        choose("Time/Time step",
-               time.time_step,
-               expected->chosen_time_step(to_choose));
-        time.step_is_chosen = true;
-      }
-    if (is_for_peak && !is_given("Time/Ritz tolerance"))
-      choose("Time/Ritz tolerance",
-             time.ritz_tolerance,
-             0.02 * adaptivity.target_peak_force_error);
-    if (time.end_time / time.time_step > 1e8)
-      refuse({"Time/Time step", "Time/End time"},
-             "s needs more than 1e8 steps to reach End time, " +
-               number(time.end_time) + " s");
-    // a contact lasts about twice the time to its peak
-    const double longest_step = 25. * expected->contact_time();
-    if (time.time_step > longest_step)
-      refuse({"Time/Time step", "Impactor/Mass", "Impactor/Velocity"},
-             "s is more than 25 times as long as the contact, which Zener's "
-             "equation expects to last " +
-               number(expected->contact_time()) + " s; expected at most " +
-               number(longest_step) + " s");
-  }
-
-
-
-  void
-  SceneChecker::check_layer(const bool radius_is_given)
-  {
-    const double largest = make_contact(parameters).largest_force();
-    if (expected->peak.force <= largest)
-      return;
-    const std::string forces = number(largest, "N") +
-      ", and Zener's equation expects " + number(expected->peak.force, "N") +
-      "; expected ";
-    if (radius_is_given)
-      refuse({"Contact/Patch radius", "Contact/Local response"},
-             "m is so small that the local response of a layer holds "
-             "up to " +
-               forces + "0, a larger radius, or Local response = half-space");
-    else
-      refuse({plate.is_laminate() ? "Ply/Transverse modulus" :
-                                    "Plate/Young's modulus",
-              "Impactor/Velocity",
-              "Impactor/Radius",
-              "Impactor/Young's modulus",
-              "Plate/Thickness"},
-             "makes the contact as wide as the plate is thick: the "
-             "local response of a layer holds up to " +
-               forces +
-               "a stiffer plate, a slower or smaller impactor, or "
-               "Contact/Local response = half-space");
-  }
-
-
-
-  void
-  SceneChecker::complete_contact()
-  {
-    impactor.contact_radius =
-      ContactBodies(parameters, expected->section)
-        .radius(expected->peak.force, expected->peak.indentation);
-    if (!contact.has_patch())
-      return;
-    const bool is_layer = contact.local_response == LocalResponse::layer;
-    if (contact.patch_radius > 0.)
-      {
-        if (is_layer)
-          check_layer(/*radius_is_given=*/true);
-        return;
-      }
-    const double thickness = plate.thickness;
-    const double to_edge   = geometry_of(plate)->distance_to_edge();
-    if (is_layer)
-      {
-        // the functional with div theta stands in for radii that are too small
-        const double of_layer = thickness *
-          std::max(0.2,
-                   LayerResponse(PlateSection(plate), contact.load_distribution)
-                     .patch_radius());
-        if (of_layer > to_edge)
-          return refuse({"Plate/Impact point",
-                         "Plate/Side lengths",
-                         "Contact/Patch radius"},
-                        "m is only " + number(to_edge) +
-                          " m from an edge, less than the radius of the load "
-                          "patch, " +
-                          number(of_layer) +
-                          " m; expected a point farther from the edge");
-        choose("Contact/Patch radius", contact.patch_radius, of_layer);
-        return check_layer(/*radius_is_given=*/false);
-      }
-    const double radius = impactor.contact_radius;
-    if (radius > to_edge)
-      return refuse({"Contact/Patch radius",
-                     "Plate/Side lengths",
-                     "Impactor/Radius",
-                     "Impactor/Velocity"},
-                    "lets the program choose the Hertz contact radius, "
-                    "which is " +
-                      number(radius) +
-                      " m and reaches beyond the plate; "
-                      "expected a larger plate, or a smaller "
-                      "or slower impactor");
-    // one of few, so that similar impactors share their load; what that changes
-    // of the radius, half a per cent at most, is a ten thousandth of the force
-    // of the steel case
-    choose("Contact/Patch radius",
-           contact.patch_radius,
-           thickness *
-             std::exp2(std::lround(64. * std::log2(radius / thickness)) / 64.));
-  }
-
-
-
-  void
-  SceneChecker::complete_mesh()
-  {
-    // a round plate is the same wherever a sphere strikes at one radius, and
-    // half of it is enough
-    double turn = 0.;
-    if (auto &point = plate.impact_point;
-        plate.is_circle() && !plate.is_laminate() && !impactor.is_cylinder())
-      {
-        turn  = std::atan2(point[1], point[0]);
-        point = {{std::hypot(point[0], point[1]), 0.}};
-      }
-    place_singular_points(turn);
-    if (adaptivity.maximum_cell_size == 0.)
-      choose("Adaptivity/Maximum cell size",
-             adaptivity.maximum_cell_size,
-             initial_cell_size(parameters));
-    adaptivity.minimum_cell_size_is_chosen = adaptivity.minimum_cell_size == 0.;
-    if (adaptivity.minimum_cell_size_is_chosen)
-      choose("Adaptivity/Minimum cell size",
-             adaptivity.minimum_cell_size,
-             0.25 *
-               (contact.has_patch() ? contact.patch_radius : plate.thickness));
   }
 } // namespace PlateImpact

@@ -95,6 +95,7 @@ namespace PlateImpact
     unsigned int               cells_above_limit = 0; ///< xi' >= 1
     unsigned int cells_at_minimum_size = 0;     ///< of these, not to be refined
     std::optional<PeakForceBar> peak_force_bar; ///< none on blind meshes
+    bool peak_is_late = false; ///< after waves are back from the edges
   };
 
   /// Result of one mesh: the last transient on it, and what it is worth.

@@ -245,6 +245,13 @@ namespace PlateImpact
     bool   end_is_chosen  = false; ///< that of the first contact
     double end_of_vectors = 0.;    ///< of Ritz vectors, if after end_time
 
+    /// The scheme of Newmark that conserves energy.
+    bool
+    is_average_acceleration() const
+    {
+      return newmark_beta == 0.25 && newmark_gamma == 0.5;
+    }
+
     auto
     members() const
     {

@@ -80,8 +80,8 @@ namespace PlateImpact
     /// sqrt(D_11 D_22 (1 + eta) / 2), eta = (D_12 + 2 D_66) / sqrt(D_11 D_22)
     /// (Olsson, AIAA J. 30, 1992, p. 1587). [N m]
     /// With D_16 or D_26 the mean over directions of D^{-1/2}, to the power -2.
-    /// Of a section that is not symmetric with the middle surface relaxed, D - B
-    /// A^-1 B.
+    /// Of a section that is not symmetric with the middle surface relaxed, D -
+    /// B A^-1 B.
     double
     mean_bending_stiffness() const;
 

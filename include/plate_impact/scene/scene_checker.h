@@ -104,6 +104,8 @@ namespace PlateImpact
     void
     check_comparison();
 
+    // of what is 0, in scene_completion.cc
+
     void
     complete_impactor();
     void

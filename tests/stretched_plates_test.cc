@@ -1,0 +1,195 @@
+// Whole impacts on plates that stretch.
+#include "program_fixture.h"
+#include "test_plate.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace PlateImpact
+{
+  namespace
+  {
+    class StretchedPlates : public Program
+    {
+    protected:
+      const std::string coarse = " --set 'Adaptivity/Strategy=none'"
+                                 " --set 'Discretization/Initial cells=4, 4'";
+
+      /// The main scene on a thin plate that stretches.
+      int
+      run_large(const std::string &more)
+      {
+        return run(SCENES "/sphere-on-steel-plate.prm",
+                   "--set Plate/Deflection=large --set Plate/Thickness=0.002 " +
+                     coarse + more);
+      }
+    };
+
+
+
+    // Axisymmetric elements of high order; the forces sit on ripples.
+    TEST_F(StretchedPlates, AreThoseOfTheReference)
+    {
+      for (const auto &given : reference("stretch_cases.json"))
+        for (const std::string theory : {"large", "linear"})
+          {
+            const auto       &plate = given["plate"], &ball = given["impactor"];
+            const std::string scene = SCENES "/aluminium-sheet.prm";
+            std::string       text;
+            const auto        set = [&text](const std::string    &path,
+                                     const nlohmann::json &value) {
+              text += " --set \"" + path + "=" + value.dump() + "\"";
+            };
+            set("Plate/Thickness", plate["thickness"]);
+            set("Plate/Young's modulus", plate["E"]);
+            set("Plate/Poisson's ratio", plate["nu"]);
+            set("Plate/Density", plate["rho"]);
+            set("Contact/Patch radius", plate["patch_radius"]);
+            set("Impactor/Radius", ball["radius"]);
+            set("Impactor/Mass", ball["mass"]);
+            set("Impactor/Velocity", given["velocity"]);
+            set("Time/End time", given["end_time"]);
+            const double diameter = 2. * plate["radius"].get<double>();
+            ASSERT_EQ(run(scene,
+                          text + " --set Plate/Deflection=" + theory +
+                            " --set 'Plate/Side lengths=" +
+                            std::to_string(diameter) + ", " +
+                            std::to_string(diameter) + "'"),
+                      0)
+              << err;
+            const auto  last     = last_cycle();
+            const auto &expected = given[theory];
+            EXPECT_NEAR(last["max_plate_displacement"].get<double>() /
+                          expected["max_plate_displacement"].get<double>(),
+                        1.,
+                        0.01)
+              << given["name"] << theory;
+            EXPECT_NEAR(last["final_impactor_velocity"].get<double>(),
+                        expected["velocity_at_end"].get<double>(),
+                        0.02 * given["velocity"].get<double>())
+              << given["name"] << theory;
+            EXPECT_LT(last["relative_energy_drift"], 1e-9);
+          }
+    }
+
+
+
+    // Ball and plate as elastic bodies with finite rotations (CalculiX,
+    // NLGEOM): no plate theory, no law of contact.
+    TEST_F(StretchedPlates, AgreeWithElasticBodies)
+    {
+      const auto  given = reference("calculix_stretch_cases.json").front();
+      const auto &plate = given["plate"], &ball = given["impactor"];
+      const auto &bodies = given["runs"].back();
+      const auto  value  = [](const nlohmann::json &number) {
+        return number.dump() + "'";
+      };
+      const std::string side =
+        std::to_string(2. * plate["radius"].get<double>());
+      ASSERT_EQ(
+        run(SCENES "/aluminium-sheet.prm",
+            "--set 'Plate/Side lengths=" + side + ", " + side +
+              "' --set 'Plate/Thickness=" + value(plate["thickness"]) +
+              " --set 'Impactor/Radius=" + value(ball["radius"]) +
+              " --set 'Impactor/Mass=0' --set 'Impactor/Density=" +
+              value(ball["rho"]) +
+              " --set 'Impactor/Velocity=" + value(given["velocity"]) +
+              " --set 'Time/End time=" + value(given["end_time"]) +
+              " --set 'Contact/Local response=layer' --set 'Contact/Patch "
+              "radius=0' --set 'Adaptivity/Target error=0.03'"),
+        0)
+        << err;
+      const auto last = last_cycle();
+      for (const char *quantity : {"max_plate_displacement", "peak_force"})
+        EXPECT_NEAR(last[quantity].get<double>() /
+                      bodies[quantity].get<double>(),
+                    1.,
+                    0.02)
+          << quantity;
+      EXPECT_NEAR(-last["final_impactor_velocity"].get<double>(),
+                  bodies["rebound_velocity"].get<double>(),
+                  0.02 * given["velocity"].get<double>());
+    }
+
+
+
+    TEST_F(StretchedPlates, SlowBallsStrikeALinearPlate)
+    {
+      const std::string slow = " --set Impactor/Velocity=0.001 --set "
+                               "'Time/Integrator=Newmark'";
+      ASSERT_EQ(run_large(slow), 0) << err;
+      const auto large = last_cycle();
+      ASSERT_EQ(run_large(slow + " --set Plate/Deflection=linear"), 0) << err;
+      for (const char *quantity :
+           {"peak_force", "max_plate_displacement", "final_impactor_velocity"})
+        EXPECT_NEAR(large[quantity].get<double>() /
+                      last_cycle()[quantity].get<double>(),
+                    1.,
+                    1e-4)
+          << quantity;
+    }
+
+
+
+    TEST_F(StretchedPlates, EnergyIsKeptAtAnyStep)
+    {
+      for (const std::string step : {"2e-7", "2e-6", "2e-5"})
+        {
+          ASSERT_EQ(run_large(" --set Impactor/Velocity=30 --set 'Time/End "
+                              "time=4e-4' --set 'Time/Time step=" +
+                              step + "'"),
+                    0)
+            << err;
+          EXPECT_GT(last_cycle()["max_plate_displacement"], 0.002);
+          EXPECT_LT(last_cycle()["relative_energy_drift"], 1e-9) << step;
+        }
+    }
+
+
+
+    TEST_F(StretchedPlates, DampingIsInTheBalance)
+    {
+      ASSERT_EQ(run_large(" --set Impactor/Velocity=10 --set 'Time/End "
+                          "time=4e-4' --set 'Time/Time step=2e-6' --set "
+                          "'Plate/Loss factor=0.01'"),
+                0)
+        << err;
+      EXPECT_GT(last_cycle()["plate_dissipated_energy"], 0.);
+      EXPECT_LT(last_cycle()["relative_energy_drift"], 1e-9);
+    }
+
+
+
+    TEST_F(StretchedPlates, AHalfIsTheTwoQuarters)
+    {
+      const std::string sliding =
+        " --set 'Plate/In-plane support=sliding, held' --set "
+        "Impactor/Velocity=10 --set 'Time/Time step=1e-6'";
+      ASSERT_EQ(run_large(sliding), 0) << err;
+      const double quarter = last_cycle()["peak_force"];
+      ASSERT_EQ(run_large(sliding +
+                          " --set 'Plate/Impact point=1e-12, 0' "
+                          "--set 'Discretization/Initial cells=8, "
+                          "4'"),
+                0)
+        << err;
+      EXPECT_NEAR(last_cycle()["peak_force"].get<double>() / quarter, 1., 1e-6);
+    }
+
+
+
+    TEST_F(StretchedPlates, FieldsShowWhatStretches)
+    {
+      ASSERT_EQ(run_large(" --set Impactor/Velocity=10 --set 'Time/Time "
+                          "step=1e-6' --set 'Output/Field samples=1'"),
+                0)
+        << err;
+      const std::string fields = text(results() / "fields_0.vtu");
+      for (const char *name : {"displacement_x", "membrane_force_xy"})
+        EXPECT_NE(fields.find(name), std::string::npos) << name;
+      EXPECT_NE(text(results() / "report.html").find("membrane force N_x"),
+                std::string::npos);
+    }
+  } // namespace
+} // namespace PlateImpact
