@@ -114,6 +114,59 @@ namespace PlateImpact
 
 
 
+    // Curvature and stretch along x at once: what each ply bears follows from
+    // its own modulus, and tells the sign of the coupling.
+    TEST(CoupledLayups, StressesAreThoseOfThePlies)
+    {
+      const PlateParameters plate =
+        unsymmetric_plate({0., 90.}, InPlaneSupport::sliding);
+      const PlateSection section(plate);
+      const double       t = plate.thickness, curvature = 0.3, stretch = 0.01;
+      Eigen::VectorXd    strains = Eigen::VectorXd::Zero(8);
+      strains[0]                 = curvature;
+      strains[5]                 = stretch;
+      const Eigen::MatrixXd stresses =
+        section.stresses(section.stiffness() * strains);
+      // the upper ply, on the struck side, is stretched where M compresses
+      const double minor = plate.ply.poissons_ratio *
+        plate.ply.transverse_modulus / plate.ply.longitudinal_modulus,
+                   share = 1. / (1. - minor * plate.ply.poissons_ratio);
+      EXPECT_NEAR(stresses(0, 0) /
+                    (share * plate.ply.longitudinal_modulus *
+                     (stretch + 0.5 * curvature * t)),
+                  1.,
+                  1e-10);
+      EXPECT_NEAR(stresses(1, 1) /
+                    (share * plate.ply.transverse_modulus *
+                     std::max(stretch,
+                              std::abs(stretch - 0.5 * curvature * t))),
+                  1.,
+                  1e-10);
+    }
+
+
+
+    // Equal wave speeds of bending and stretching along x, which the coupling
+    // parts: (Q_11 + Q_22) / 2 and sqrt(12) / 8 (Q_11 - Q_22) over the density.
+    TEST(CoupledLayups, WavesOfBendingAndStretchingAreCoupled)
+    {
+      const PlateParameters plate =
+        unsymmetric_plate({0., 90.}, InPlaneSupport::sliding);
+      const double minor = plate.ply.poissons_ratio *
+        plate.ply.transverse_modulus / plate.ply.longitudinal_modulus,
+                   share  = 1. / (1. - minor * plate.ply.poissons_ratio);
+      const double along  = share * plate.ply.longitudinal_modulus,
+                   across = share * plate.ply.transverse_modulus;
+      EXPECT_NEAR(PlateSection(plate).fastest_wave() /
+                    std::sqrt((0.5 * (along + across) +
+                               std::sqrt(12.) / 8. * (along - across)) /
+                              plate.density),
+                  1.,
+                  1e-10);
+    }
+
+
+
     class CoupledLayupsRun : public Program
     {};
 
@@ -137,6 +190,34 @@ namespace PlateImpact
       EXPECT_GT(frequency(held), 1.05 * sliding);
       EXPECT_GT(frequency(symmetric), 1.2 * sliding);
       EXPECT_EQ(frequency(symmetric), frequency(symmetric + held));
+    }
+
+
+
+    // Supports that leave some motions in the plane as a rigid body, which are
+    // not taken for vibrations: a shift, a turn of a round plate.
+    TEST_F(CoupledLayupsRun, PlatesMayMoveInTheirPlane)
+    {
+      const std::string loose =
+        " --set 'Plate/Loss factor=0.01' --set 'Discretization/Initial "
+        "cells=6, 6' --set Adaptivity/Strategy=none --set 'Output/Natural "
+        "frequencies=2' --set 'Time/End time=2e-5' --set 'Plate/Impact "
+        "point=0.005, 0.003' ";
+      for (const std::string support :
+           {"--set 'Plate/In-plane support=held across, sliding'",
+            "--set 'Plate/In-plane support=sliding, held across'",
+            "--set 'Plate/In-plane support=held along, sliding'",
+            "--set 'Plate/In-plane support=sliding'",
+            "--set 'Plate/In-plane support=held across' --set "
+            "Plate/Outline=circle --set 'Plate/Side lengths=0.1, 0.1' --set "
+            "Plate/Layup=45/-45"})
+        {
+          ASSERT_EQ(run(SCENES "/laminate-unsymmetric.prm", loose + support), 0)
+            << support << err;
+          const auto frequencies = last_cycle()["natural_frequencies"];
+          ASSERT_EQ(frequencies.size(), 2) << support << err;
+          EXPECT_GT(frequencies[0], 100.) << support;
+        }
     }
   } // namespace
 } // namespace PlateImpact

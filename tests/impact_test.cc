@@ -184,7 +184,6 @@ namespace PlateImpact
 
 
 
-    /// Counts what it is told.
     TEST(Impact, LoadsOfAPlateNeedNoOrder)
     {
       const auto plate_for = [](const Parameters &parameters) {

@@ -136,7 +136,7 @@ namespace PlateImpact
                           rule["shear_stiffness"][i][j].get<double>(),
                           2e-3 * scale)
                 << one["name"];
-          EXPECT_EQ(section.twists_when_bent(),
+          EXPECT_EQ(section.is_skew(),
                     std::abs(rule["D"][0][2].get<double>()) > 1e-6)
             << one["name"];
         }

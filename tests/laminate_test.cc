@@ -145,7 +145,7 @@ namespace PlateImpact
           expect_near(D(2, 2), given["D"][3], 1e-7);
           expect_near(section.shear_stiffness(1, 1), given["A44"], 1e-7);
           expect_near(section.shear_stiffness(0, 0), given["A55"], 1e-7);
-          EXPECT_FALSE(section.twists_when_bent());
+          EXPECT_FALSE(section.is_skew());
           EXPECT_FALSE(section.is_unsymmetric());
         }
     }
@@ -178,7 +178,7 @@ namespace PlateImpact
         }
       EXPECT_LT((section.stiffness() - known.stiffness()).norm(),
                 1e-14 * known.stiffness().norm());
-      EXPECT_FALSE(section.twists_when_bent());
+      EXPECT_FALSE(section.is_skew());
       EXPECT_NEAR(section.mean_bending_stiffness(),
                   known.bending_stiffness(0, 0),
                   1e-15);
@@ -203,7 +203,7 @@ namespace PlateImpact
         plate_of(reference("laminate_cases.json")[0]["plate"]);
       plate.layup.angles = {45.};
       const PlateSection turned(plate);
-      EXPECT_TRUE(turned.twists_when_bent());
+      EXPECT_TRUE(turned.is_skew());
       EXPECT_FALSE(turned.is_unsymmetric());
       plate.layup.angles = {0.};
       const PlateSection straight(plate);

@@ -229,8 +229,18 @@ namespace PlateImpact
         "--set Impactor/Mass=30 --set Impactor/Velocity=0.14 --set 'Time/End "
         "time=0' --set 'Time/Time step=0' --set 'Adaptivity/Target peak force "
         "error=";
-      ASSERT_EQ(run(main_scene, heavy + "2e-3'"), 0) << err;
-      const auto fine = last_cycle();
+      ASSERT_EQ(run(main_scene, heavy + "5e-4'"), 0) << err;
+      const auto fine = last_cycle(), cycles = summary()["cycles"];
+      // once there is a bar every cell is halved, as far as the smallest size
+      // allows it, and there are steps enough
+      const auto before = cycles[cycles.size() - 2];
+      ASSERT_TRUE(before.contains("peak_force_error_bar"));
+      EXPECT_GT(fine["cells"], 3. * before["cells"].get<int>());
+      EXPECT_LE(fine["cells"], 4 * before["cells"].get<int>());
+      EXPECT_GE(fine["time_of_peak_force"].get<double>() /
+                  fine["time_step"].get<double>(),
+                128.);
+      EXPECT_LT(fine["peak_force_error_time"], 0.1 * 5e-4);
       ASSERT_EQ(run(main_scene, heavy + "2e-2'"), 0) << err;
       const auto   last  = last_cycle();
       const double error = std::abs(last["peak_force"].get<double>() /

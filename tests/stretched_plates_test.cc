@@ -190,6 +190,12 @@ namespace PlateImpact
         EXPECT_NE(fields.find(name), std::string::npos) << name;
       EXPECT_NE(text(results() / "report.html").find("membrane force N_x"),
                 std::string::npos);
+      // the middle of the plate is pulled under the load, both ways alike
+      const auto recovered =
+        study_of("report.html")["stresses"][0]["lines"][0]["recovered"];
+      const double along_x = recovered[5][0], along_y = recovered[6][0];
+      EXPECT_GT(along_x, 100.);
+      EXPECT_NEAR(along_y / along_x, 1., 1e-6);
     }
   } // namespace
 } // namespace PlateImpact

@@ -159,7 +159,8 @@ namespace PlateImpact
             std::max(least, std::sqrt(std::abs(cell) / share)));
         if (!result.peak_force_bar && result.time_error)
           refine_at_load(cycle, error);
-        else if (result.peak_force_bar && result.peak_is_late)
+        else if (result.peak_force_bar && result.peak_is_late &&
+                 result.history->peak_is_on_ripples())
           refine_everywhere(error);
         return error;
       }

@@ -216,7 +216,8 @@ namespace PlateImpact
   ModelLimits::check_slopes(const double mean_slope)
   {
     // of a dent that grows straight to the load, and twice that in a clamped
-    // plate; von Karman leaves out the fourth power beside the square
+    // plate; von Karman's rotations are moderate, 10 to 15 degrees, and leave
+    // out the square of the slope beside one
     const double slope = 2. * mean_slope;
     leaves("slopes", slope * slope);
     limit(slope,

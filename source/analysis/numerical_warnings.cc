@@ -1,4 +1,5 @@
 #include "plate_impact/analysis/goal.h"
+#include "plate_impact/analysis/time_control.h"
 #include "plate_impact/analysis/warnings.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/plate/plate_mesh.h"
@@ -27,7 +28,8 @@ namespace PlateImpact
           // the mesh has its share of a target for the force
           const double error  = *result.time_error,
                        wanted = adaptivity.is_for_peak_force() ?
-            0.3 * adaptivity.target_peak_force_error :
+            share_of_step(result.peak_is_late) *
+              adaptivity.target_peak_force_error :
             1e-3;
           if (error <= (adaptivity.is_for_peak_force() ?
                           0.5 * adaptivity.target() :
@@ -140,7 +142,8 @@ namespace PlateImpact
         about(largest_cell, "m"),
         about(length, "m"),
         adaptivity.goal == AdaptationGoal::peak_force ||
-            !adaptivity.is_adaptive() ?
+            !adaptivity.is_adaptive() ||
+            parameters.plate.has_large_deflection() ?
           "cells of at most half of it" :
           "Adaptivity/Goal = peak force, whose first mesh has small cells at "
           "the load, and more Maximum cycles")};

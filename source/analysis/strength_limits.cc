@@ -30,14 +30,13 @@ namespace PlateImpact
     if (plate.yield_strength == 0. || !result.error ||
         result.error->max_stresses.size() != 1)
       return;
-    const double bending = result.error->max_stresses(0, 0);
-    limit(
-      bending,
-      plate.yield_strength,
-      "the bending stress of the plate reaches {}, beyond its yield strength, "
-      "{}: the plate itself yields, which the model leaves out",
-      about(bending, "Pa"),
-      about(plate.yield_strength, "Pa"));
+    const double largest = result.error->max_stresses(0, 0);
+    limit(largest,
+          plate.yield_strength,
+          "the stress at the faces of the plate reaches {}, beyond its yield "
+          "strength, {}: the plate itself yields, which the model leaves out",
+          about(largest, "Pa"),
+          about(plate.yield_strength, "Pa"));
   }
 
 

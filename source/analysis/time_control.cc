@@ -12,10 +12,6 @@ namespace PlateImpact
 {
   namespace
   {
-    /// The part of the target that the time step may take; before a late peak,
-    /// where a step costs next to nothing in Ritz vectors, it is less.
-    constexpr double share_of_time = 0.3, share_before_late_peak = 0.1;
-
     /// Steps to a late peak, at least: with fewer the error of the step is not
     /// yet told (measured on random heavy impactors with 30 to 1000 steps).
     constexpr double fewest_steps_to_late_peak = 128.;
@@ -141,8 +137,7 @@ namespace PlateImpact
     const double mesh_error = seen.peak_force_bar ? seen.peak_force_bar->space :
       seen.peak_force_error ? seen.peak_force_error->bar() :
                               0.;
-    const double share =
-      is_late(*seen.history) ? share_before_late_peak : share_of_time;
+    const double share      = share_of_step(is_late(*seen.history));
     const double most =
       std::max(share * scene.adaptivity.target_peak_force_error,
                0.1 * mesh_error);

@@ -106,10 +106,13 @@ namespace PlateImpact
       if (!adaptivity.is_for_peak_force())
         cells *= std::max(1., result.error->eta / adaptivity.target_error);
       else if (result.peak_force_bar)
-        for (double bar = result.peak_force_bar->total();
-             bar > adaptivity.target_peak_force_error;
-             bar /= fall_by_halved_cells)
-          cells *= 4.;
+        cells *=
+          std::pow(4.,
+                   std::ceil(
+                     std::max(0.,
+                              std::log(result.peak_force_bar->total() /
+                                       adaptivity.target_peak_force_error) /
+                                std::log(fall_by_halved_cells))));
       return {std::min(cells, 1. * adaptivity.maximum_cells),
               1. * result.steps};
     }

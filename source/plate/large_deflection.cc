@@ -6,19 +6,13 @@
 
 namespace PlateImpact
 {
-  namespace
-  {
-    constexpr int n_strains = 8, first_of_membrane = 5;
-  }
-
-
-
   LargeDeflection::LargeDeflection(const PlateDiscretization &plate)
     : plate(plate)
     , membrane_stiffness(plate.section().membrane_stiffness)
   {
-    const PlateSection &section = plate.section();
-    const auto         &element = plate.element().finite_element();
+    const PlateSection   &section    = plate.section();
+    const Eigen::MatrixXd of_strains = section.stiffness().bottomRows<3>();
+    const auto           &element    = plate.element().finite_element();
     for (unsigned int i = 0; i < element.n_dofs_per_cell(); ++i)
       {
         const unsigned int component =
@@ -46,8 +40,8 @@ namespace PlateImpact
           shape.at_quadrature.linear(Eigen::all, causes);
         for (std::size_t q = 0; q < shape.weights.size(); ++q)
           added.forces_of_unknowns.middleRows<3>(3 * q) = shape.weights[q] *
-            section.stiffness().bottomRows<3>() *
-            strains.middleRows<n_strains>(n_strains * q);
+            of_strains *
+            strains.middleRows(of_strains.cols() * q, of_strains.cols());
       }
   }
 
@@ -140,40 +134,42 @@ namespace PlateImpact
 
 
 
-  std::unique_ptr<Epetra_CrsMatrix>
-  LargeDeflection::tangent(const StretchedPlate &begin,
-                           const StretchedPlate &end,
-                           const double          damping,
-                           const bool            with_stresses) const
+  void
+  LargeDeflection::add_tangent(const StretchedPlate &begin,
+                               const StretchedPlate &end,
+                               const double          damping,
+                               const bool            with_stresses,
+                               Epetra_CrsMatrix     &sum) const
   {
-    const Eigen::MatrixXd stiffness = plate.section().stiffness();
-    return plate.assemble([&](const unsigned int cell, CellMatrix &K) {
-      const CellShape      &of_cell = plate.shape(cell);
-      const Eigen::VectorXd slopes =
-        0.5 * (begin.slopes.col(cell) + end.slopes.col(cell));
-      const Eigen::MatrixXd of_deflections =
-        of_cell.at_quadrature.of_squares * SlopeSquares::derivative(slopes);
-      Eigen::MatrixXd strains = of_cell.at_quadrature.linear;
-      for (std::size_t q = 0; q < of_cell.weights.size(); ++q)
-        for (std::size_t node = 0; node < deflections.size(); ++node)
-          strains.col(deflections[node])
-            .segment<3>(n_strains * q + first_of_membrane) +=
-            of_deflections.col(node).segment<3>(3 * q);
-      Eigen::MatrixXd resultants(strains.rows(), strains.cols());
-      for (std::size_t q = 0; q < of_cell.weights.size(); ++q)
-        resultants.middleRows<n_strains>(n_strains * q).noalias() =
-          (1. + 2. * damping) * of_cell.weights[q] * stiffness *
-          strains.middleRows<n_strains>(n_strains * q);
-      K.noalias() = strains.transpose() * resultants;
-      if (!with_stresses)
-        return;
-      const Eigen::VectorXd halfway =
-        0.5 * (begin.strains.col(cell) + end.strains.col(cell));
-      const Eigen::VectorXd forces =
-        0.5 * (begin.forces.col(cell) + end.forces.col(cell)) +
-        forces_of(shape(cell), halfway);
-      K(deflections, deflections) += SlopeSquares::second_derivative(
-        of_cell.at_quadrature.of_squares.transpose() * forces);
-    });
+    plate.add_cells(
+      [&](const unsigned int cell, CellMatrix &K) {
+        const Eigen::MatrixXd &of_squares =
+          plate.shape(cell).at_quadrature.of_squares;
+        const Eigen::VectorXd slopes =
+          0.5 * (begin.slopes.col(cell) + end.slopes.col(cell));
+        const Eigen::MatrixXd strains =
+          (1. + 2. * damping) * of_squares * SlopeSquares::derivative(slopes);
+        Eigen::MatrixXd forces(strains.rows(), strains.cols());
+        for (Eigen::Index node = 0; node < strains.cols(); ++node)
+          forces.col(node) = forces_of(shape(cell), strains.col(node));
+        const Eigen::MatrixXd of_causes =
+          shape(cell).forces_of_unknowns.transpose() * strains;
+        K.setZero(plate.element().finite_element().n_dofs_per_cell(),
+                  plate.element().finite_element().n_dofs_per_cell());
+        K(deflections, deflections) =
+          strains.transpose() * forces / (1. + 2. * damping);
+        K(causes, deflections) += of_causes;
+        K(deflections, causes) += of_causes.transpose();
+        if (!with_stresses)
+          return;
+        const Eigen::VectorXd halfway =
+          0.5 * (begin.strains.col(cell) + end.strains.col(cell));
+        const Eigen::VectorXd stresses =
+          0.5 * (begin.forces.col(cell) + end.forces.col(cell)) +
+          forces_of(shape(cell), halfway);
+        K(deflections, deflections) +=
+          SlopeSquares::second_derivative(of_squares.transpose() * stresses);
+      },
+      sum);
   }
 } // namespace PlateImpact

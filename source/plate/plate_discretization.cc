@@ -5,6 +5,7 @@
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/vector.h>
 #include <deal.II/numerics/rtree.h>
 #include <deal.II/numerics/vector_tools_interpolate.h>
 
@@ -100,6 +101,49 @@ namespace PlateImpact
       matrix->FillComplete();
       return matrix;
     }
+
+
+
+    /// A motion as a rigid body: along z, about y and x, and of plates that
+    /// stretch along x and y and about z.
+    class RigidMotion : public Function<2>
+    {
+    public:
+      RigidMotion(const unsigned int n_components,
+                  const unsigned int which,
+                  const double       size)
+        : Function<2>(n_components)
+        , which(which)
+        , size(size)
+      {}
+
+      static std::vector<RigidMotion>
+      all(const unsigned int n_components, const double size)
+      {
+        std::vector<RigidMotion> motions;
+        for (unsigned int which = 0; which < (n_components > 3 ? 6 : 3);
+             ++which)
+          motions.emplace_back(n_components, which, size);
+        return motions;
+      }
+
+      double
+      value(const Point<2> &p, const unsigned int component) const override
+      {
+        const double x = p[0] / size, y = p[1] / size;
+        const double values[6][5] = {{1., 0., 0., 0., 0.},
+                                     {x, 1. / size, 0., 0., 0.},
+                                     {y, 0., 1. / size, 0., 0.},
+                                     {0., 0., 0., 1., 0.},
+                                     {0., 0., 0., 0., 1.},
+                                     {0., 0., 0., -y, x}};
+        return values[which][component];
+      }
+
+    private:
+      unsigned int which;
+      double       size;
+    };
   } // namespace
 
 
@@ -126,7 +170,7 @@ namespace PlateImpact
     dofs.distribute_dofs(element.finite_element());
     DoFTools::make_hanging_node_constraints(dofs, constraints);
     plate_element.add_internal_constraints(dofs, constraints);
-    held = hold_edges(dofs, *geometry_of(plate), constraints);
+    holds_deflection = hold_edges(dofs, *geometry_of(plate), constraints);
     constraints.close();
     unknowns.reinit(dofs, constraints);
     find_shapes();
@@ -198,19 +242,17 @@ namespace PlateImpact
 
 
 
-  std::unique_ptr<Epetra_CrsMatrix>
-  PlateDiscretization::assemble(
-    const std::function<void(unsigned int, CellMatrix &)> &of_cell) const
+  void
+  PlateDiscretization::add_cells(
+    const std::function<void(unsigned int, CellMatrix &)> &of_cell,
+    Epetra_CrsMatrix                                      &sum) const
   {
-    auto sum = std::make_unique<Epetra_CrsMatrix>(*K);
-    sum->PutScalar(0.);
     CellMatrix matrix;
     for (unsigned int cell = 0; cell < shape_of_cell.size(); ++cell)
       {
         of_cell(cell, matrix);
-        add_cell_matrix(cell, multiplicity * matrix, *sum);
+        add_cell_matrix(cell, multiplicity * matrix, sum);
       }
-    return sum;
   }
 
 
@@ -345,6 +387,35 @@ namespace PlateImpact
                              field,
                              values);
     return unknowns.of_nodal_values(values);
+  }
+
+
+
+  unsigned int
+  PlateDiscretization::n_rigid_motions() const
+  {
+    // of a size that makes all columns alike
+    const double                   size = GridTools::diameter(mesh());
+    const std::vector<RigidMotion> motions =
+      RigidMotion::all(dofs.get_fe().n_components(), size);
+    // by how much each fails what is held, all of which is at the boundary
+    const IndexSet  boundary = DoFTools::extract_boundary_dofs(dofs);
+    Eigen::MatrixXd misfit(boundary.n_elements(), motions.size());
+    for (std::size_t k = 0; k < motions.size(); ++k)
+      {
+        Vector<double> values(dofs.n_dofs());
+        VectorTools::interpolate(mapping_of(mesh()), dofs, motions[k], values);
+        Vector<double> held = values;
+        constraints.distribute(held);
+        for (unsigned int i = 0; i < boundary.n_elements(); ++i)
+          {
+            const auto dof = boundary.nth_index_in_set(i);
+            misfit(i, k)   = values[dof] - held[dof];
+          }
+      }
+    const Eigen::VectorXd singular_values =
+      Eigen::JacobiSVD<Eigen::MatrixXd>(misfit).singularValues();
+    return (singular_values.array() < 1e-6).count();
   }
 
 

@@ -42,6 +42,16 @@ namespace PlateImpact
       const Eigen::Vector3d curvature(c * c, s * s, 2. * c * s);
       return curvature.dot(D * curvature);
     }
+
+
+
+    /// Whether strains along the axes cause what twists or shears.
+    bool
+    twists(const Eigen::Matrix3d &stiffness)
+    {
+      return stiffness.topRightCorner<2, 1>().cwiseAbs().maxCoeff() >
+        negligible * stiffness.norm();
+    }
   } // namespace
 
 
@@ -143,27 +153,14 @@ namespace PlateImpact
   void
   PlateSection::set_compliance()
   {
-    const bool stretches = how_it_stretches != Stretching::none;
-    const int  n         = stretches ? 8 : 5;
-    compliance.setZero(n, n);
+    if (how_it_stretches != Stretching::none)
+      {
+        compliance = stiffness().inverse();
+        return;
+      }
+    compliance.setZero(5, 5);
     compliance.topLeftCorner<3, 3>() = bending_stiffness.inverse();
     compliance.block<2, 2>(3, 3)     = shear_stiffness.inverse();
-    if (is_unsymmetric())
-      {
-        Eigen::Matrix<double, 6, 6> both;
-        both << bending_stiffness, coupling_stiffness, coupling_stiffness,
-          membrane_stiffness;
-        const Eigen::Matrix<double, 6, 6> inverse = both.inverse();
-        compliance.topLeftCorner<3, 3>()    = inverse.topLeftCorner<3, 3>();
-        compliance.topRightCorner<3, 3>()   = inverse.topRightCorner<3, 3>();
-        compliance.bottomLeftCorner<3, 3>() = inverse.bottomLeftCorner<3, 3>();
-        compliance.bottomRightCorner<3, 3>() =
-          inverse.bottomRightCorner<3, 3>();
-      }
-    else if (stretches)
-      compliance.bottomRightCorner<3, 3>() = membrane_stiffness.inverse();
-    if (stretches)
-      return;
     // moments cause the largest stresses of a ply at its outer face
     std::vector<PlyFace> outer;
     for (std::size_t k = 0; k < ply_faces.size(); k += 2)
@@ -195,7 +192,7 @@ namespace PlateImpact
   PlateSection::mean_bending_stiffness() const
   {
     const Eigen::Matrix3d D = relaxed_stiffness();
-    if (is_skew())
+    if (twists(D))
       {
         // Olsson's formula holds in the axes of an orthotropic plate; this is
         // the mean over directions that it stands for
@@ -222,23 +219,29 @@ namespace PlateImpact
   double
   PlateSection::fastest_wave() const
   {
+    // of infinite frequency: bending and stretching along a direction, coupled
     double             largest = 0.;
     const unsigned int n       = 180;
     for (unsigned int i = 0; i < n; ++i)
-      largest =
-        std::max(largest,
-                 stiffness_along(bending_stiffness, std::acos(-1.) * i / n));
-    return std::sqrt(largest / rotary_inertia);
-  }
-
-
-
-  bool
-  PlateSection::twists_when_bent() const
-  {
-    return bending_stiffness.topRightCorner<2, 1>().cwiseAbs().maxCoeff() >
-      negligible * bending_stiffness.norm() ||
-      std::abs(shear_stiffness(0, 1)) > negligible * shear_stiffness.norm();
+      {
+        const auto along = [&](const Eigen::Matrix3d &stiffness) {
+          return stiffness_along(stiffness, std::acos(-1.) * i / n);
+        };
+        const double bending = along(bending_stiffness) / rotary_inertia;
+        if (!is_unsymmetric())
+          {
+            largest = std::max(largest, bending);
+            continue;
+          }
+        const double stretching = along(membrane_stiffness) / mass_per_area,
+                     coupling   = along(coupling_stiffness) /
+          std::sqrt(rotary_inertia * mass_per_area);
+        largest =
+          std::max(largest,
+                   0.5 * (bending + stretching) +
+                     std::hypot(0.5 * (bending - stretching), coupling));
+      }
+    return std::sqrt(largest);
   }
 
 
@@ -246,12 +249,13 @@ namespace PlateImpact
   bool
   PlateSection::is_skew() const
   {
-    return twists_when_bent() ||
-      membrane_stiffness.topRightCorner<2, 1>().cwiseAbs().maxCoeff() >
-      negligible * membrane_stiffness.norm() ||
-      coupling_stiffness.topRightCorner<2, 1>().cwiseAbs().maxCoeff() *
-        thickness >
-      negligible * bending_stiffness.norm();
+    return twists(bending_stiffness) ||
+      std::abs(shear_stiffness(0, 1)) > negligible * shear_stiffness.norm() ||
+      (how_it_stretches != Stretching::none &&
+       (twists(membrane_stiffness) ||
+        coupling_stiffness.topRightCorner<2, 1>().cwiseAbs().maxCoeff() *
+            thickness >
+          negligible * bending_stiffness.norm()));
   }
 
 

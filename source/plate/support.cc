@@ -11,8 +11,8 @@
 #include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
 
-#include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -111,51 +111,55 @@ namespace PlateImpact
 
       /// Edges that run in any direction, after all others.
       void
-      hold_oblique()
+      hold_oblique(const unsigned int first)
       {
-        for (const auto &[edges_by_component, constrain] :
-             {std::pair(&held_along,
-                        &VectorTools::compute_normal_flux_constraints<2, 2>),
-              std::pair(
-                &held_across,
-                &VectorTools::compute_no_normal_flux_constraints<2, 2>)})
-          for (const auto &[first, edges] : *edges_by_component)
-            {
-              hold_corners(edges, first);
-              constrain(dof_handler,
-                        first,
-                        edges,
-                        constraints,
-                        curved_mapping());
-            }
+        hold_corners(first);
+        const Mapping<2> &mapping = curved_mapping();
+        if (const Edges &edges = held_along[first]; !edges.empty())
+          VectorTools::compute_normal_flux_constraints(dof_handler,
+                                                       first,
+                                                       edges,
+                                                       constraints,
+                                                       mapping);
+        if (const Edges &edges = held_across[first]; !edges.empty())
+          VectorTools::compute_no_normal_flux_constraints(dof_handler,
+                                                          first,
+                                                          edges,
+                                                          constraints,
+                                                          mapping);
       }
 
     private:
       using Edges = std::set<types::boundary_id>;
 
-      /// Both components where two edges, or two sides of one, meet at an angle
-      /// and each holds that along its own tangent or normal.
+      /// Both components where edges, or sides of one, meet that hold two
+      /// directions.
       void
-      hold_corners(const Edges &edges, const unsigned int first)
+      hold_corners(const unsigned int first)
       {
         // a mean normal, which deal.II takes at vertices of several cells, is
         // that of a smooth edge
         const double least_cosine = std::cos(10. * numbers::PI / 180.);
         const auto  &mesh         = dof_handler.get_triangulation();
-        std::map<unsigned int, Tensor<1, 2>> normals;
+        std::map<unsigned int, Tensor<1, 2>> directions;
         for (const auto &cell : dof_handler.active_cell_iterators())
           for (const auto &face : cell->face_iterators())
             {
-              if (!face->at_boundary() || edges.count(face->boundary_id()) == 0)
+              const types::boundary_id edge = face->boundary_id();
+              const bool is_along           = held_along[first].count(edge) > 0;
+              if (!face->at_boundary() ||
+                  (!is_along && held_across[first].count(edge) == 0))
                 continue;
               for (const unsigned int v : face->vertex_indices())
                 {
                   const Tensor<1, 2> normal =
                     mesh.get_manifold(face->manifold_id())
                       .normal_vector(face, face->vertex(v));
+                  const Tensor<1, 2> held =
+                    is_along ? cross_product_2d(normal) : normal;
                   const auto [known, is_new] =
-                    normals.insert({face->vertex_index(v), normal});
-                  if (is_new || std::abs(known->second * normal) > least_cosine)
+                    directions.insert({face->vertex_index(v), held});
+                  if (is_new || std::abs(known->second * held) > least_cosine)
                     continue;
                   for (const unsigned int component : {first, first + 1})
                     if (const auto dof = face->vertex_dof_index(v, component);
@@ -183,7 +187,7 @@ namespace PlateImpact
 
 
 
-  HeldByEdges
+  bool
   hold_edges(const DoFHandler<2>       &dof_handler,
              const PlateGeometry       &geometry,
              AffineConstraints<double> &constraints)
@@ -196,23 +200,23 @@ namespace PlateImpact
         if (stretches)
           holder.hold(plane, mirrored, displacement_x);
       }
-    HeldByEdges                any;
-    const InPlaneSupportOfEdge in_plane = geometry.in_plane_supports();
+    bool                       holds_deflection = false;
+    const InPlaneSupportOfEdge in_plane         = geometry.in_plane_supports();
     for (const auto &[edge, support] : geometry.supports())
       {
         const SupportRow &row = row_of(support, support_rows);
         if (row.deflection)
           holder.hold(edge, deflection);
-        any.deflection |= row.deflection;
+        holds_deflection |= row.deflection;
         holder.hold(edge, row.rotations, rotation_x);
-        if (!stretches || !row.deflection)
-          continue;
-        const Held &held =
-          row_of(in_plane.at(edge), in_plane_rows).displacements;
-        holder.hold(edge, held, displacement_x);
-        any.in_plane |= held.normal || held.tangential;
+        if (stretches && row.deflection)
+          holder.hold(edge,
+                      row_of(in_plane.at(edge), in_plane_rows).displacements,
+                      displacement_x);
       }
-    holder.hold_oblique();
-    return any;
+    holder.hold_oblique(rotation_x);
+    if (stretches)
+      holder.hold_oblique(displacement_x);
+    return holds_deflection;
   }
 } // namespace PlateImpact

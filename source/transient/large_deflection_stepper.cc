@@ -32,13 +32,12 @@ namespace PlateImpact
     , plate(matrices.discretization)
     , damping(matrices.damping / scheme.dt)
     , tangent(matrices.make_factorization())
+    , linear(matrices.discretization.stiffness())
   {
     z = v = Kz = Mv = increment = Eigen::VectorXd::Zero(u.size());
     now = next = plate.stretched(z);
-    Epetra_CrsMatrix sum(matrices.discretization.stiffness());
-    sum.Scale(1. + 2. * damping);
-    matrices.add_mass(scheme.c0, sum);
-    linear = as_eigen(sum);
+    linear.Scale(1. + 2. * damping);
+    matrices.add_mass(scheme.c0, linear);
     renew_tangent();
   }
 
@@ -48,8 +47,8 @@ namespace PlateImpact
   LargeDeflectionStepper::renew_tangent()
   {
     const auto factorize = [this](const bool with_stresses) {
-      auto matrix = plate.tangent(now, next, damping, with_stresses);
-      matrices.add_mass(scheme.c0, *matrix);
+      auto matrix = std::make_unique<Epetra_CrsMatrix>(linear);
+      plate.add_tangent(now, next, damping, with_stresses, *matrix);
       tangent.factorize(std::move(matrix));
     };
     try
@@ -87,7 +86,7 @@ namespace PlateImpact
   double
   LargeDeflectionStepper::linearize()
   {
-    residual.noalias() = linear * increment;
+    residual.noalias() = as_eigen(linear) * increment;
     size_of_increment  = std::sqrt(increment.dot(residual));
     residual =
       known_force - residual - 2. * plate.mean_forces(now, next, damping);

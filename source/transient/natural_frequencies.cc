@@ -145,13 +145,7 @@ namespace PlateImpact
   natural_frequencies(EffectiveStiffness &matrices, const unsigned int n)
   {
     const PlateDiscretization &discretization = matrices.discretization;
-    // planes of symmetry let a free plate move, but not turn across them
-    const bool is_free          = discretization.is_free(),
-               is_free_in_plane = discretization.is_free_in_plane();
-    const double       n_parts  = discretization.n_parts();
-    const unsigned int n_rigid  = n_parts > 2. ? is_free :
-       n_parts > 1. ? 2 * is_free + is_free_in_plane :
-                      3 * is_free + 3 * is_free_in_plane;
+    const unsigned int         n_rigid = discretization.n_rigid_motions();
     const unsigned int n_wanted = std::min(n, discretization.n_unknowns() / 4);
     if (n_wanted == 0)
       return {};

@@ -56,7 +56,7 @@ namespace PlateImpact
              const CycleResult &last,
              const Warnings    &warnings);
 
-  /// Where the impact is: "Outside of the model".
+  /// Where the impact is: "Outside the limits of the model".
   std::string
   model_in_words(const Verdict &verdict);
 } // namespace PlateImpact

@@ -54,16 +54,18 @@ namespace PlateImpact
                const StretchedPlate &end,
                double                damping) const;
 
-    /// The derivative of twice all mean forces, those of K too, with respect to
-    /// the end, about: symmetric, with the strains halfway. That of the forces
-    /// for a change that is none.
+    /// Adds the derivative of twice the mean forces with respect to the end,
+    /// about: symmetric, with the strains halfway. That of the forces for a
+    /// change that is none.
     /// @param with_stresses  adds what the stresses halfway contribute, which
     ///                       may take away positive definiteness
-    std::unique_ptr<Epetra_CrsMatrix>
-    tangent(const StretchedPlate &begin,
-            const StretchedPlate &end,
-            double                damping,
-            bool                  with_stresses) const;
+    /// @param sum            with the entries of K
+    void
+    add_tangent(const StretchedPlate &begin,
+                const StretchedPlate &end,
+                double                damping,
+                bool                  with_stresses,
+                Epetra_CrsMatrix     &sum) const;
 
   private:
     /// Membrane forces per strain, with the weights of the quadrature, for

@@ -117,20 +117,18 @@ namespace PlateImpact
     bool
     is_free() const
     {
-      return !held.deflection;
+      return !holds_deflection;
     }
+
+    /// How many motions as a rigid body supports and planes of symmetry leave;
+    /// in the plane of a plate that stretches, too.
+    unsigned int
+    n_rigid_motions() const;
 
     /// Of the order of the square of the lowest frequency: bending of a square
     /// of the area of the mesh. [1/s^2]
     double
     square_of_bending() const;
-
-    /// Whether a plate that stretches can move as a rigid body in its plane.
-    bool
-    is_free_in_plane() const
-    {
-      return stretches() && !held.in_plane;
-    }
 
     bool
     stretches() const
@@ -145,11 +143,12 @@ namespace PlateImpact
       return plate_section.stretching() == Stretching::large;
     }
 
-    /// A matrix with the entries of K, summed over the parts of the plate.
+    /// Adds symmetric matrices of cells, over the parts of the plate.
     /// @param of_cell  sets that of a cell, by active index
-    std::unique_ptr<Epetra_CrsMatrix>
-    assemble(
-      const std::function<void(unsigned int, CellMatrix &)> &of_cell) const;
+    /// @param sum      with the entries of K
+    void
+    add_cells(const std::function<void(unsigned int, CellMatrix &)> &of_cell,
+              Epetra_CrsMatrix                                      &sum) const;
 
     const PlateElement &
     element() const
@@ -187,7 +186,7 @@ namespace PlateImpact
     dealii::DoFHandler<2>             dofs;
     dealii::AffineConstraints<double> constraints;
 
-    HeldByEdges  held;
+    bool         holds_deflection; ///< some edge
     FreeUnknowns unknowns;
 
     std::vector<unsigned int> shape_of_cell;

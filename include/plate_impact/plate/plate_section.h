@@ -93,10 +93,6 @@ namespace PlateImpact
     double
     fastest_wave() const;
 
-    /// Whether bending is coupled with twisting.
-    bool
-    twists_when_bent() const;
-
     /// Whether the plate mirrors in no line: it twists when bent or stretched.
     bool
     is_skew() const;
@@ -115,7 +111,7 @@ namespace PlateImpact
     unsigned int
     n_resultants() const
     {
-      return compliance.rows();
+      return how_it_stretches == Stretching::none ? 5 : 8;
     }
 
     /// sigma^T D^-1 sigma of resultants, the square of the energy norm in Table

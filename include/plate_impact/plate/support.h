@@ -8,18 +8,13 @@
 
 namespace PlateImpact
 {
-  /// Whether any edge has its deflection held, and whether its middle surface.
-  struct HeldByEdges
-  {
-    bool deflection = false, in_plane = false;
-  };
-
   /// Holds what supports and planes of symmetry hold of the unknowns. On an
   /// edge that runs in any direction a rotation is held along its tangent, an
   /// arc's too, and a displacement along tangent or normal; where such edges
-  /// meet at an angle, both components.
+  /// hold two directions, both components.
   /// @param constraints  are added to, and not closed
-  HeldByEdges
+  /// @return whether any edge has its deflection held
+  bool
   hold_edges(const dealii::DoFHandler<2>       &dof_handler,
              const PlateGeometry               &geometry,
              dealii::AffineConstraints<double> &constraints);

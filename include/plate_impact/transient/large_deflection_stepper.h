@@ -56,11 +56,11 @@ namespace PlateImpact
     const double           damping; ///< b over the step [-]
     Factorization          tangent;
 
-    Eigen::SparseMatrix<double, Eigen::RowMajor> linear; ///< of d
-    StretchedPlate  now, next; ///< at the beginning and the end of the step
-    Eigen::VectorXd to_equilibrium, residual; ///< without further force
-    Eigen::VectorXd known_force;              ///< what does not depend on d
-    double          largest_energy = 0.;
+    Epetra_CrsMatrix linear;    ///< c_0 M + (1 + 2 damping) K
+    StretchedPlate   now, next; ///< at the beginning and the end of the step
+    Eigen::VectorXd  to_equilibrium, residual; ///< without further force
+    Eigen::VectorXd  known_force;              ///< what does not depend on d
+    double           largest_energy = 0.;
 
     unsigned int n_iterations = 0, n_with_tangent = 0; ///< of the step
     double last_change = 0., size_of_increment = 0.;   ///< in the energy norm
