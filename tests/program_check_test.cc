@@ -18,6 +18,14 @@ namespace PlateImpact
         return std::stod(out.substr(out.find("about ") + 6));
       };
       EXPECT_NEAR(force() / elastic_peak, 1., 0.02) << out;
+      // a step that the program chooses is not called the scene's
+      EXPECT_NE(out.find("the scene's 5e-07 s"), std::string::npos) << out;
+      ASSERT_EQ(execute("check '" + main_scene + "' --set 'Time/Time step=0'"),
+                0)
+        << err;
+      EXPECT_NE(out.find("0: the program chooses it; at first "),
+                std::string::npos)
+        << out;
       // heavier than the plate: nothing that Zener's equation knows
       ASSERT_EQ(execute("check '" SCENES "/extremes/heavy-impactor.prm'"), 0);
       EXPECT_NEAR(force() / 822.6, 1., 0.03) << out;

@@ -159,23 +159,28 @@ namespace PlateImpact
     void
     add_advice(ExpectationText   &text,
                const Parameters  &parameters,
-               const Expectation &expected)
+               const Expectation &expected,
+               const bool         chooses_step)
     {
       if (expected.is_bound)
         return text.line("step, end time, cost",
                          "cannot be estimated for this plate");
-      const TimeParameters &time = parameters.time;
-      const double          rise = expected.history.peak().time;
-      const std::string     steps =
-        format("the scene's {} s is {} steps to the peak",
-               about(time.time_step),
-               about(rise / time.time_step));
-      text.line("Time/Time step",
-                expected.crossings_before_peak(parameters) ?
+      const TimeParameters &time  = parameters.time;
+      const double          rise  = expected.history.peak().time;
+      const std::string     steps = format("{} s is {} steps to the peak",
+                                       about(time.time_step),
+                                       about(rise / time.time_step));
+      if (chooses_step)
+        text.line("Time/Time step",
+                  "0: the program chooses it; at first " + steps);
+      else if (expected.crossings_before_peak(parameters))
+        text.line("Time/Time step",
                   "0: the ripples on a late peak need far shorter steps than "
-                  "its rise; " +
-                    steps :
-                  format("at most {} s for 0.1 %, or 0; {}",
+                  "its rise; the scene's " +
+                    steps);
+      else
+        text.line("Time/Time step",
+                  format("at most {} s for 0.1 %, or 0; the scene's {}",
                          about(0.04 * rise),
                          steps));
       text.line("Time/End time",
@@ -277,7 +282,10 @@ namespace PlateImpact
         add_waves(text, parameters, expected);
         add_frequencies(text, parameters);
         text.text += "\nAdvice\n";
-        add_advice(text, parameters, expected);
+        add_advice(text,
+                   parameters,
+                   expected,
+                   scene.given.time.time_step == 0.);
         add_sweep(text, scene.given);
         for (const std::string &warning : expected.warnings)
           text.text += "  warning: " + in_ascii(warning) + '\n';
