@@ -22,6 +22,12 @@ namespace PlateImpact
 
 
 
+    /// Steps by which a number of vectors is judged, about: what vectors leave
+    /// out of a force hardly depends on the step.
+    constexpr double most_steps_to_judge = 2000.;
+
+
+
     /// Numbers in the vectors: 1.6 GB.
     constexpr double most_numbers = 2e8;
 
@@ -135,6 +141,20 @@ namespace PlateImpact
           all += stepper.displacement().squaredNorm();
         }
       return all > 0. ? std::sqrt(beyond / all) : 0.;
+    }
+
+
+
+    /// Longer steps where there are very many. Schemes that damp would damp
+    /// more in these, and keep theirs.
+    TimeParameters
+    steps_to_judge(TimeParameters time)
+    {
+      const NewmarkScheme scheme(time);
+      if (scheme.conserves_energy())
+        time.time_step *=
+          std::max(1., std::floor(scheme.n_steps / most_steps_to_judge));
+      return time;
     }
 
 
@@ -280,6 +300,7 @@ namespace PlateImpact
                most_numbers / n_unknowns);
     if (n_most < std::min(n_first * growth * growth, n_unknowns))
       return &full;
+    const NewmarkScheme         judging(steps_to_judge(time));
     std::deque<Eigen::ArrayX2d> last_three;
     unsigned int                n_before = 0;
     for (double n = n_first; n <= n_most; n *= growth)
@@ -290,17 +311,17 @@ namespace PlateImpact
           return &reduced; // there are no more
         try
           {
-            const unsigned int n_steps = NewmarkScheme(time).n_steps;
-            last_three.push_back(
-              judged(impact(reduced, contact, impactor, n_steps).history,
-                     contact));
+            last_three.push_back(judged(
+              impact(reduced, contact, impactor, judging.n_steps, judging)
+                .history,
+              contact));
             // The force is a scalar product of displacements with the load,
             // and settles before they do.
             if (are_right(last_three, time.ritz_tolerance) &&
                 (!needs_fields ||
                  share_beyond(
                    n_before,
-                   {time, reduced, contact, integration, impactor}) <=
+                   {judging, reduced, contact, integration, impactor}) <=
                    field_tolerance))
               return &reduced;
           }
@@ -339,16 +360,16 @@ namespace PlateImpact
 
 
   Impact
-  RitzReduction::impact(SemidiscreteSystem &system,
-                        const Contact      &contact,
-                        const Impactor     &impactor,
-                        const unsigned int  n_steps)
+  RitzReduction::impact(SemidiscreteSystem  &system,
+                        const Contact       &contact,
+                        const Impactor      &impactor,
+                        const unsigned int   n_steps,
+                        const NewmarkScheme &scheme)
   {
-    const NewmarkScheme scheme(time);
     // the work of the force is the plate's energy where nothing dissipates it
     if (scheme.conserves_energy() && system.damping() == 0. &&
         system.is_linear())
-      return response(system).impact(contact, impactor, n_steps);
+      return response(system, scheme).impact(contact, impactor, n_steps);
     TimeStepper stepper(scheme, system, contact, integration, impactor);
     stepper.advance(n_steps);
     return stepper.impact();
@@ -357,10 +378,11 @@ namespace PlateImpact
 
 
   const PlateResponse &
-  RitzReduction::response(SemidiscreteSystem &system)
+  RitzReduction::response(SemidiscreteSystem  &system,
+                          const NewmarkScheme &scheme)
   {
     return responses
-      .try_emplace(&system, NewmarkScheme(time), system, integration)
+      .try_emplace({&system, scheme.n_steps}, scheme, system, integration)
       .first->second;
   }
 

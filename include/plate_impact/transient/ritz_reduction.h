@@ -24,9 +24,10 @@ namespace PlateImpact
   /// root mean square over the contact and over all steps, and, where fields
   /// are asked for, displacements hardly use what lies beyond the basis before.
   /// The number is found with an impactor of round numbers nearby, whose
-  /// contact is shorter, so that similar impactors share it and what one gets
-  /// depends on nothing but plate, load, time and itself; vectors that another
-  /// one has asked for before are not computed again.
+  /// contact is shorter, and in some 2000 steps at most, so that similar
+  /// impactors share it and what one gets depends on nothing but plate, load,
+  /// time and itself; vectors that another one has asked for before are not
+  /// computed again.
   class RitzReduction
   {
   public:
@@ -58,14 +59,28 @@ namespace PlateImpact
     impact(SemidiscreteSystem &system,
            const Contact      &contact,
            const Impactor     &impactor,
-           unsigned int        n_steps);
+           unsigned int        n_steps)
+    {
+      return impact(system, contact, impactor, n_steps, NewmarkScheme(time));
+    }
 
     /// The response of such a system, kept for the next impactor; for schemes
     /// that conserve energy.
     const PlateResponse &
-    response(SemidiscreteSystem &system);
+    response(SemidiscreteSystem &system)
+    {
+      return response(system, NewmarkScheme(time));
+    }
 
   private:
+    Impact
+    impact(SemidiscreteSystem  &system,
+           const Contact       &contact,
+           const Impactor      &impactor,
+           unsigned int         n_steps,
+           const NewmarkScheme &scheme);
+    const PlateResponse &
+    response(SemidiscreteSystem &system, const NewmarkScheme &scheme);
     /// @return a reduced system, or that of the mesh
     SemidiscreteSystem *
     settle(const Parameters &rounded);
@@ -85,7 +100,9 @@ namespace PlateImpact
       settled;
     /// By the half octave of the shift and the number of vectors.
     std::map<std::pair<int, unsigned int>, ReducedSystem> reduced_systems;
-    std::map<const SemidiscreteSystem *, PlateResponse>   responses;
+    /// By the system and the number of steps.
+    std::map<std::pair<const SemidiscreteSystem *, unsigned int>, PlateResponse>
+      responses;
   };
 } // namespace PlateImpact
 
