@@ -58,9 +58,16 @@ namespace PlateImpact
   {
     if (!is_for_peak)
       return last;
-    return {Extent::to_peak,
-            last.step,
-            std::max(last.to_peak, reserve * seen.history->peak().time)};
+    Window next{Extent::to_peak,
+                last.step,
+                std::max(last.to_peak, reserve * seen.history->peak().time)};
+    // a window that holds a whole impact beyond a late peak would be watched
+    // twice on a mesh that meets the target
+    if (const auto end = seen.history->first_contact_end(); end &&
+        is_late(*seen.history) && scene.time.end_time == 0. &&
+        *end < next.to_peak)
+      next.extent = Extent::whole;
+    return next;
   }
 
 
