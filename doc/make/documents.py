@@ -26,6 +26,7 @@ import traceback
 import jinja2
 
 import digits
+import drawing
 import figures
 import measured
 import page_picture
@@ -47,7 +48,7 @@ class Pictures:
     def put(self, path, picture):
         if not self.checks:
             (root / path).write_text(picture)
-        elif not figures.alike(picture, (root / path).read_text()):
+        elif not drawing.alike(picture, (root / path).read_text()):
             self.drifted.append(f"{path} is not what its runs give\n")
 
     def put_page(self, path, run):

@@ -1,51 +1,15 @@
 """The pictures of the pages, drawn from runs (doc/make/runs.py). Every function
 returns the text of an SVG file."""
 
-import base64
-import io
-import json
 import re
 
-import matplotlib
-matplotlib.use("svg")
-import matplotlib.pyplot as plt
 from matplotlib.collections import PolyCollection
 from matplotlib.ticker import MaxNLocator
 import numpy as np
 
-plt.rcParams["svg.hashsalt"] = "plate-impact"
-plt.rcParams["svg.fonttype"] = "none"
-
-
-def alike(picture, other, tolerance=0.1):
-    """Whether two pictures differ by no more than the last digits of their coordinates
-    [pt], and their images by a hundredth on average; identifiers, which are made from
-    coordinates, do not count."""
-    number, image = r"-?\d+(?:\.\d+)?(?:e-?\d+)?", r'base64,([^"]*)"'
-    images = [[pixels(found) for found in re.findall(image, text)] for text in (picture, other)]
-    if any(a.shape != b.shape or abs(a - b).mean() > 0.01 for a, b in zip(*images)):
-        return False
-    texts = [re.sub(r'(id="|#)[^")]*', r"\1", re.sub(image, '"', text))
-             for text in (picture, other)]
-    shapes = [re.sub(number, "0", text) for text in texts]
-    values = [np.array(re.findall(number, text), float) for text in texts]
-    return shapes[0] == shapes[1] and np.all(abs(values[0] - values[1]) < tolerance)
-
-
-def pixels(base64_png):
-    return plt.imread(io.BytesIO(base64.b64decode(base64_png)), format="png")
-
-
-def new_figure(n_axes=1, **options):
-    return plt.subplots(1, n_axes, figsize=(4.2 * n_axes, 3.2), **options)
-
-
-def svg(figure):
-    text = io.StringIO()
-    figure.tight_layout()
-    figure.savefig(text, format="svg", metadata={"Date": None})
-    plt.close(figure)
-    return "\n".join(map(str.rstrip, text.getvalue().splitlines())) + "\n"
+from drawing import new_figure, plt, svg
+# found by name from the templates, as the functions below
+from waves import wave_film, waves  # noqa: F401
 
 
 def mesh(run, cycle=-1):
@@ -252,73 +216,6 @@ def mesh_film(run, seconds=1.5):
             f'keyTimes="{";".join(f"{time:.4g}" for time in times[shown])}"/>\n'
             + re.sub(r"</?svg[^>]*>\n?", "", picture) + "</g>\n")
     return begin + "".join(frames) + "</svg>\n"
-
-
-def maps_of_waves(found):
-    """Corners [mm] of the cells of LessonTenWaves, and its maps, a row per time: the
-    motion and the dual motion, each in thousandths of its largest number at that time, and the
-    logarithm of what the cells contribute over the largest contribution of all."""
-    vertices, motion, dual, cells = (np.array(json.loads(found[name]))
-                                     for name in ("vertices", "motion", "dual", "cells"))
-    x, y = (np.unique(np.round(1e3 * axis, 6)) for axis in vertices.T)
-    order = np.lexsort((vertices[:, 0], vertices[:, 1]))
-    centers = np.array(json.loads(found["centers"]))
-    cell_order = np.lexsort((np.round(centers[:, 0], 9), np.round(centers[:, 1], 9)))
-    on_grid = [field[:, order].reshape(-1, len(y), len(x)) for field in (motion, dual)]
-    parts = cells[:, cell_order].reshape(-1, len(y) - 1, len(x) - 1)
-    return x, y, [*on_grid, parts]
-
-
-WAVES = ("motion of the plate", "dual motion", "contributions, logarithm to base ten")
-
-
-def waves(found, *shares):
-    """Both waves and their product at shares of the time up to the peak, a column each."""
-    x, y, fields = maps_of_waves(found)
-    figure, axes = plt.subplots(3, len(shares), figsize=(2.7 * len(shares), 7.2),
-                                sharex=True, sharey=True)
-    for row, (title, field) in enumerate(zip(WAVES, fields)):
-        for axis, share in zip(axes[row], shares):
-            at = round(share * (len(field) - 1))
-            picture = axis.pcolormesh(x, y, field[at], cmap="viridis" if row == 2 else "RdBu_r",
-                                      shading="flat" if row == 2 else "gouraud", rasterized=True,
-                                      vmin=-5 if row == 2 else -500, vmax=0 if row == 2 else 500)
-            axis.set(aspect="equal", title=title if share == shares[len(shares) // 2] else "")
-            if row == 0:
-                axis.annotate(f"{share:.0%} of the time", (0.5, 0.9), xycoords="axes fraction",
-                              ha="center", fontsize=8)
-    for axis in axes[-1]:
-        axis.set(xlabel="x [mm]")
-    axes[1][0].set(ylabel="y [mm]")
-    return svg(figure)
-
-
-def wave_film(found, seconds=0.25):
-    """The three rows of `waves` along the x axis, one time after the other."""
-    x, _, fields = maps_of_waves(found)
-    width, height, left = 560, 120, 30
-    lines = []
-    for row, (title, field) in enumerate(zip(WAVES, fields)):
-        base = 30 + row * (height + 30)
-        middle = base + (0 if row == 2 else 0.6 * height)
-        abscissae = x if row < 2 else 0.5 * (x[1:] + x[:-1])
-        across = left + (width - left - 10) * abscissae / x[-1]
-        scale = height / 5 if row == 2 else 0.6 * height / 1000
-        shapes = ["M" + " L".join(f"{a:.1f},{middle - scale * max(value, -5 if row == 2 else -1000):.1f}"
-                                  for a, value in zip(across, frame[0]))
-                  for frame in field]
-        lines += [f'<text x="{left}" y="{base - 8}">{title}</text>',
-                  f'<path d="M{left},{middle} H{width - 10}" stroke="silver"/>',
-                  f'<path d="{shapes[0]}" fill="none" stroke="{("#1f77b4", "#ff7f0e", "#2ca02c")[row]}"'
-                  f' stroke-width="1.5"><animate attributeName="d" calcMode="linear" '
-                  f'dur="{seconds * len(shapes):g}s" repeatCount="indefinite" '
-                  f'values="{";".join(shapes)}"/></path>']
-    bottom = 30 + 3 * (height + 30)
-    lines += [f'<text x="{width - 10}" y="{bottom}" text-anchor="end">x from 0 to '
-              f'{x[-1]:.0f} mm</text>']
-    return (f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {bottom + 10}" '
-            'font-family="sans-serif" font-size="13">\n<rect width="100%" height="100%" '
-            'fill="white"/>\n' + "\n".join(lines) + "\n</svg>\n")
 
 
 def two_ways(compared, ways=("hanging nodes", "remeshing")):
