@@ -64,12 +64,12 @@ namespace PlateImpact
     {
       const PlateDiscretization &plate = cycle.discretization();
       const QGauss<2>            samples(2);
-      const unsigned int         m = plate.section().n_resultants();
       const Eigen::MatrixXd      recovered =
         recovered_resultants(plate,
                              cycle.recovery(),
                              state.unknowns,
-                             samples.get_points());
+                             samples.get_points())
+          .front();
       for (const auto &cell : cycle.mesh().active_cell_iterators())
         {
           const unsigned int   c   = cell->active_cell_index();
@@ -80,8 +80,9 @@ namespace PlateImpact
                                                    state.unknowns);
           for (unsigned int q = 0; q < samples.size(); ++q)
             {
-              const Eigen::VectorXd own    = raw.row(q),
-                                    smooth = recovered.col(c).segment(m * q, m);
+              const Eigen::VectorXd own = raw.row(q),
+                                    smooth =
+                                      recovered.col(samples.size() * c + q);
               cells[c]["samples"].push_back(
                 {{"point",
                   as_json(mapping_of(cell).transform_unit_to_real_cell(
