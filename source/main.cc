@@ -189,7 +189,8 @@ namespace
                       "in its directory");
     add_scene(add("check",
                   "Check a scene and say what to expect of it",
-                  "Takes about a second and writes nothing.",
+                  "Takes a second or two, longer where the first meshes are "
+                  "fine, and writes nothing.",
                   [&] { check(arguments); }),
               arguments);
     add(

@@ -97,7 +97,8 @@ namespace PlateImpact
       const Quadrature<2>  &quadrature = element.quadrature();
       const StressRecovery  recovery(mesh);
       const Eigen::MatrixXd recovered =
-        recovered_resultants(model, recovery, z, quadrature.get_points());
+        recovered_resultants(model, recovery, z, quadrature.get_points())
+          .front();
       std::vector<double> e2(mesh.n_active_cells(), 0.);
       double              total_e2 = 0., total_u2 = 0., recovered_e2 = 0.;
       for (const auto &cell : mesh.active_cell_iterators())
@@ -118,7 +119,7 @@ namespace PlateImpact
                 mapping.transform_unit_to_real_cell(cell, quadrature.point(q)));
               const Resultants e = right - r;
               const Resultants e_recovered =
-                right - recovered.col(c).segment<5>(5 * q);
+                right - recovered.col(quadrature.size() * c + q);
               const double weight = model.shape(c).weights[q];
               e2[c] += weight * model.section().squared_energy_norm(e);
               recovered_e2 +=

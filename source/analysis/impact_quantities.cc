@@ -115,7 +115,7 @@ namespace PlateImpact
       {"impulse",
        "Impulse",
        "N s",
-       [](Impact i) -> Value { return i.impulse; }},
+       [](Impact i) -> Value { return i.result.impulse; }},
       {"final_impactor_velocity",
        "Final velocity of the impactor",
        "m/s",
@@ -164,11 +164,16 @@ namespace PlateImpact
       {"discretization_error",
        "Relative error in the energy norm eta, fraction",
        "",
-       [](Impact i) { return i.discretization_error; }},
+       [](Impact i) {
+         return i.result.error ? Value(i.result.error->eta) : Value();
+       }},
       {"peak_force_error_bar",
        "Error bar of the peak force, fraction",
        "",
-       [](Impact i) { return i.peak_force_bar; }},
+       [](Impact i) {
+         const auto &bar = i.result.peak_force_bar;
+         return bar ? Value(bar->total()) : Value();
+       }},
       {"contact_pressure", "Largest contact pressure", "Pa", contact_pressure},
       {"mean_pressure_over_yield_strength",
        "Mean contact pressure over the yield strength",

@@ -157,6 +157,30 @@ namespace PlateImpact
 
 
     void
+    add_cost(ExpectationText   &text,
+             const Parameters  &parameters,
+             const Expectation &expected)
+    try
+      {
+        const Expectation::Cost cost = expected.cost(parameters);
+        const Stretching stretching  = expected.zener.section.stretching();
+        const double     n_fields    = stretching == Stretching::none ? 3. : 5.;
+        text.line(
+          "cost",
+          format("of the order of {} cells, {} unknowns, {} steps{} a mesh",
+                 roughly(cost.cells),
+                 roughly(4. * n_fields * cost.cells),
+                 roughly(cost.steps),
+                 stretching == Stretching::large ? " of several solves" : ""));
+      }
+    catch (const ComputationError &)
+      {
+        text.line("cost", "cannot be estimated for this plate");
+      }
+
+
+
+    void
     add_advice(ExpectationText   &text,
                const Parameters  &parameters,
                const Expectation &expected,
@@ -195,16 +219,7 @@ namespace PlateImpact
         text.line("Contact",
                   "under a point load the peak force does not converge under "
                   "refinement; choose Load distribution = Hertz disc");
-      const Expectation::Cost cost       = expected.cost(parameters);
-      const Stretching        stretching = expected.zener.section.stretching();
-      const double n_fields = stretching == Stretching::none ? 3. : 5.;
-      text.line(
-        "cost",
-        format("of the order of {} cells, {} unknowns, {} steps{} a mesh",
-               roughly(cost.cells),
-               roughly(4. * n_fields * cost.cells),
-               roughly(cost.steps),
-               stretching == Stretching::large ? " of several solves" : ""));
+      add_cost(text, parameters, expected);
     }
 
 

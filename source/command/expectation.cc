@@ -2,7 +2,7 @@
 
 #include "plate_impact/analysis/impact_analysis.h"
 #include "plate_impact/analysis/warnings.h"
-#include "plate_impact/base/exceptions.h"
+#include "plate_impact/base/interrupt.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/contact/make_contact.h"
 #include "plate_impact/plate/plate_geometry.h"
@@ -69,23 +69,6 @@ namespace PlateImpact
 
 
 
-    /// Cells that follow the waves which a contact sends out, to an error eta:
-    /// measured on plates of a/t from 200 to 500, 20 on the square of a
-    /// wavelength for 5 %; as the error falls with the square of their size, so
-    /// grows their number. Waves of nine times the frequency run ahead.
-    double
-    cells_for_waves(const Parameters  &parameters,
-                    const BendingWave &wave,
-                    const double       end_time,
-                    const double       target_error)
-    {
-      const auto   geometry = geometry_of(parameters.plate);
-      const double reach    = 3. * wave.group_speed * end_time;
-      const double area =
-        std::min(geometry->area(), std::acos(-1.) * reach * reach) /
-        geometry->n_parts();
-      return 20. * area / (wave.length * wave.length) * 0.05 / target_error;
-    }
     /// By which the bar of a late peak falls when every cell is halved:
     /// measured on random heavy impactors.
     constexpr double fall_by_halved_cells = 12.;
@@ -98,8 +81,11 @@ namespace PlateImpact
     cost_by_two_meshes(Parameters parameters)
     {
       parameters.adaptivity.maximum_cycles = 2;
-      ImpactAnalysis analysis(parameters, nullptr, Wanted{true, false, 0});
-      analysis.run();
+      ImpactAnalysis    analysis(parameters, nullptr, Wanted{true, false, 0});
+      AdaptationControl control(parameters.adaptivity);
+      AnalysisListener  listener;
+      listener.step = [](const auto &...) { throw_if_interrupted(); };
+      analysis.run(control, listener);
       const CycleResult          &result     = analysis.last_cycle().result;
       const AdaptivityParameters &adaptivity = parameters.adaptivity;
       double                      cells      = result.cells;
@@ -181,15 +167,6 @@ namespace PlateImpact
 
 
 
-  double
-  Expectation::end_time(const Parameters &parameters) const
-  {
-    return parameters.time.end_time > 0. ? parameters.time.end_time :
-                                           contact_end.value_or(until);
-  }
-
-
-
   std::optional<double>
   Expectation::crossings_before_peak(const Parameters &parameters) const
   {
@@ -203,43 +180,13 @@ namespace PlateImpact
   Expectation::Cost
   Expectation::cost(const Parameters &parameters) const
   {
-    if (parameters.adaptivity.is_adaptive() &&
-        crossings_before_peak(parameters))
-      try
-        {
-          return cost_by_two_meshes(parameters);
-        }
-      catch (const ComputationError &)
-        {}
-    return {cells(parameters),
-            end_time(parameters) / parameters.time.time_step};
-  }
-
-
-
-  double
-  Expectation::cells(const Parameters &parameters) const
-  {
-    const AdaptivityParameters &adaptivity = parameters.adaptivity;
-    const double                initial =
-      geometry_of(parameters.plate)
-        ->n_initial_cells(parameters.discretization.initial_cells);
-    if (!adaptivity.is_adaptive())
-      return initial;
-    // eta falls with the number of cells, which are spread over the levels of
-    // the refinement and follow the waves. The force feels the waves up to its
-    // peak only, and its error is of twice the order; measured, 0.1 % takes
-    // about as many cells as 5 %.
-    const bool   is_for_peak = adaptivity.is_for_peak_force();
-    const double target      = is_for_peak ?
-           0.05 * std::sqrt(adaptivity.target_peak_force_error / 1e-3) :
-           adaptivity.target_error;
-    const double halvings =
-      initial_cell_size(parameters) / adaptivity.minimum_cell_size;
-    const double end   = is_for_peak ? zener.peak.time : end_time(parameters);
-    const double cells = 18. * std::log2(halvings) * 0.05 / target +
-      cells_for_waves(parameters, zener.wave(), end, target);
-    return std::min(std::clamp(cells, initial, initial * halvings * halvings),
-                    1. * adaptivity.maximum_cells);
+    if (parameters.adaptivity.is_adaptive())
+      return cost_by_two_meshes(parameters);
+    const TimeParameters &time = parameters.time;
+    const double          end =
+      time.end_time > 0. ? time.end_time : contact_end.value_or(until);
+    return {geometry_of(parameters.plate)
+              ->n_initial_cells(parameters.discretization.initial_cells),
+            end / time.time_step};
   }
 } // namespace PlateImpact

@@ -21,6 +21,7 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace PlateImpact
@@ -149,15 +150,20 @@ namespace PlateImpact
       }
 
       void
-      add(const ComputedPoint &point)
+      add(SweepRow &&row)
       {
-        const auto &[row, history] = point;
-        if (history && histories.size() < most_plotted_histories)
-          histories[row.point] = *history;
-        if (history)
-          directory.write_file("contact_history_point_" +
-                                 std::to_string(row.point + 1) + ".csv",
-                               [&](std::ostream &out) { history->write(out); });
+        // the table, which may have a million rows, is not to hold histories
+        const ContactHistory history = std::exchange(row.history, {});
+        if (!history.states().empty())
+          {
+            directory.write_file("contact_history_point_" +
+                                   std::to_string(row.point + 1) + ".csv",
+                                 [&](std::ostream &out) {
+                                   history.write(out);
+                                 });
+            if (histories.size() < most_plotted_histories)
+              histories[row.point] = history;
+          }
         table.add(row);
         show(row);
       }
@@ -175,7 +181,7 @@ namespace PlateImpact
       finish(const SweepWork &work)
       {
         for (const std::size_t point : points_to_do())
-          add({{point, {}, "not computed: its process ended early", {}}, {}});
+          add({point, {}, "not computed: its process ended early", {}, {}});
         table.finish();
         if (scene.parameters.output.write_report)
           directory.write_file("sweep.html", [&](std::ostream &out) {
@@ -289,8 +295,8 @@ namespace PlateImpact
       groups.tasks(is_to_do, std::max<std::size_t>(1, to_do.size() / n_parts));
 
     SweepComputation computation(scene, groups);
-    const auto       take = [&record](const ComputedPoint &point) {
-      record->add(point);
+    const auto       take = [&record](SweepRow &&row) {
+      record->add(std::move(row));
     };
     if (record)
       record->begin(groups.groups.size());

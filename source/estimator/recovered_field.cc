@@ -193,25 +193,32 @@ namespace PlateImpact
 
 
 
-  Eigen::MatrixXd
-  recovered_resultants(const PlateDiscretization   &discretization,
-                       const StressRecovery        &recovery,
-                       const Eigen::VectorXd       &unknowns,
-                       const std::vector<Point<2>> &unit_points)
+  std::vector<Eigen::MatrixXd>
+  recovered_resultants(const PlateDiscretization               &discretization,
+                       const StressRecovery                    &recovery,
+                       const Eigen::Ref<const Eigen::MatrixXd> &states,
+                       const std::vector<Point<2>>             &unit_points)
   {
-    RecoveredField     field(discretization,
+    RecoveredField               field(discretization,
                          recovery,
                          discretization.section().stiffness(),
-                         unknowns);
-    const unsigned int m = discretization.section().n_resultants();
-    Eigen::MatrixXd    result(m * unit_points.size(),
-                           discretization.mesh().n_active_cells());
-    RowMajorMatrix     values;
+                         states);
+    const unsigned int           m = discretization.section().n_resultants();
+    const std::size_t            n_states = states.cols();
+    const std::size_t            n_points = unit_points.size();
+    std::vector<Eigen::MatrixXd> result(n_states);
+    for (Eigen::MatrixXd &resultants : result)
+      resultants.resize(m, n_points * discretization.mesh().n_active_cells());
+    RowMajorMatrix values;
     for (const auto &cell : discretization.mesh().active_cell_iterators())
       {
         field.evaluate(cell, unit_points, values);
         field.finish(cell);
-        result.col(cell->active_cell_index()) = by_resultant(values, m);
+        const auto first = n_points * cell->active_cell_index();
+        for (std::size_t state = 0; state < n_states; ++state)
+          for (unsigned int i = 0; i < m; ++i)
+            result[state].row(i).segment(first, n_points) =
+              values.col(n_states * i + state).transpose();
       }
     return result;
   }

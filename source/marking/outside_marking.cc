@@ -64,12 +64,12 @@ namespace PlateImpact
     {
       const PlateDiscretization &plate = cycle.discretization();
       const QGauss<2>            samples(2);
-      const unsigned int         m = plate.section().n_resultants();
       const Eigen::MatrixXd      recovered =
         recovered_resultants(plate,
                              cycle.recovery(),
                              state.unknowns,
-                             samples.get_points());
+                             samples.get_points())
+          .front();
       for (const auto &cell : cycle.mesh().active_cell_iterators())
         {
           const unsigned int   c   = cell->active_cell_index();
@@ -80,8 +80,9 @@ namespace PlateImpact
                                                    state.unknowns);
           for (unsigned int q = 0; q < samples.size(); ++q)
             {
-              const Eigen::VectorXd own    = raw.row(q),
-                                    smooth = recovered.col(c).segment(m * q, m);
+              const Eigen::VectorXd own = raw.row(q),
+                                    smooth =
+                                      recovered.col(samples.size() * c + q);
               cells[c]["samples"].push_back(
                 {{"point",
                   as_json(mapping_of(cell).transform_unit_to_real_cell(
@@ -135,68 +136,55 @@ namespace PlateImpact
 
 
 
-    /// The numbers of a list, each of which is allowed.
-    template <typename Number, typename IsAllowed>
-    std::vector<Number>
-    numbers_of(const Json        &answer,
-               const char        *key,
-               const IsAllowed   &is_allowed,
-               const std::string &allowed)
-    {
-      std::vector<Number> numbers;
-      if (!answer.contains(key))
-        return numbers;
-      for (const Json &value : answer[key])
-        {
-          if (!value.is_number() || !is_allowed(value.get<double>()))
-            throw ComputationError(fmt::format("\"{}\" has {}; allowed: {}",
-                                               key,
-                                               value.dump(),
-                                               allowed));
-          numbers.push_back(value.get<Number>());
-        }
-      return numbers;
-    }
-
-
-
     /// The size that each cell is to have. [m]
     std::vector<double>
     sizes_of(const Json &answer, const Triangulation<2> &mesh)
     {
-      const unsigned int  n = mesh.n_active_cells();
-      std::vector<double> present;
-      for (const auto &cell : mesh.active_cell_iterators())
-        present.push_back(cell_size(cell));
       if (!answer.is_object())
         throw ComputationError("it is no object in JSON");
       for (const auto &[key, value] : answer.items())
         if (key != "refine" && key != "coarsen" && key != "sizes")
           throw ComputationError("it has \"" + key +
                                  "\"; allowed: refine, coarsen, sizes");
-      std::vector<double> sizes = numbers_of<double>(
-        answer,
-        "sizes",
-        [](const double size) { return size > 0. && std::isfinite(size); },
-        "lengths above 0 m");
-      if (answer.contains("sizes") && sizes.size() != n)
-        throw ComputationError(fmt::format("\"sizes\" has {}, the mesh has {}",
-                                           sizes.size(),
-                                           counted(n, "cell")));
-      if (!sizes.empty())
-        return sizes;
-      const auto is_cell = [n](const double value) {
-        return value >= 0. && value < n && value == std::floor(value);
+      const auto refuse = [](const std::string &key,
+                             const Json        &value,
+                             const std::string &allowed) {
+        throw ComputationError(fmt::format("\"{}\" has {}; allowed: {}",
+                                           key,
+                                           value.dump(),
+                                           allowed));
       };
-      const std::string allowed =
-        "numbers of cells, from 0 to " + std::to_string(n - 1);
-      sizes = present;
-      for (const unsigned int c :
-           numbers_of<unsigned int>(answer, "coarsen", is_cell, allowed))
-        sizes[c] = size_of_coarsened * present[c];
-      for (const unsigned int c :
-           numbers_of<unsigned int>(answer, "refine", is_cell, allowed))
-        sizes[c] = 0.5 * present[c];
+      const unsigned int  n = mesh.n_active_cells();
+      std::vector<double> sizes;
+      if (answer.contains("sizes"))
+        {
+          for (const Json &size : answer["sizes"])
+            {
+              if (!size.is_number() || size.get<double>() <= 0.)
+                refuse("sizes", size, "lengths above 0 m");
+              sizes.push_back(size);
+            }
+          if (sizes.size() != n)
+            throw ComputationError(
+              fmt::format("\"sizes\" has {}, the mesh has {}",
+                          sizes.size(),
+                          counted(n, "cell")));
+          return sizes;
+        }
+      for (const auto &cell : mesh.active_cell_iterators())
+        sizes.push_back(cell_size(cell));
+      const std::vector<double> present = sizes;
+      // a cell that is in both lists is refined
+      for (const std::string key : {"coarsen", "refine"})
+        for (const Json &cell : answer.value(key, Json::array()))
+          {
+            const double c = cell.is_number() ? cell.get<double>() : -1.;
+            if (c < 0. || c >= n || c != std::floor(c))
+              refuse(key,
+                     cell,
+                     "numbers of cells, from 0 to " + std::to_string(n - 1));
+            sizes[c] = present[c] * (key == "refine" ? 0.5 : size_of_coarsened);
+          }
       return sizes;
     }
 

@@ -5,7 +5,7 @@
 #include <deal.II/fe/fe_system.h>
 
 #include "plate_impact/estimator/recovered_field.h"
-#include "plate_impact/output/section_fields.h"
+#include "plate_impact/plate/plate_section.h"
 
 #include <algorithm>
 #include <cmath>
@@ -81,28 +81,9 @@ namespace PlateImpact
       Eigen::MatrixXd            states(plate.n_unknowns(), n_frames);
       for (unsigned int frame = 0; frame < n_frames; ++frame)
         states.col(frame) = frames[frame]->unknowns;
-      // of all frames at once, since what a patch costs most is its place
-      RecoveredField               recovered(plate,
-                               cycle.recovery(),
-                               plate.section().stiffness(),
-                               states);
-      const unsigned int           m = plate.section().n_resultants();
-      std::vector<Eigen::MatrixXd> of_frames(n_frames);
-      for (auto &resultants : of_frames)
-        resultants.resize(m, cycle.result.cells * unit_points.size());
-      RowMajorMatrix values;
-      Eigen::Index   point = 0;
-      for (const auto &cell : cycle.mesh().active_cell_iterators())
-        {
-          recovered.evaluate(cell, unit_points, values);
-          recovered.finish(cell);
-          for (Eigen::Index p = 0; p < values.rows(); ++p, ++point)
-            for (unsigned int frame = 0; frame < n_frames; ++frame)
-              for (unsigned int i = 0; i < m; ++i)
-                of_frames[frame](i, point) = values(p, i * n_frames + frame);
-        }
       std::vector<std::vector<SectionField>> fields;
-      for (const auto &resultants : of_frames)
+      for (const Eigen::MatrixXd &resultants :
+           recovered_resultants(plate, cycle.recovery(), states, unit_points))
         fields.push_back(section_fields(plate.section(), resultants));
       Json result = Json::array();
       for (std::size_t k = 0; k < fields.front().size(); ++k)

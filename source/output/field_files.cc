@@ -7,9 +7,9 @@
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/estimator/recovered_field.h"
-#include "plate_impact/output/section_fields.h"
 #include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
+#include "plate_impact/plate/plate_section.h"
 
 #include <algorithm>
 #include <array>
@@ -92,9 +92,8 @@ namespace PlateImpact
     const CycleResult         &result        = cycle.result;
     const PlateDiscretization &plate         = cycle.discretization();
     const FESystem<2>         &plate_element = plate.element().finite_element();
-    const unsigned int         n_unknowns    = plate_element.n_components(),
-                       n_resultants          = plate.section().n_resultants();
-    std::vector<std::string> field_names     = {"deflection",
+    const unsigned int         n_unknowns    = plate_element.n_components();
+    std::vector<std::string>   field_names   = {"deflection",
                                                 "rotation_x",
                                                 "rotation_y",
                                                 "displacement_x",
@@ -105,7 +104,8 @@ namespace PlateImpact
       {{"rotation_x", "displacement_x"}, {"rotation_y", "displacement_y"}}};
     for (const SectionField &field :
          section_fields(plate.section(),
-                        Eigen::MatrixXd::Zero(n_resultants, 1)))
+                        Eigen::MatrixXd::Zero(plate.section().n_resultants(),
+                                              1)))
       {
         field_names.push_back(field.name_in_file);
         for (const unsigned int d : {0, 1})
@@ -128,20 +128,18 @@ namespace PlateImpact
     std::vector<types::global_dof_index> dofs(fields_element.n_dofs_per_cell());
     for (const Snapshot &snapshot : result.snapshots)
       {
-        const Eigen::MatrixXd resultants =
-          recovered_resultants(plate,
-                               cycle.recovery(),
-                               snapshot.unknowns,
-                               nodal.get_unit_support_points());
+        const std::vector<SectionField> of_section =
+          section_fields(plate.section(),
+                         recovered_resultants(plate,
+                                              cycle.recovery(),
+                                              snapshot.unknowns,
+                                              nodal.get_unit_support_points())
+                           .front());
         for (const auto &cell : dof_handler.active_cell_iterators())
           {
             const unsigned int    c = cell->active_cell_index();
             const Eigen::MatrixXd values =
               plate.free_unknowns().cell_values(c, snapshot.unknowns);
-            const std::vector<SectionField> of_section = section_fields(
-              plate.section(),
-              resultants.col(c).reshaped(n_resultants,
-                                         nodal.n_dofs_per_cell()));
             cell->get_dof_indices(dofs);
             for (unsigned int node = 0; node < nodal.n_dofs_per_cell(); ++node)
               {
@@ -157,7 +155,8 @@ namespace PlateImpact
                                .component_to_system_index(k, hierarchic[node]),
                              0));
                 for (unsigned int k = 0; k < of_section.size(); ++k)
-                  set(n_unknowns + k, of_section[k].values[node]);
+                  set(n_unknowns + k,
+                      of_section[k].values[nodal.n_dofs_per_cell() * c + node]);
               }
           }
         require_finite(fields, snapshot.time);

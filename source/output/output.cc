@@ -92,10 +92,7 @@ namespace PlateImpact
                    const ZenerImpact &expected,
                    Json              &cycle)
     {
-      const ComputedImpact impact{parameters,
-                                  expected,
-                                  *result.history,
-                                  result.impulse};
+      const ComputedImpact impact{parameters, expected, result};
       for (const ImpactQuantity &quantity : impact_quantities())
         if (const auto value = quantity.value(impact))
           cycle[quantity.name] = *value;
@@ -148,7 +145,6 @@ namespace PlateImpact
             {
               cycle["peak_force_error_space"] = bar->space;
               cycle["peak_force_error_time"]  = bar->time;
-              cycle["peak_force_error_bar"]   = bar->total();
             }
           if (const auto &verification = result.verification)
             cycle["verification"] = {

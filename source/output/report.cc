@@ -7,9 +7,9 @@
 #include "plate_impact/estimator/recovered_field.h"
 #include "plate_impact/output/deflection_film.h"
 #include "plate_impact/output/run_in_words.h"
-#include "plate_impact/output/section_fields.h"
 #include "plate_impact/page/mesh_picture.h"
 #include "plate_impact/plate/plate_mesh.h"
+#include "plate_impact/plate/plate_section.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,7 +60,8 @@ namespace PlateImpact
                           recovered_resultants(cycle.discretization(),
                                                cycle.recovery(),
                                                state.unknowns,
-                                               {dealii::Point<2>(0.5, 0.5)})))
+                                               {dealii::Point<2>(0.5, 0.5)})
+                            .front()))
         fields.push_back(
           {{"name", field.name},
            {"unit", field.unit},

@@ -146,17 +146,9 @@ class Film {
 
     this.slider.addEventListener('input', () => { this.frame = Number(this.slider.value); this.draw(); });
     this.button.addEventListener('click', () => this.toggle());
-    const fingers = makeZoomable(this.canvas, (factor) => this.enlarge(factor), () => this.showWhole());
+    makeZoomable(this.canvas, { zoom: (factor) => this.enlarge(factor), reset: () => this.showWhole(),
+      drag: (right, down) => this.turn(-0.01 * right, 0.01 * down), step: (right, down) => this.turn(-0.1 * right, 0.1 * down) });
     this.canvas.addEventListener('pointerdown', (event) => this.canvas.setPointerCapture(event.pointerId));
-    this.canvas.addEventListener('pointermove', (event) => {
-      if (event.buttons && fingers() < 2) this.turn(-0.01 * event.movementX, 0.01 * event.movementY);
-    });
-    this.canvas.addEventListener('keydown', (event) => {
-      const step = { ArrowLeft: [0.1, 0], ArrowRight: [-0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1] }[event.key];
-      if (!step) return;
-      event.preventDefault();
-      this.turn(...step);
-    });
     new ResizeObserver(() => this.draw()).observe(this.canvas);
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.draw());
     matchMedia('print').addEventListener('change', () => this.draw());

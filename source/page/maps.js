@@ -149,24 +149,15 @@ function makeMeshView(pictures, controls) {
     show();
   };
   addZoomButtons(controls, zoom, reset, contact);
-  for (const picture of pictures) {
-    const fingers = makeZoomable(picture, zoom, reset);
-    picture.addEventListener('pointermove', (event) => {
-      if (!event.buttons || fingers() > 1 || view.factor === 1) return;
-      const scale = picture.getScreenCTM().a;
-      view.x -= event.movementX / scale;
-      view.y -= event.movementY / scale;
-      show();
-    });
-    picture.addEventListener('keydown', (event) => {
-      const step = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[event.key];
-      if (!step) return;
-      event.preventDefault();
-      view.x += 0.1 * step[0] * Math.max(width, height) / view.factor;
-      view.y += 0.1 * step[1] * Math.max(width, height) / view.factor;
-      show();
-    });
-  }
+  const move = (right, down, length) => {
+    view.x += length * right;
+    view.y += length * down;
+    show();
+  };
+  for (const picture of pictures)
+    makeZoomable(picture, { zoom, reset,
+      drag: (right, down) => move(right, down, -1 / picture.getScreenCTM().a),
+      step: (right, down) => move(right, down, 0.1 * Math.max(width, height) / view.factor) });
   show();
 }
 

@@ -1,11 +1,12 @@
 // ---------------------------------------------------------------- zoom
 
-/** Lets wheel, two fingers and the keys + - 0 change the size of a picture. The wheel
-    moves the page until the picture has been clicked, or with Ctrl.
+/** Lets wheel, two fingers and the keys + - 0 change the size of a picture, and a pressed pointer and the
+    arrow keys move it. The wheel moves the page until the picture has been clicked, or with Ctrl.
     @param zoom   called with a factor and the event, whose place stays where it is
     @param reset  called for the whole picture again
-    @returns a function that tells how many fingers there are */
-function makeZoomable(element, zoom, reset) {
+    @param drag   called with the pixels to the right and downwards that the pointer has moved
+    @param step   called with -1, 0 or 1 to the right and downwards, of an arrow key */
+function makeZoomable(element, { zoom, reset, drag, step }) {
   element.setAttribute('tabindex', 0);
   element.addEventListener('wheel', (event) => {
     if (!event.ctrlKey && document.activeElement !== element) return;
@@ -24,20 +25,23 @@ function makeZoomable(element, zoom, reset) {
   for (const end of ['pointerup', 'pointercancel', 'pointerleave'])
     element.addEventListener(end, (event) => fingers.delete(event.pointerId));
   element.addEventListener('pointermove', (event) => {
-    if (!fingers.has(event.pointerId)) return;
-    const before = fingers.size === 2 ? spread() : 0;
-    fingers.set(event.pointerId, event);
-    if (before > 0) zoom(spread() / before, event);
+    if (fingers.has(event.pointerId)) {
+      const before = fingers.size === 2 ? spread() : 0;
+      fingers.set(event.pointerId, event);
+      if (before > 0) zoom(spread() / before, event);
+    }
+    if (event.buttons && fingers.size < 2) drag(event.movementX, event.movementY);
   });
 
+  const arrows = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
   element.addEventListener('keydown', (event) => {
     if (event.key === '0') reset();
     else if (event.key === '+' || event.key === '=') zoom(1.4);
     else if (event.key === '-') zoom(1 / 1.4);
+    else if (event.key in arrows) step(...arrows[event.key]);
     else return;
     event.preventDefault();
   });
-  return () => fingers.size;
 }
 
 /** Buttons for those without wheel and keys. */

@@ -11,6 +11,7 @@
 
 #include <cstdlib>
 #include <optional>
+#include <utility>
 
 // sent as its numbers, in one piece
 BOOST_IS_BITWISE_SERIALIZABLE(PlateImpact::ContactState)
@@ -33,47 +34,19 @@ namespace PlateImpact
     }
 
 
-    /// What a process sends: a point, with the states of its history, or at
-    /// last its work.
+    /// What a process sends: a point, or at last its work.
     struct Message
     {
-      Message() = default;
-
-      explicit Message(const ComputedPoint &point)
-        : row(point.row)
-      {
-        if (point.history)
-          states = point.history->states();
-      }
-
-      explicit Message(const SweepWork &work)
-        : is_work(true)
-        , work(work)
-      {}
-
-      ComputedPoint
-      computed() const
-      {
-        ComputedPoint point{row, {}};
-        if (!states.empty())
-          point.history.emplace();
-        for (const ContactState &state : states)
-          point.history->add(state);
-        return point;
-      }
-
       template <typename Archive>
       void
       serialize(Archive &archive, const unsigned int)
       {
-        archive &is_work &work.meshes &work.plates &work.loads &states;
-        archive &row.point &row.quantities &row.failure &row.warnings;
+        archive &row &is_work &work.meshes &work.plates &work.loads;
       }
 
-      SweepRow                  row;
-      std::vector<ContactState> states;
-      bool                      is_work = false;
-      SweepWork                 work;
+      SweepRow  row;
+      bool      is_work = false;
+      SweepWork work    = {};
     };
 
 
@@ -167,9 +140,9 @@ namespace PlateImpact
 
 
   SweepWork
-  Processes::compute(const std::vector<SweepGroups::Task> &tasks,
-                     SweepComputation                     &computation,
-                     const std::function<void(const ComputedPoint &)> &take)
+  Processes::compute(const std::vector<SweepGroups::Task>   &tasks,
+                     SweepComputation                       &computation,
+                     const std::function<void(SweepRow &&)> &take)
   {
     const auto send = [](const std::vector<char> &bytes) {
       // without waiting for the first process as long as the message is small
@@ -186,13 +159,13 @@ namespace PlateImpact
     const auto take_others = [&](bool wait, const auto &take) {
       while (n_others > 0)
         {
-          const std::optional<Message> message = received(wait);
+          std::optional<Message> message = received(wait);
           if (!message)
             return;
           wait = false;
           if (!message->is_work)
             {
-              take(message->computed());
+              take(std::move(message->row));
               continue;
             }
           --n_others;
@@ -204,19 +177,18 @@ namespace PlateImpact
         for (std::size_t task; (task = next_task()) < tasks.size();)
           for (const std::size_t index : tasks[task].points)
             {
-              const ComputedPoint point =
-                computation.compute(tasks[task].group, index);
+              SweepRow row = computation.compute(tasks[task].group, index);
               if (rank == 0)
                 {
-                  take(point);
+                  take(std::move(row));
                   throw_if_interrupted();
                   take_others(/*wait=*/false, take);
                 }
               else
-                send(Utilities::pack(Message(point), false));
+                send(Utilities::pack(Message{std::move(row)}, false));
             }
         if (rank != 0)
-          send(Utilities::pack(Message(computation.work), false));
+          send(Utilities::pack(Message{{}, true, computation.work}, false));
         while (n_others > 0)
           take_others(/*wait=*/true, take);
       }
@@ -226,7 +198,7 @@ namespace PlateImpact
         while (next_task() < tasks.size())
           ;
         while (n_others > 0)
-          take_others(/*wait=*/true, [](const ComputedPoint &) {});
+          take_others(/*wait=*/true, [](SweepRow &&) {});
         throw;
       }
     add_work(computation.work);

@@ -6,13 +6,11 @@
 #include "plate_impact/analysis/impact_quantities.h"
 #include "plate_impact/analysis/warnings.h"
 #include "plate_impact/base/exceptions.h"
-#include "plate_impact/base/text.h"
 #include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
 #include "plate_impact/transient/plate_model.h"
 
 #include <cmath>
-#include <fmt/format.h>
 #include <new>
 #include <tuple>
 #include <utility>
@@ -51,31 +49,25 @@ namespace PlateImpact
 
 
 
-  ComputedPoint
+  SweepRow
   SweepComputation::compute(const std::size_t group, const std::size_t point)
   {
-    ComputedPoint result;
-    result.row.point   = point;
-    result.row.failure = failure_of([&] {
-      const SweepPoint     valid    = scene.point(point);
-      Computed             computed = compute(group, valid);
-      const ComputedImpact impact{valid.parameters,
-                                  valid.expected,
-                                  computed.impact.history,
-                                  computed.impact.impulse,
-                                  computed.discretization_error,
-                                  computed.peak_force_bar};
+    SweepRow row;
+    row.point   = point;
+    row.failure = failure_of([&] {
+      const SweepPoint valid  = scene.point(point);
+      auto [result, warnings] = compute(group, valid);
+      const ComputedImpact impact{valid.parameters, valid.expected, result};
       for (const ImpactQuantity &quantity : impact_quantities())
-        result.row.quantities.push_back(
-          quantity.value(impact).value_or(std::nan("")));
-      result.row.warnings = std::move(computed.warnings);
-      result.row.warnings.insert(result.row.warnings.end(),
-                                 mesh_warnings.begin(),
-                                 mesh_warnings.end());
+        row.quantities.push_back(quantity.value(impact).value_or(std::nan("")));
+      row.warnings = std::move(warnings);
+      row.warnings.insert(row.warnings.end(),
+                          mesh_warnings.begin(),
+                          mesh_warnings.end());
       if (valid.parameters.sweep.write_histories)
-        result.history = std::move(computed.impact.history);
+        row.history = std::move(*result.history);
     });
-    return result;
+    return row;
   }
 
 
@@ -123,22 +115,21 @@ namespace PlateImpact
     const bool         needs_states = point.parameters.needs_estimator();
     const Parameters   parameters =
       until_contact_ends(*plate_model, point.parameters, needs_states);
-    const LoadedPlate plate = plate_model->under(parameters, needs_states);
-    Computed          computed{plate.strike(), {}, {}, {}};
+    const LoadedPlate plate  = plate_model->under(parameters, needs_states);
+    const Impact      impact = plate.strike();
     work.loads += plate_model->work().loads - loads_before;
 
     const Triangulation<2> &mesh = plate_model->discretization().mesh();
     CycleResult             result;
-    result.history       = computed.impact.history;
-    result.sensitivity   = plate.sensitivity(*result.history);
+    result.history       = impact.history;
+    result.impulse       = impact.impulse;
+    result.sensitivity   = plate.sensitivity(impact.history);
     result.min_cell_size = min_cell_size;
     // an adapted mesh was judged with the worst point
-    computed.warnings =
-      (parameters.adaptivity.is_adaptive() ?
-         impact_warnings(parameters, result, point.expected) :
-         reliability_warnings(parameters, mesh, result, point.expected))
-        .all();
-    return computed;
+    const Warnings warnings = parameters.adaptivity.is_adaptive() ?
+      impact_warnings(parameters, result, point.expected) :
+      reliability_warnings(parameters, mesh, result, point.expected);
+    return {std::move(result), warnings.all()};
   }
 
 
@@ -156,22 +147,11 @@ namespace PlateImpact
     mesh_warnings           = analysis.warnings;
     const CycleResult &last = analysis.last_cycle().result;
     work.meshes += last.cycle - 1;
-    const AdaptivityParameters &adaptivity = worst.parameters.adaptivity;
-    if (adaptivity.goal == AdaptationGoal::peak_force)
-      {
-        if (!make_goal(adaptivity)->is_met(last))
-          mesh_warnings.push_back(
-            "on the mesh adapted for the point with the shortest contact, the "
-            "error bar of the peak force does not meet Adaptivity/Target peak "
-            "force error, " +
-            about_percentage(adaptivity.target()));
-      }
-    else if (last.error->eta > adaptivity.target_error)
+    for (const std::string &warning :
+         make_goal(worst.parameters.adaptivity)->warnings(last))
       mesh_warnings.push_back(
-        fmt::format("eta is {} on the mesh adapted for the point with the "
-                    "shortest contact, more than Adaptivity/Target error, {}",
-                    about_percentage(last.error->eta),
-                    about_percentage(adaptivity.target_error)));
+        "on the mesh adapted for the point with the shortest contact, " +
+        warning);
     return copy_of(analysis.last_cycle().mesh());
   }
 
@@ -216,13 +196,6 @@ namespace PlateImpact
         work.plates += last.cycle;
       }
     work.loads += last.cycle;
-    Impact impact;
-    impact.history = *last.history;
-    impact.impulse = last.impulse;
-    return {impact,
-            last.error->eta,
-            last.peak_force_bar ? std::optional(last.peak_force_bar->total()) :
-                                  std::nullopt,
-            analysis.all_warnings().all()};
+    return {last, analysis.all_warnings().all()};
   }
 } // namespace PlateImpact

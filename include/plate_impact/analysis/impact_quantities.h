@@ -1,6 +1,7 @@
 #ifndef plate_impact_analysis_impact_quantities_h
 #define plate_impact_analysis_impact_quantities_h
 
+#include "plate_impact/analysis/cycle_result.h"
 #include "plate_impact/base/parameters.h"
 #include "plate_impact/contact/contact_bodies.h"
 #include "plate_impact/contact/contact_history.h"
@@ -17,10 +18,8 @@ namespace PlateImpact
   {
     const Parameters     &parameters;
     const ZenerImpact    &expected;
-    const ContactHistory &history;
-    double                impulse;                   ///< [N s]
-    std::optional<double> discretization_error = {}; ///< eta
-    std::optional<double> peak_force_bar       = {}; ///< PeakForceBar::total()
+    const CycleResult    &result; ///< with a history
+    const ContactHistory &history = *result.history;
     const ContactBodies   bodies{parameters, expected.section};
     const ContactState   &first = history.states().front();
     const ContactState   &peak  = history.peak();

@@ -55,8 +55,8 @@ namespace PlateImpact
   /// them Zener's infinite thin plate (ZenerImpact) and the force on a plate
   /// that does not move; the time at which the first waves return from the
   /// edges, the bending wavelength of the contact against the cells, advice on
-  /// step and end time, a rough cost, what a sweep of it computes, and where
-  /// the impact leaves the model.
+  /// step and end time, a rough cost by the first two meshes of the run, what a
+  /// sweep of it computes, and where the impact leaves the model.
   /// @throws ComputationError when the impact cannot be computed
   void
   print_expectation(std::ostream &out, const Scene &scene);

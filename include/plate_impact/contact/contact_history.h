@@ -110,6 +110,14 @@ namespace PlateImpact
     void
     write(std::ostream &out) const;
 
+    /// For the way from one process to another.
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &history;
+    }
+
   private:
     std::vector<ContactState> history;
   };

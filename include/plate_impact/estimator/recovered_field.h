@@ -106,14 +106,16 @@ namespace PlateImpact
   Eigen::Map<const RowMajorMatrix>
   by_resultant(const RowMajorMatrix &values, unsigned int n_resultants);
 
-  /// Recovered resultants of one state: m point + resultant for points of a
-  /// cell, a column each.
-  /// @param unit_points  on the reference cell
-  Eigen::MatrixXd
-  recovered_resultants(const PlateDiscretization           &discretization,
-                       const StressRecovery                &recovery,
-                       const Eigen::VectorXd               &unknowns,
-                       const std::vector<dealii::Point<2>> &unit_points);
+  /// Recovered resultants at points of all cells, for all states at once, since
+  /// what a patch costs most is its place.
+  /// @param states       unknowns of the plate, a column each
+  /// @param unit_points  n of them on the reference cell
+  /// @return a matrix per state: a row per resultant, column n cell + point
+  std::vector<Eigen::MatrixXd>
+  recovered_resultants(const PlateDiscretization               &discretization,
+                       const StressRecovery                    &recovery,
+                       const Eigen::Ref<const Eigen::MatrixXd> &states,
+                       const std::vector<dealii::Point<2>>     &unit_points);
 } // namespace PlateImpact
 
 #endif

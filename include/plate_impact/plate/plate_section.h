@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -174,6 +175,24 @@ namespace PlateImpact
     /// one.
     std::vector<PlyFace> ply_faces;
   };
+
+
+  /// A resultant of the section, or a stress that it causes, at some points.
+  struct SectionField
+  {
+    std::string         name, unit; ///< "moment M_x", "N"
+    std::string         name_in_file;
+    std::array<bool, 2> is_odd; ///< changes its sign across x = 0, y = 0
+    Eigen::VectorXd     values;
+  };
+
+  /// The resultants, and the largest stresses of the section under them: von
+  /// Mises at the faces, or the three of the plies.
+  /// @param resultants  n_resultants() in the order of Resultants, a column per
+  ///                    point
+  std::vector<SectionField>
+  section_fields(const PlateSection    &section,
+                 const Eigen::MatrixXd &resultants);
 } // namespace PlateImpact
 
 #endif

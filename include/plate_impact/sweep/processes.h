@@ -12,7 +12,7 @@
 namespace PlateImpact
 {
   class SweepComputation;
-  struct ComputedPoint;
+  struct SweepRow;
   struct SweepWork;
 
   /// The processes that share a sweep: those that mpirun has started, or this
@@ -38,9 +38,9 @@ namespace PlateImpact
     /// @throws Interruption, between two points
     /// @throws ComputationError that `take` throws, after which nobody goes on
     SweepWork
-    compute(const std::vector<SweepGroups::Task>             &tasks,
-            SweepComputation                                 &computation,
-            const std::function<void(const ComputedPoint &)> &take);
+    compute(const std::vector<SweepGroups::Task>   &tasks,
+            SweepComputation                       &computation,
+            const std::function<void(SweepRow &&)> &take);
 
     int size = 1, rank = 0; ///< rank 0 is the first process
 

@@ -1,6 +1,7 @@
 #ifndef plate_impact_sweep_sweep_computation_h
 #define plate_impact_sweep_sweep_computation_h
 
+#include "plate_impact/analysis/cycle_result.h"
 #include "plate_impact/scene/sweep_scene.h"
 #include "plate_impact/sweep/sweep_groups.h"
 #include "plate_impact/sweep/sweep_results.h"
@@ -10,18 +11,11 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace PlateImpact
 {
-  /// A point and, where the scene asks for it, its history.
-  struct ComputedPoint
-  {
-    SweepRow                      row;
-    std::optional<ContactHistory> history;
-  };
-
-
   /// Computes points of a sweep, those of one group after another on one struck
   /// plate. A group of adaptive points is computed on the last mesh of its
   /// worst point: the one that sends out the shortest waves, by the shortest
@@ -37,18 +31,14 @@ namespace PlateImpact
 
     /// Whatever goes wrong becomes the failure of the row.
     /// @param group  that the point belongs to
-    ComputedPoint
+    SweepRow
     compute(std::size_t group, std::size_t point);
 
     SweepWork work; ///< so far
 
   private:
-    struct Computed
-    {
-      Impact                   impact;
-      std::optional<double>    discretization_error, peak_force_bar;
-      std::vector<std::string> warnings;
-    };
+    /// The impact with its warnings, without those of a shared mesh.
+    using Computed = std::pair<CycleResult, std::vector<std::string>>;
 
     Computed
     compute(std::size_t group, const SweepPoint &point);

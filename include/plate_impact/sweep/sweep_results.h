@@ -30,6 +30,15 @@ namespace PlateImpact
     std::vector<double> quantities;    ///< NaN: none; empty for a failed point
     std::string         failure;       ///< the reason, in one line
     std::vector<std::string> warnings; ///< a sentence each, as of `run`
+    ContactHistory           history;  ///< without states: not wanted
+
+    /// For the way from one process to another.
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &point &quantities &failure &warnings &history;
+    }
   };
 
 
