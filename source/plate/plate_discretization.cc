@@ -1,6 +1,7 @@
 #include "plate_impact/plate/plate_discretization.h"
 
 #include <deal.II/base/bounding_box.h>
+#include <deal.II/base/function.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/grid/grid_tools.h>
@@ -160,49 +161,6 @@ namespace PlateImpact
       matrix->FillComplete();
       return matrix;
     }
-
-
-
-    /// A motion as a rigid body: along z, about y and x, and of plates that
-    /// stretch along x and y and about z.
-    class RigidMotion : public Function<2>
-    {
-    public:
-      RigidMotion(const unsigned int n_components,
-                  const unsigned int which,
-                  const double       size)
-        : Function<2>(n_components)
-        , which(which)
-        , size(size)
-      {}
-
-      static std::vector<RigidMotion>
-      all(const unsigned int n_components, const double size)
-      {
-        std::vector<RigidMotion> motions;
-        for (unsigned int which = 0; which < (n_components > 3 ? 6 : 3);
-             ++which)
-          motions.emplace_back(n_components, which, size);
-        return motions;
-      }
-
-      double
-      value(const Point<2> &p, const unsigned int component) const override
-      {
-        const double x = p[0] / size, y = p[1] / size;
-        const double values[6][5] = {{1., 0., 0., 0., 0.},
-                                     {x, 1. / size, 0., 0., 0.},
-                                     {y, 0., 1. / size, 0., 0.},
-                                     {0., 0., 0., 1., 0.},
-                                     {0., 0., 0., 0., 1.},
-                                     {0., 0., 0., -y, x}};
-        return values[which][component];
-      }
-
-    private:
-      unsigned int which;
-      double       size;
-    };
   } // namespace
 
 
@@ -356,17 +314,39 @@ namespace PlateImpact
   unsigned int
   PlateDiscretization::n_rigid_motions() const
   {
-    // of a size that makes all columns alike
-    const double                   size = GridTools::diameter(mesh());
-    const std::vector<RigidMotion> motions =
-      RigidMotion::all(dofs.get_fe().n_components(), size);
+    // Along z, about y and x, and of plates that stretch along x and y and
+    // about z. The size makes all columns alike.
+    using Component         = std::function<double(const Point<2> &)>;
+    const double    size    = GridTools::diameter(mesh());
+    const Component zero    = [](const Point<2> &) { return 0.; },
+                    one     = [](const Point<2> &) { return 1.; },
+                    slope   = [=](const Point<2> &) { return 1. / size; },
+                    x       = [=](const Point<2> &p) { return p[0] / size; },
+                    y       = [=](const Point<2> &p) { return p[1] / size; },
+                    minus_y = [=](const Point<2> &p) { return -p[1] / size; };
+    std::vector<std::vector<Component>> motions = {
+      {one, zero, zero, zero, zero},
+      {x, slope, zero, zero, zero},
+      {y, zero, slope, zero, zero},
+      {zero, zero, zero, one, zero},
+      {zero, zero, zero, zero, one},
+      {zero, zero, zero, minus_y, x}};
+    if (!stretches())
+      {
+        motions.resize(3);
+        for (auto &motion : motions)
+          motion.resize(3);
+      }
     // by how much each fails what is held, all of which is at the boundary
     const IndexSet  boundary = DoFTools::extract_boundary_dofs(dofs);
     Eigen::MatrixXd misfit(boundary.n_elements(), motions.size());
     for (std::size_t k = 0; k < motions.size(); ++k)
       {
         Vector<double> values(dofs.n_dofs());
-        VectorTools::interpolate(mapping_of(mesh()), dofs, motions[k], values);
+        VectorTools::interpolate(mapping_of(mesh()),
+                                 dofs,
+                                 FunctionFromFunctionObjects<2>(motions[k]),
+                                 values);
         Vector<double> held = values;
         constraints.distribute(held);
         for (unsigned int i = 0; i < boundary.n_elements(); ++i)
