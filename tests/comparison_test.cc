@@ -337,10 +337,11 @@ namespace PlateImpact
     quadratic_states(const PlateDiscretization &model, const double amplitude)
     {
       const Eigen::VectorXd state =
-        amplitude * model.interpolate(Field([](const dealii::Point<2> &p) {
-          return Field::Values{
-            {p[0] * p[0] - p[0] * p[1], 2. * p[0] + p[1], p[1]}};
-        }));
+        amplitude *
+        interpolate(model, Field([](const dealii::Point<2> &p) {
+                      return Field::Values{
+                        {p[0] * p[0] - p[0] * p[1], 2. * p[0] + p[1], p[1]}};
+                    }));
       return {{1., state}, {3., 2. * state}};
     }
 

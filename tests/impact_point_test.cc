@@ -96,9 +96,9 @@ namespace PlateImpact
           PlateDiscretization model(*mesh, element, plate);
           model.assemble();
           const Eigen::VectorXd rigid =
-            model.interpolate(Field([](const Point<2> &) -> Field::Values {
-              return {{1., 0., 0.}};
-            }));
+            interpolate(model, Field([](const Point<2> &) -> Field::Values {
+                          return {{1., 0., 0.}};
+                        }));
           EXPECT_NEAR(rigid.dot(multiply(model.mass(), rigid)),
                       model.section().mass_per_area,
                       1e-12);

@@ -57,10 +57,10 @@ namespace PlateImpact
       const PlateDiscretization model(*mesh, element, plate, 1.);
       // a deflection that is linear but at the middle: what jumps is there
       const Eigen::MatrixXd field =
-        model.interpolate(Field([](const Point<2> &p) {
-          return Field::Values{
-            {p.norm() < 1e-9 ? 1. : p[0] + 2. * p[1], p[0], p[1]}};
-        }));
+        interpolate(model, Field([](const Point<2> &p) {
+                      return Field::Values{
+                        {p.norm() < 1e-9 ? 1. : p[0] + 2. * p[1], p[0], p[1]}};
+                    }));
       KellyEstimator estimator(model,
                                std::make_unique<TenPerCent>(
                                  mesh->n_active_cells()));
@@ -87,9 +87,9 @@ namespace PlateImpact
                                       1.);
       // the slope of the deflection jumps across x = 1/2 only
       const Eigen::MatrixXd kink =
-        model.interpolate(Field([](const Point<2> &p) {
-          return Field::Values{{std::abs(p[0] - 0.5), p[1], p[0]}};
-        }));
+        interpolate(model, Field([](const Point<2> &p) {
+                      return Field::Values{{std::abs(p[0] - 0.5), p[1], p[0]}};
+                    }));
       KellyEstimator estimator(model, std::make_unique<TenPerCent>(16));
       estimator.add_samples({1., 2.},
                             kink, // the amount does not matter

@@ -157,7 +157,11 @@ namespace PlateImpact
       // whatever their angles
       PlateParameters    plate = unit_plate(EdgeSupport::clamped, 0.1);
       const PlateSection known(plate);
-      const double       G          = known.shear_modulus;
+      Eigen::Matrix3d    D;
+      D << 1., 0.3, 0., 0.3, 1., 0., 0., 0., 0.35;
+      D *= 1e-3 / (12. * (1. - 0.3 * 0.3));
+      EXPECT_LT((known.bending_stiffness - D).norm(), 1e-14 * D.norm());
+      const double G                = known.shear_modulus;
       plate.ply                     = {1., 1., plate.poissons_ratio, G, G, G};
       plate.layup.angles            = {30., -70., 10., -70., 30.};
       plate.shear_correction_factor = 0.; // by equilibrium

@@ -192,7 +192,7 @@ namespace PlateImpact
             const LargeDeflection large(*strip.model);
             const double          wx = 0.03, wy = -0.02, e = 1e-3;
             const Eigen::VectorXd z =
-              strip.model->interpolate(StretchedField([&](const Point<2> &p) {
+              interpolate(*strip.model, StretchedField([&](const Point<2> &p) {
                 // u takes back what the slopes stretch, but for e along x
                 return StretchedField::Values{
                   {wx * p[0] + wy * p[1],
@@ -224,7 +224,7 @@ namespace PlateImpact
       const LargeDeflection large(*strip.model);
       const double          curvature = 0.1;
       Eigen::VectorXd       z =
-        strip.model->interpolate(StretchedField([&](const Point<2> &p) {
+        interpolate(*strip.model, StretchedField([&](const Point<2> &p) {
           const double x = p[0] - 0.5;
           return StretchedField::Values{
             {0.5 * curvature * x * x, curvature * x, 0., 0., 0.}};
@@ -233,7 +233,7 @@ namespace PlateImpact
       const auto      K     = as_eigen(strip.model->stiffness());
       const double    rigid = 1e-9;
       Eigen::VectorXd in_plane =
-        strip.model->interpolate(StretchedField([](const Point<2> &) {
+        interpolate(*strip.model, StretchedField([](const Point<2> &) {
           return StretchedField::Values{{0., 0., 0., 1., 1.}};
         }));
       const double                        before = large.stretched(z).energy;
@@ -316,7 +316,7 @@ namespace PlateImpact
           const BentStrip       strip(type, 0.15);
           const LargeDeflection large(*strip.model);
           const Eigen::VectorXd z =
-            strip.model->interpolate(StretchedField([&](const Point<2> &p) {
+            interpolate(*strip.model, StretchedField([&](const Point<2> &p) {
               return StretchedField::Values{{slope * p[0], slope, 0., 0., 0.}};
             }));
           const StretchedPlate flat = large.stretched(0. * z),

@@ -255,7 +255,7 @@ namespace PlateImpact
                                           unit_plate(EdgeSupport::free, 0.1),
                                           1.);
           MeshEstimator             estimator(model);
-          estimator.add_samples({1.}, model.interpolate(field));
+          estimator.add_samples({1.}, interpolate(model, field));
           const ErrorEstimate estimate = estimator.estimate();
           EXPECT_LT(estimate.eta, 1e-10) << name;
           for (const double error : estimate.element_errors)
@@ -312,11 +312,13 @@ namespace PlateImpact
                                       unit_plate(EdgeSupport::free, 0.1),
                                       1.);
       MeshEstimator             estimator(model, /*singular_cells=*/{0});
-      estimator
-        .add_samples({1.}, model.interpolate(Field([](const Point<2> &p) {
-          return Field::Values{
-            {std::exp(-8. * p.norm_square()), std::sin(9. * p[0]) / 9., 0.}};
-        })));
+      estimator.add_samples({1.},
+                            interpolate(model, Field([](const Point<2> &p) {
+                                          return Field::Values{
+                                            {std::exp(-8. * p.norm_square()),
+                                             std::sin(9. * p[0]) / 9.,
+                                             0.}};
+                                        })));
       const ErrorEstimate estimate = estimator.estimate();
       ASSERT_EQ(estimate.n_singular_cells, 1u);
       EXPECT_GT(estimate.eta_of_all_cells, 1.2 * estimate.eta);
@@ -347,10 +349,12 @@ namespace PlateImpact
                                       element,
                                       unit_plate(EdgeSupport::free, 0.1),
                                       1.);
-      const Eigen::VectorXd z = model.interpolate(Field([](const Point<2> &p) {
-        return Field::Values{{std::sin(3. * p[0]), p[1] * p[1] * p[1], 0.}};
-      }));
-      MeshEstimator         once(model), often(model);
+      const Eigen::VectorXd     z = interpolate(
+        model,
+        Field([](const Point<2> &p) {
+          return Field::Values{{std::sin(3. * p[0]), p[1] * p[1] * p[1], 0.}};
+        }));
+      MeshEstimator once(model), often(model);
       once.add_samples({2.}, z);
       for (unsigned int n = 1; n <= 40; ++n)
         often.add_samples({0.1 * n}, (n + 1) * z);

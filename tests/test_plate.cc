@@ -5,6 +5,8 @@
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
+#include <deal.II/lac/vector.h>
+#include <deal.II/numerics/vector_tools_interpolate.h>
 
 #include "plate_impact/adaptation/mesh_adaptation.h"
 #include "plate_impact/contact/impactor.h"
@@ -144,6 +146,19 @@ namespace PlateImpact
              pressure(values.quadrature_point(q)) * values.JxW(q)});
       }
     return points;
+  }
+
+
+
+  Eigen::VectorXd
+  interpolate(const PlateDiscretization &model, const Function<2> &field)
+  {
+    Vector<double> values(model.dof_handler().n_dofs());
+    VectorTools::interpolate(mapping_of(model.mesh()),
+                             model.dof_handler(),
+                             field,
+                             values);
+    return model.free_unknowns().of_nodal_values(values);
   }
 
 

@@ -1,6 +1,7 @@
 #ifndef plate_impact_tests_test_plate_h
 #define plate_impact_tests_test_plate_h
 
+#include <deal.II/base/function.h>
 #include <deal.II/grid/tria.h>
 
 #include "plate_impact/base/parameters.h"
@@ -58,6 +59,11 @@ namespace PlateImpact
   pressure_load(
     const dealii::Triangulation<2>                        &mesh,
     const std::function<double(const dealii::Point<2> &)> &pressure);
+
+  /// The unknowns of a given field of deflection and rotations.
+  Eigen::VectorXd
+  interpolate(const PlateDiscretization &model,
+              const dealii::Function<2> &field);
 
   /// K z = f.
   Eigen::VectorXd

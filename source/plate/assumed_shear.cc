@@ -42,25 +42,48 @@ namespace PlateImpact
 
 
 
-  AssumedShear
-  mixed_shear()
+  std::vector<Point<2>>
+  covariant_tying_points()
   {
-    using Row = Eigen::RowVectorXd;
     const QGauss<1>        linear(2);
     const QGaussLobatto<1> quadratic(3);
-
-    // first those of the strain along xi, then of that along eta; xi running
-    // fastest in both
-    std::vector<Point<2>> points;
+    std::vector<Point<2>>  points;
     for (const auto &part : {QAnisotropic<2>(linear, quadratic),
                              QAnisotropic<2>(quadratic, linear)})
       points.insert(points.end(),
                     part.get_points().begin(),
                     part.get_points().end());
+    return points;
+  }
 
-    const auto interpolate = [linear, quadratic](const CellOperator &tied,
-                                                 const FEValues<2>  &tying,
-                                                 const FEValues<2>  &values) {
+
+
+  Eigen::Matrix<double, 2, 6>
+  covariant_polynomials(const Point<2> &unit)
+  {
+    static const QGauss<1>        linear(2);
+    static const QGaussLobatto<1> quadratic(3);
+    Eigen::Matrix<double, 2, 6>   values;
+    for (unsigned int j = 0; j < 3; ++j)
+      for (unsigned int i = 0; i < 2; ++i)
+        {
+          values(0, 2 * j + i) =
+            lagrange(linear, i, unit[0]) * lagrange(quadratic, j, unit[1]);
+          values(1, 3 * i + j) =
+            lagrange(quadratic, j, unit[0]) * lagrange(linear, i, unit[1]);
+        }
+    return values;
+  }
+
+
+
+  AssumedShear
+  mixed_shear()
+  {
+    using Row              = Eigen::RowVectorXd;
+    const auto interpolate = [](const CellOperator &tied,
+                                const FEValues<2>  &tying,
+                                const FEValues<2>  &values) {
       // covariant component d x/d xi_a . gamma of a tying point
       const auto covariant = [&](const unsigned int t,
                                  const unsigned int a) -> Row {
@@ -71,23 +94,20 @@ namespace PlateImpact
       CellOperator       result = CellOperator::Zero(2 * n, tied.cols());
       for (unsigned int q = 0; q < n; ++q)
         {
-          const Point<2> &p = values.get_quadrature().point(q);
-          Row along[2]      = {Row::Zero(tied.cols()), Row::Zero(tied.cols())};
-          for (unsigned int j = 0; j < 3; ++j)
-            for (unsigned int i = 0; i < 2; ++i)
-              {
-                along[0] += lagrange(linear, i, p[0]) *
-                  lagrange(quadratic, j, p[1]) * covariant(2 * j + i, 0);
-                along[1] += lagrange(quadratic, j, p[0]) *
-                  lagrange(linear, i, p[1]) * covariant(6 + 3 * i + j, 1);
-              }
+          const auto polynomials =
+            covariant_polynomials(values.get_quadrature().point(q));
           const auto &inverse = values.inverse_jacobian(q);
-          for (unsigned int d = 0; d < 2; ++d)
-            result.row(2 * q + d) =
-              inverse[0][d] * along[0] + inverse[1][d] * along[1];
+          for (const unsigned int a : {0, 1})
+            {
+              Row along = Row::Zero(tied.cols());
+              for (unsigned int t = 0; t < 6; ++t)
+                along += polynomials(a, t) * covariant(6 * a + t, a);
+              for (unsigned int d = 0; d < 2; ++d)
+                result.row(2 * q + d) += inverse[a][d] * along;
+            }
         }
       return result;
     };
-    return {Quadrature<2>(points), interpolate};
+    return {Quadrature<2>(covariant_tying_points()), interpolate};
   }
 } // namespace PlateImpact

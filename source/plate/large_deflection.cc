@@ -109,7 +109,8 @@ namespace PlateImpact
         const Eigen::VectorXd of_squares =
           plate.shape(cell).at_quadrature.of_squares.transpose() *
           (forces.col(cell) + forces_of(shape(cell), strains.col(cell)));
-        on_deflections = SlopeSquares::forces(slopes.col(cell), of_squares);
+        on_deflections.noalias() =
+          SlopeSquares::derivative(slopes.col(cell)).transpose() * of_squares;
         of_cells(causes, cell)      = on_causes;
         of_cells(deflections, cell) = on_deflections;
       }

@@ -1,6 +1,7 @@
 #include "plate_impact/plate/plate_discretization.h"
 
 #include <deal.II/base/bounding_box.h>
+#include <deal.II/base/function.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/grid/grid_tools.h>
@@ -68,6 +69,65 @@ namespace PlateImpact
 
 
 
+    /// A point of a load.
+    struct PointInCell
+    {
+      Triangulation<2>::active_cell_iterator cell;
+      Point<2>                               unit;
+      double                                 weight;
+    };
+
+
+
+    /// Points of a load, cell by cell, in each from left to right.
+    /// @throws ComputationError when a point lies outside of the mesh
+    std::vector<PointInCell>
+    find_cells(const Triangulation<2> &mesh, std::vector<LoadPoint> points)
+    {
+      std::sort(points.begin(),
+                points.end(),
+                [](const LoadPoint &p, const LoadPoint &q) {
+                  return p.point[0] < q.point[0];
+                });
+      std::vector<Triangulation<2>::active_cell_iterator> cells;
+      std::vector<BoundingBox<2>>                         boxes;
+      for (const auto &cell : mesh.active_cell_iterators())
+        {
+          cells.push_back(cell);
+          boxes.push_back(cell->bounding_box());
+          // a curved cell reaches beyond the box of its corners, by a part of
+          // it
+          boxes.back().extend(
+            (&mapping_of(cell) == &curved_mapping() ? 0.25 : 1e-9) *
+            std::max(boxes.back().side_length(0), boxes.back().side_length(1)));
+        }
+      std::vector<PointInCell> found;
+      const auto               tree = pack_rtree_of_indices(boxes);
+      for (const auto &[point, weight] : points)
+        {
+          std::vector<std::size_t> near;
+          tree.query(boost::geometry::index::intersects(point),
+                     std::back_inserter(near));
+          std::sort(near.begin(), near.end());
+          std::optional<Point<2>> unit;
+          for (std::size_t i = 0; i < near.size() && !unit; ++i)
+            if ((unit = position_in(cells[near[i]], point)))
+              found.push_back({cells[near[i]], *unit, weight});
+          if (!unit)
+            throw ComputationError(
+              "the load distribution reaches beyond the mesh");
+        }
+      std::stable_sort(found.begin(),
+                       found.end(),
+                       [](const PointInCell &p, const PointInCell &q) {
+                         return p.cell->active_cell_index() <
+                           q.cell->active_cell_index();
+                       });
+      return found;
+    }
+
+
+
     /// A matrix, all zero, with those entries of a sparsity pattern that are
     /// not excluded.
     /// @param is_entry  whether a row and column of the pattern have one
@@ -101,58 +161,7 @@ namespace PlateImpact
       matrix->FillComplete();
       return matrix;
     }
-
-
-
-    /// A motion as a rigid body: along z, about y and x, and of plates that
-    /// stretch along x and y and about z.
-    class RigidMotion : public Function<2>
-    {
-    public:
-      RigidMotion(const unsigned int n_components,
-                  const unsigned int which,
-                  const double       size)
-        : Function<2>(n_components)
-        , which(which)
-        , size(size)
-      {}
-
-      static std::vector<RigidMotion>
-      all(const unsigned int n_components, const double size)
-      {
-        std::vector<RigidMotion> motions;
-        for (unsigned int which = 0; which < (n_components > 3 ? 6 : 3);
-             ++which)
-          motions.emplace_back(n_components, which, size);
-        return motions;
-      }
-
-      double
-      value(const Point<2> &p, const unsigned int component) const override
-      {
-        const double x = p[0] / size, y = p[1] / size;
-        const double values[6][5] = {{1., 0., 0., 0., 0.},
-                                     {x, 1. / size, 0., 0., 0.},
-                                     {y, 0., 1. / size, 0., 0.},
-                                     {0., 0., 0., 1., 0.},
-                                     {0., 0., 0., 0., 1.},
-                                     {0., 0., 0., -y, x}};
-        return values[which][component];
-      }
-
-    private:
-      unsigned int which;
-      double       size;
-    };
   } // namespace
-
-
-
-  PlateDiscretization::PlateDiscretization(const Triangulation<2> &mesh,
-                                           const PlateElement     &element,
-                                           const PlateParameters  &plate)
-    : PlateDiscretization(mesh, element, plate, geometry_of(plate)->n_parts())
-  {}
 
 
 
@@ -162,7 +171,8 @@ namespace PlateImpact
                                            const double            multiplicity)
     : plate_element(element)
     , plate_section(plate)
-    , multiplicity(multiplicity)
+    , multiplicity(multiplicity > 0. ? multiplicity :
+                                       geometry_of(plate)->n_parts())
     , dofs(mesh)
   {
     if (element.stretching() != plate_section.stretching())
@@ -173,33 +183,19 @@ namespace PlateImpact
     holds_deflection = hold_edges(dofs, *geometry_of(plate), constraints);
     constraints.close();
     unknowns.reinit(dofs, constraints);
-    find_shapes();
-  }
 
-
-
-  void
-  PlateDiscretization::find_shapes()
-  {
-    const auto  &mesh      = dofs.get_triangulation();
     const double tolerance = 1e-10 * mesh.begin_active(0)->diameter();
     std::map<std::array<long, 6>, unsigned int> known;
-    shape_of_cell.resize(mesh.n_active_cells());
     for (const auto &cell : mesh.active_cell_iterators())
       {
-        auto &shape_of_this = shape_of_cell[cell->active_cell_index()];
+        unsigned int shape = shapes.size();
         // corners do not tell curved cells apart
-        if (&mapping_of(cell) == &curved_mapping())
-          {
-            shape_of_this = shapes.size();
-            shapes.push_back(plate_element.shape(cell));
-            continue;
-          }
-        const auto [shape, is_new] =
-          known.insert({congruence_key(cell, tolerance), shapes.size()});
-        if (is_new)
+        if (&mapping_of(cell) != &curved_mapping())
+          shape = known.insert({congruence_key(cell, tolerance), shape})
+                    .first->second;
+        if (shape == shapes.size())
           shapes.push_back(plate_element.shape(cell));
-        shape_of_this = shape->second;
+        shape_of_cell.push_back(shape);
       }
   }
 
@@ -228,165 +224,89 @@ namespace PlateImpact
     std::vector<CellMatrix> K_of_shape, M_of_shape;
     for (const CellShape &shape : shapes)
       {
-        K_of_shape.push_back(multiplicity *
-                             plate_element.stiffness(shape, plate_section));
-        M_of_shape.push_back(multiplicity *
-                             plate_element.mass(shape, plate_section));
+        K_of_shape.push_back(plate_element.stiffness(shape, plate_section));
+        M_of_shape.push_back(plate_element.mass(shape, plate_section));
       }
-    for (unsigned int cell = 0; cell < shape_of_cell.size(); ++cell)
-      {
-        add_cell_matrix(cell, K_of_shape[shape_of_cell[cell]], *K);
-        add_cell_matrix(cell, M_of_shape[shape_of_cell[cell]], *M);
-      }
+    add_cells(
+      [&](const unsigned int cell, CellMatrix &matrix) {
+        matrix = K_of_shape[shape_of_cell[cell]];
+      },
+      *K);
+    add_cells(
+      [&](const unsigned int cell, CellMatrix &matrix) {
+        matrix = M_of_shape[shape_of_cell[cell]];
+      },
+      *M);
   }
 
 
 
   void
   PlateDiscretization::add_cells(
-    const std::function<void(unsigned int, CellMatrix &)> &of_cell,
+    const std::function<void(unsigned int, CellMatrix &)> &set_matrix,
     Epetra_CrsMatrix                                      &sum) const
   {
-    CellMatrix matrix;
-    for (unsigned int cell = 0; cell < shape_of_cell.size(); ++cell)
-      {
-        of_cell(cell, matrix);
-        add_cell_matrix(cell, multiplicity * matrix, sum);
-      }
-  }
-
-
-
-  void
-  PlateDiscretization::add_cell_matrix(const unsigned int cell,
-                                       const CellMatrix  &matrix,
-                                       Epetra_CrsMatrix  &sum) const
-  {
-    const auto      of_cell = unknowns.of_cell(cell);
-    Eigen::MatrixXd A;
-    unknowns.resolve_constraints(cell, of_cell, matrix, A);
-    // symmetric, so that a column is a row
+    CellMatrix          matrix;
+    Eigen::MatrixXd     A;
     std::vector<int>    columns;
     std::vector<double> values;
-    for (Eigen::Index j = 0; j < A.cols(); ++j)
+    for (unsigned int cell = 0; cell < shape_of_cell.size(); ++cell)
       {
-        columns.clear();
-        values.clear();
-        for (Eigen::Index i = 0; i < A.rows(); ++i)
-          if (A(i, j) != 0.)
-            {
-              columns.push_back(of_cell[i]);
-              values.push_back(A(i, j));
-            }
-        sum.SumIntoMyValues(of_cell[j],
-                            columns.size(),
-                            values.data(),
-                            columns.data());
+        set_matrix(cell, matrix);
+        const auto of_cell = unknowns.of_cell(cell);
+        unknowns.resolve_constraints(cell, of_cell, multiplicity * matrix, A);
+        // symmetric, so that a column is a row
+        for (Eigen::Index j = 0; j < A.cols(); ++j)
+          {
+            columns.clear();
+            values.clear();
+            for (Eigen::Index i = 0; i < A.rows(); ++i)
+              if (A(i, j) != 0.)
+                {
+                  columns.push_back(of_cell[i]);
+                  values.push_back(A(i, j));
+                }
+            sum.SumIntoMyValues(of_cell[j],
+                                columns.size(),
+                                values.data(),
+                                columns.data());
+          }
       }
   }
 
 
 
   Eigen::VectorXd
-  PlateDiscretization::load(std::vector<LoadPoint> points,
-                            const double           rotation_factor) const
+  PlateDiscretization::load(const std::vector<LoadPoint> &points,
+                            const double                  rotation_factor) const
   {
-    // summed cell by cell, in each from left to right
-    std::sort(points.begin(),
-              points.end(),
-              [](const LoadPoint &p, const LoadPoint &q) {
-                return p.point[0] < q.point[0];
-              });
-    std::vector<Triangulation<2>::active_cell_iterator> cells;
-    std::vector<BoundingBox<2>>                         boxes;
-    for (const auto &cell : mesh().active_cell_iterators())
+    const FESystem<2>      &fe     = plate_element.finite_element();
+    const FiniteElement<2> &scalar = fe.base_element(0);
+    Eigen::VectorXd         u      = Eigen::VectorXd::Zero(n_unknowns());
+    for (const auto &[cell, unit, force] : find_cells(mesh(), points))
       {
-        cells.push_back(cell);
-        boxes.push_back(cell->bounding_box());
-        // a curved cell reaches beyond the box of its corners, by a part of it
-        boxes.back().extend(
-          (&mapping_of(cell) == &curved_mapping() ? 0.25 : 1e-9) *
-          std::max(boxes.back().side_length(0), boxes.back().side_length(1)));
+        const unsigned int c = cell->active_cell_index();
+        for (unsigned int i = 0; i < scalar.n_dofs_per_cell(); ++i)
+          unknowns.add_force(c,
+                             fe.component_to_system_index(deflection, i),
+                             force * scalar.shape_value(i, unit),
+                             u);
+        if (rotation_factor == 0.)
+          continue;
+        FEValues<2> values(mapping_of(cell),
+                           scalar,
+                           Quadrature<2>(unit),
+                           update_gradients);
+        values.reinit(cell);
+        for (unsigned int i = 0; i < scalar.n_dofs_per_cell(); ++i)
+          for (const unsigned int d : {0, 1})
+            unknowns.add_force(c,
+                               fe.component_to_system_index(rotation_x + d, i),
+                               force * rotation_factor *
+                                 values.shape_grad(i, 0)[d],
+                               u);
       }
-    struct PointInCell
-    {
-      std::size_t cell;
-      Point<2>    unit;
-      double      weight;
-    };
-    std::vector<PointInCell> found;
-    const auto               tree = pack_rtree_of_indices(boxes);
-    for (const auto &[point, weight] : points)
-      {
-        std::vector<std::size_t> near;
-        tree.query(boost::geometry::index::intersects(point),
-                   std::back_inserter(near));
-        std::sort(near.begin(), near.end());
-        std::optional<Point<2>> unit;
-        for (std::size_t i = 0; i < near.size() && !unit; ++i)
-          if ((unit = position_in(cells[near[i]], point)))
-            found.push_back({near[i], *unit, weight});
-        if (!unit)
-          throw ComputationError(
-            "the load distribution reaches beyond the mesh");
-      }
-    std::stable_sort(found.begin(),
-                     found.end(),
-                     [](const PointInCell &p, const PointInCell &q) {
-                       return p.cell < q.cell;
-                     });
-    Eigen::VectorXd u = Eigen::VectorXd::Zero(n_unknowns());
-    for (const auto &[cell, unit, weight] : found)
-      add_load(cells[cell], unit, weight, rotation_factor, u);
     return u;
-  }
-
-
-
-  void
-  PlateDiscretization::add_load(
-    const Triangulation<2>::active_cell_iterator &cell,
-    const Point<2>                               &unit,
-    const double                                  force,
-    const double                                  beta,
-    Eigen::VectorXd                              &u) const
-  {
-    const FESystem<2> &fe = plate_element.finite_element();
-    const unsigned int c  = cell->active_cell_index();
-    for (unsigned int node = 0; node < fe.base_element(0).n_dofs_per_cell();
-         ++node)
-      unknowns.add_force(c,
-                         fe.component_to_system_index(deflection, node),
-                         force * fe.base_element(0).shape_value(node, unit),
-                         u);
-    if (beta == 0.)
-      return;
-    FEValues<2> values(mapping_of(cell),
-                       fe,
-                       Quadrature<2>(unit),
-                       update_gradients);
-    values.reinit(cell);
-    for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
-      if (const unsigned int component = fe.system_to_component_index(i).first;
-          component == rotation_x || component == rotation_y)
-        unknowns.add_force(c,
-                           i,
-                           force * beta *
-                             values.shape_grad(i, 0)[component - rotation_x],
-                           u);
-  }
-
-
-
-  Eigen::VectorXd
-  PlateDiscretization::interpolate(const Function<2> &field) const
-  {
-    Vector<double> values(dofs.n_dofs());
-    VectorTools::interpolate(mapping_of(dofs.get_triangulation()),
-                             dofs,
-                             field,
-                             values);
-    return unknowns.of_nodal_values(values);
   }
 
 
@@ -394,17 +314,39 @@ namespace PlateImpact
   unsigned int
   PlateDiscretization::n_rigid_motions() const
   {
-    // of a size that makes all columns alike
-    const double                   size = GridTools::diameter(mesh());
-    const std::vector<RigidMotion> motions =
-      RigidMotion::all(dofs.get_fe().n_components(), size);
+    // Along z, about y and x, and of plates that stretch along x and y and
+    // about z. The size makes all columns alike.
+    using Component         = std::function<double(const Point<2> &)>;
+    const double    size    = GridTools::diameter(mesh());
+    const Component zero    = [](const Point<2> &) { return 0.; },
+                    one     = [](const Point<2> &) { return 1.; },
+                    slope   = [=](const Point<2> &) { return 1. / size; },
+                    x       = [=](const Point<2> &p) { return p[0] / size; },
+                    y       = [=](const Point<2> &p) { return p[1] / size; },
+                    minus_y = [=](const Point<2> &p) { return -p[1] / size; };
+    std::vector<std::vector<Component>> motions = {
+      {one, zero, zero, zero, zero},
+      {x, slope, zero, zero, zero},
+      {y, zero, slope, zero, zero},
+      {zero, zero, zero, one, zero},
+      {zero, zero, zero, zero, one},
+      {zero, zero, zero, minus_y, x}};
+    if (!stretches())
+      {
+        motions.resize(3);
+        for (auto &motion : motions)
+          motion.resize(3);
+      }
     // by how much each fails what is held, all of which is at the boundary
     const IndexSet  boundary = DoFTools::extract_boundary_dofs(dofs);
     Eigen::MatrixXd misfit(boundary.n_elements(), motions.size());
     for (std::size_t k = 0; k < motions.size(); ++k)
       {
         Vector<double> values(dofs.n_dofs());
-        VectorTools::interpolate(mapping_of(mesh()), dofs, motions[k], values);
+        VectorTools::interpolate(mapping_of(mesh()),
+                                 dofs,
+                                 FunctionFromFunctionObjects<2>(motions[k]),
+                                 values);
         Vector<double> held = values;
         constraints.distribute(held);
         for (unsigned int i = 0; i < boundary.n_elements(); ++i)

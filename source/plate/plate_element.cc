@@ -67,21 +67,12 @@ namespace PlateImpact
 
 
 
-  bool
-  PlateElement::centre_is_constrained(const unsigned int component) const
-  {
-    const ElementRow &row = row_of(type, elements);
-    return component == deflection ? row.constrains_deflection :
-                                     row.constrains_others;
-  }
-
-
-
   void
   PlateElement::add_internal_constraints(
     const DoFHandler<2>       &dof_handler,
     AffineConstraints<double> &constraints) const
   {
+    const ElementRow &row = row_of(type, elements);
     // FE_Q(2) numbers the four corners first, then the midsides, then the
     // centre
     const unsigned int                   centre = 8;
@@ -90,7 +81,8 @@ namespace PlateImpact
       {
         cell->get_dof_indices(dofs);
         for (unsigned int c = 0; c < element.n_components(); ++c)
-          if (centre_is_constrained(c))
+          if (c == deflection ? row.constrains_deflection :
+                                row.constrains_others)
             {
               const auto line =
                 dofs[element.component_to_system_index(c, centre)];
@@ -260,19 +252,13 @@ namespace PlateImpact
       weights.asDiagonal() * shape.shape_values;
     const unsigned int n_dofs = element.n_dofs_per_cell();
     CellMatrix         M      = CellMatrix::Zero(n_dofs, n_dofs);
-    for (unsigned int i = 0; i < n_dofs; ++i)
-      for (unsigned int j = 0; j < n_dofs; ++j)
-        {
-          const auto [component_i, node_i] =
-            element.system_to_component_index(i);
-          const auto [component_j, node_j] =
-            element.system_to_component_index(j);
-          if (component_i == component_j)
-            M(i, j) = scalar_mass(node_i, node_j) *
-              (component_i == rotation_x || component_i == rotation_y ?
-                 section.rotary_inertia :
-                 section.mass_per_area);
-        }
+    for (unsigned int c = 0; c < element.n_components(); ++c)
+      for (unsigned int i = 0; i < scalar_element.n_dofs_per_cell(); ++i)
+        for (unsigned int j = 0; j < scalar_element.n_dofs_per_cell(); ++j)
+          M(element.component_to_system_index(c, i),
+            element.component_to_system_index(c, j)) = scalar_mass(i, j) *
+            (c == rotation_x || c == rotation_y ? section.rotary_inertia :
+                                                  section.mass_per_area);
     return M;
   }
 

@@ -52,6 +52,19 @@ namespace PlateImpact
       return stiffness.topRightCorner<2, 1>().cwiseAbs().maxCoeff() >
         negligible * stiffness.norm();
     }
+
+
+
+    /// The material in the axes of a ply.
+    PlyParameters
+    ply_of(const PlateParameters &plate)
+    {
+      if (plate.is_laminate())
+        return plate.ply;
+      const double E = plate.youngs_modulus, nu = plate.poissons_ratio,
+                   G = E / (2. * (1. + nu));
+      return {E, E, nu, G, G, G};
+    }
   } // namespace
 
 
@@ -63,55 +76,43 @@ namespace PlateImpact
     , thickness(plate.thickness)
   {
     const double t = thickness;
-    coupling_stiffness.setZero();
     mass_per_area  = plate.density * t;
     rotary_inertia = plate.density * t * t * t / 12.;
-    if (plate.is_laminate())
-      set_laminate(plate);
-    else
-      set_isotropic(plate);
+    set_plies(plate);
+    if (!plate.is_laminate())
+      {
+        // From the ply, which inverts its compliance, they would lose digits
+        // near nu = 1/2.
+        const double E = plate.youngs_modulus, nu = plate.poissons_ratio;
+        half_space_compliance = (1. - nu * nu) / E;
+        poissons_ratio        = nu;
+        shear_modulus         = E / (2. * (1. + nu));
+      }
     if (plate.has_large_deflection())
       how_it_stretches = Stretching::large;
     else if (is_unsymmetric())
       how_it_stretches = Stretching::linear;
-    set_compliance();
+    compliance = stiffness().inverse();
   }
 
 
 
   void
-  PlateSection::set_isotropic(const PlateParameters &plate)
+  PlateSection::set_plies(const PlateParameters &plate)
   {
-    const double E = plate.youngs_modulus, nu = plate.poissons_ratio,
-                 t = thickness;
-    const double D = E * t * t * t / (12. * (1. - nu * nu));
-    bending_stiffness << D, D * nu, 0., //
-      D * nu, D, 0.,                    //
-      0., 0., D * (1. - nu) / 2.;
-    membrane_stiffness = 12. / (t * t) * bending_stiffness;
-    shear_modulus      = E / (2. * (1. + nu));
-    shear_stiffness    = shear_correction_factor * E / (2. * (1. + nu)) * t *
-      Eigen::Matrix2d::Identity();
-    poissons_ratio        = nu;
-    contact_modulus       = E;
-    half_space_compliance = (1. - nu * nu) / E;
-  }
-
-
-
-  void
-  PlateSection::set_laminate(const PlateParameters &plate)
-  {
-    const Ply             ply(plate.ply);
-    const PlyParameters  &constants = ply.constants();
-    const auto           &angles    = plate.layup.angles;
-    const Eigen::Matrix3d Q         = ply.plane_stiffness();
-    const double          t         = thickness / angles.size();
+    const Ply            ply(ply_of(plate));
+    const PlyParameters &constants = ply.constants();
+    // an isotropic plate is a laminate of one ply
+    const auto angles =
+      plate.is_laminate() ? plate.layup.angles : std::vector<double>{0.};
+    const Eigen::Matrix3d Q = ply.plane_stiffness();
+    const double          t = thickness / angles.size();
 
     std::vector<Eigen::Matrix3d> plane_stiffness;
     std::vector<Eigen::Matrix2d> shear_moduli;
     bending_stiffness.setZero();
     membrane_stiffness.setZero();
+    coupling_stiffness.setZero();
     shear_stiffness.setZero();
     for (std::size_t k = 0; k < angles.size(); ++k)
       {
@@ -135,10 +136,10 @@ namespace PlateImpact
             .asDiagonal() *
           turn);
         shear_stiffness += shear_correction_factor * t * shear_moduli.back();
-        for (const double z : {near, far})
-          ply_faces.push_back({z, Q * T, Eigen::Matrix3d::Zero()});
+        if (plate.is_laminate())
+          ply_faces.insert(ply_faces.end(), {{near, Q * T}, {far, Q * T}});
       }
-    if (plate.shear_correction_factor == 0.)
+    if (plate.is_laminate() && plate.shear_correction_factor == 0.)
       shear_stiffness = thickness *
         shear_stiffness_of_equilibrium(plane_stiffness, shear_moduli);
 
@@ -146,33 +147,6 @@ namespace PlateImpact
     poissons_ratio        = ply.layer_poissons_ratio();
     shear_modulus   = 0.5 * (1. - poissons_ratio) * ply.half_space_modulus();
     contact_modulus = constants.transverse_modulus;
-  }
-
-
-
-  void
-  PlateSection::set_compliance()
-  {
-    if (how_it_stretches != Stretching::none)
-      {
-        compliance = stiffness().inverse();
-        return;
-      }
-    compliance.setZero(5, 5);
-    compliance.topLeftCorner<3, 3>() = bending_stiffness.inverse();
-    compliance.block<2, 2>(3, 3)     = shear_stiffness.inverse();
-    // moments cause the largest stresses of a ply at its outer face
-    std::vector<PlyFace> outer;
-    for (std::size_t k = 0; k < ply_faces.size(); k += 2)
-      {
-        outer.push_back(
-          ply_faces[std::abs(ply_faces[k].z) > std::abs(ply_faces[k + 1].z) ?
-                      k :
-                      k + 1]);
-        outer.back().stress_per_moment = std::abs(outer.back().z) *
-          outer.back().stress_per_strain * compliance.topLeftCorner<3, 3>();
-      }
-    ply_faces = outer;
   }
 
 
@@ -339,19 +313,17 @@ namespace PlateImpact
           }
         return Eigen::MatrixXd::Constant(1, 1, largest);
       }
-    if (!stretches)
-      {
-        Eigen::MatrixXd result(ply_faces.size(), 3);
-        for (std::size_t k = 0; k < ply_faces.size(); ++k)
-          result.row(k) = (ply_faces[k].stress_per_moment * moments).cwiseAbs();
-        return result;
-      }
-    const Eigen::VectorXd strains = compliance * resultants.head<8>();
+    const unsigned int    n = n_for_stresses();
+    const Eigen::VectorXd strains =
+      compliance.topLeftCorner(n, n) * resultants.head(n);
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    if (stretches)
+      middle = strains.tail<3>();
     Eigen::MatrixXd result = Eigen::MatrixXd::Zero(ply_faces.size() / 2, 3);
     for (std::size_t k = 0; k < ply_faces.size(); ++k)
       {
         const Eigen::Vector3d strain =
-          strains.tail<3>() - ply_faces[k].z * strains.head<3>();
+          middle - ply_faces[k].z * strains.head<3>();
         result.row(k / 2) = result.row(k / 2).cwiseMax(
           (ply_faces[k].stress_per_strain * strain).cwiseAbs().transpose());
       }

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include <functional>
+#include <vector>
 
 namespace PlateImpact
 {
@@ -51,10 +52,22 @@ namespace PlateImpact
   shear_at_gauss_points(unsigned int n);
 
 
+  /// Where covariant components are tied: the six points of that along xi, at
+  /// xi = +-1/sqrt(3), eta = -1, 0, 1, then the six of that along eta, the
+  /// other way round; in both xi runs fastest.
+  std::vector<dealii::Point<2>>
+  covariant_tying_points();
+
+  /// The polynomials between them, of the component along xi (row 0) and along
+  /// eta (row 1), at a point of the reference cell.
+  Eigen::Matrix<double, 2, 6>
+  covariant_polynomials(const dealii::Point<2> &unit);
+
+
   /// Mixed interpolation of tensorial components with nine nodes, after Bucalem
-  /// & Bathe (Int J Numer Meth Engng 36, 1993, 3729-3754): the covariant
-  /// component along xi is tied at xi = +-1/sqrt(3), eta = -1, 0, 1, linear in
-  /// xi and quadratic in eta; that along eta the other way round.
+  /// & Bathe (Int J Numer Meth Engng 36, 1993, 3729-3754), tied at
+  /// covariant_tying_points(): the covariant component along xi is linear in xi
+  /// and quadratic in eta, that along eta the other way round.
   ///
   /// The outer points lie on the edges, where the edge tying of the plate
   /// elements of Bathe, Brezzi & Cho (Comput Struct 32, 1989, 797-814) has

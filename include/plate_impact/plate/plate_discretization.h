@@ -1,7 +1,6 @@
 #ifndef plate_impact_plate_plate_discretization_h
 #define plate_impact_plate_plate_discretization_h
 
-#include <deal.II/base/function.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/lac/affine_constraints.h>
 
@@ -35,15 +34,12 @@ namespace PlateImpact
   {
   public:
     /// Numbers the unknowns; the mesh must outlive the discretization.
-    PlateDiscretization(const dealii::Triangulation<2> &mesh,
-                        const PlateElement             &element,
-                        const PlateParameters          &plate);
-
-    /// The same for a mesh that is not what the plate's symmetry leaves.
+    /// @param multiplicity  parts like the mesh in the plate; 0: as many as its
+    ///                      symmetry leaves
     PlateDiscretization(const dealii::Triangulation<2> &mesh,
                         const PlateElement             &element,
                         const PlateParameters          &plate,
-                        double                          multiplicity);
+                        double                          multiplicity = 0.);
 
     /// Builds K and M.
     void
@@ -74,11 +70,8 @@ namespace PlateImpact
     /// @param rotation_factor  beta [m^2]
     /// @throws ComputationError when a point lies outside of the mesh
     Eigen::VectorXd
-    load(std::vector<LoadPoint> points, double rotation_factor = 0.) const;
-
-    /// The unknowns of a given field of deflection and rotations.
-    Eigen::VectorXd
-    interpolate(const dealii::Function<2> &field) const;
+    load(const std::vector<LoadPoint> &points,
+         double                        rotation_factor = 0.) const;
 
     /// What cells and nodes see of the unknowns.
     const FreeUnknowns &
@@ -144,10 +137,10 @@ namespace PlateImpact
     }
 
     /// Adds symmetric matrices of cells, over the parts of the plate.
-    /// @param of_cell  sets that of a cell, by active index
-    /// @param sum      with the entries of K
+    /// @param set_matrix  sets that of a cell, by active index
+    /// @param sum         with the entries of K
     void
-    add_cells(const std::function<void(unsigned int, CellMatrix &)> &of_cell,
+    add_cells(const std::function<void(unsigned int, CellMatrix &)> &set_matrix,
               Epetra_CrsMatrix                                      &sum) const;
 
     const PlateElement &
@@ -163,23 +156,6 @@ namespace PlateImpact
     }
 
   private:
-    void
-    find_shapes();
-
-    /// Adds a symmetric matrix of a cell.
-    void
-    add_cell_matrix(unsigned int      cell,
-                    const CellMatrix &matrix,
-                    Epetra_CrsMatrix &sum) const;
-
-    /// Adds a force at a point of a cell, on w + beta div theta.
-    void
-    add_load(const dealii::Triangulation<2>::active_cell_iterator &cell,
-             const dealii::Point<2>                               &unit,
-             double                                                force,
-             double                                                beta,
-             Eigen::VectorXd                                      &u) const;
-
     const PlateElement               &plate_element;
     const PlateSection                plate_section;
     const double                      multiplicity;

@@ -136,8 +136,6 @@ namespace PlateImpact
     CellStrains
     strains(const dealii::Triangulation<2>::active_cell_iterator &cell,
             const dealii::FEValues<2>                            &values) const;
-    bool
-    centre_is_constrained(unsigned int component) const;
 
     const ElementType         type;
     const Stretching          how_it_stretches;

@@ -150,17 +150,13 @@ namespace PlateImpact
 
   private:
     void
-    set_isotropic(const PlateParameters &plate);
-    void
-    set_laminate(const PlateParameters &plate);
-    void
-    set_compliance();
+    set_plies(const PlateParameters &plate);
 
     /// Stresses of a ply at a face of it, z from the middle, per strain.
     struct PlyFace
     {
       double          z;
-      Eigen::Matrix3d stress_per_strain, stress_per_moment;
+      Eigen::Matrix3d stress_per_strain;
     };
 
     /// Moments per curvature with the middle surface relaxed. [N m]
@@ -171,8 +167,7 @@ namespace PlateImpact
     Stretching      how_it_stretches = Stretching::none;
     Eigen::MatrixXd compliance; ///< strains per resultants
 
-    /// Both of each ply; of a symmetric section that does not stretch the outer
-    /// one.
+    /// Both of each ply of a laminate; an isotropic plate has none.
     std::vector<PlyFace> ply_faces;
   };
 

@@ -14,29 +14,25 @@ namespace PlateImpact
   /// Squares of slopes are of higher order than the strains of displacements in
   /// the plane: taken as they are, these cannot balance them, and the membrane
   /// locks. So they are tied where those strains have their degree, as the
-  /// transverse shear of MITC9 (AssumedShear): the covariant component along xi
-  /// at xi = +-1/sqrt(3), eta = -1, 0, 1, that along eta the other way round,
-  /// and that of shear at 2x2 Gauss points. On parallelograms a plate of nine
-  /// nodes then bends without a membrane force where the exact one does.
+  /// transverse shear of MITC9: covariant components at
+  /// covariant_tying_points(), that of shear at 2x2 Gauss points. On
+  /// parallelograms a plate of nine nodes then bends without a membrane force
+  /// where the exact one does.
   class SlopeSquares
   {
   public:
-    static constexpr int n_slopes = 20, n_squares = 16;
+    static constexpr int n_squares = 16;
 
     /// Slopes of the deflection at the tying points, along xi and eta of the
-    /// reference cell, from its values at nine nodes: n_slopes x 9. The same
-    /// for every cell.
+    /// reference cell, from its values at nine nodes: 2 n_squares x 9. Strain k
+    /// is the product of slopes k and n_squares + k, the first of which is
+    /// halved where both are the same. The same for every cell.
     static const Eigen::MatrixXd &
     slopes();
 
     /// The covariant strains, from slopes.
     static Eigen::VectorXd
     squares(const Eigen::Ref<const Eigen::VectorXd> &slopes);
-
-    /// Forces on the nine deflections from those on the covariant strains.
-    static Eigen::VectorXd
-    forces(const Eigen::Ref<const Eigen::VectorXd> &slopes,
-           const Eigen::Ref<const Eigen::VectorXd> &of_squares);
 
     /// Their derivative with respect to the nine deflections.
     static Eigen::MatrixXd
