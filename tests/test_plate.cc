@@ -212,10 +212,9 @@ namespace PlateImpact
   impact(const Parameters &parameters, SemidiscreteSystem &plate)
   {
     const Contact contact = make_contact(parameters);
-    TimeStepper   stepper(parameters.time,
+    TimeStepper   stepper({parameters.time, parameters.contact.integration},
                         plate,
                         contact,
-                        parameters.contact.integration,
                         make_impactor(parameters.impactor));
     stepper.advance(stepper.n_steps());
     return stepper.impact().history;

@@ -146,7 +146,8 @@ namespace PlateImpact
     Parameters impact =
       time_control->impact(window, current->plate, wanted.errors);
     if (result.degrees_of_freedom >= unknowns_in_vain &&
-        NewmarkScheme(impact.time).n_steps <= steps_in_vain)
+        NewmarkScheme(impact.time, impact.contact.integration).n_steps <=
+          steps_in_vain)
       impact.time.integrator = IntegratorType::Newmark;
     if (window.extent == Extent::peak_search)
       result.history =
@@ -306,7 +307,7 @@ namespace PlateImpact
     halved->refine_global();
     // no longer than the peak takes, with nothing but the force
     Parameters          to_peak = parameters;
-    const NewmarkScheme scheme(result.time);
+    const NewmarkScheme scheme(result.time, parameters.contact.integration);
     to_peak.time                = result.time;
     to_peak.time.time_step      = scheme.dt;
     to_peak.time.end_of_vectors = 0.;

@@ -48,7 +48,7 @@ namespace PlateImpact
         , element(parameters.discretization.element)
         , model(*mesh, element, parameters.plate)
         , contact(make_contact(parameters))
-        , integration(parameters.contact.integration)
+        , scheme(parameters.time, parameters.contact.integration)
         , impactor(make_impactor(parameters.impactor))
       {}
 
@@ -67,7 +67,7 @@ namespace PlateImpact
       const PlateElement                              element;
       PlateDiscretization                             model;
       const Contact                                   contact;
-      const ContactIntegration                        integration;
+      const NewmarkScheme                             scheme;
       const Impactor                                  impactor;
     };
 
@@ -227,10 +227,9 @@ namespace PlateImpact
           if (n++ % 1000 == 0)
             {
               state.PauseTiming();
-              stepper.emplace(stages.parameters.time,
+              stepper.emplace(stages.scheme,
                               plate,
                               stages.contact,
-                              stages.integration,
                               stages.impactor);
               state.ResumeTiming();
             }
@@ -285,10 +284,9 @@ namespace PlateImpact
       RitzBasis  basis(plate, shift);
       basis.grow(100);
       ReducedSystem       reduced(basis, 100);
-      TimeStepper         stepper(stages.parameters.time,
+      TimeStepper         stepper(stages.scheme,
                           reduced,
                           stages.contact,
-                          stages.integration,
                           stages.impactor);
       std::vector<double> times;
       Eigen::MatrixXd     coordinates(100, 100);
