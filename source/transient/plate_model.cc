@@ -2,6 +2,7 @@
 
 #include <deal.II/base/timer.h>
 
+#include "plate_impact/base/exceptions.h"
 #include "plate_impact/contact/make_contact.h"
 #include "plate_impact/plate/layer_response.h"
 #include "plate_impact/plate/load_distribution.h"
