@@ -96,7 +96,7 @@ namespace PlateImpact
       error.elements.push_back(cell_size(cell) /
                                (fine + growth * cell->center().norm()));
     std::vector<std::string> warnings;
-    MeshAdaptation(adaptivity).adapt(mesh, error, warnings);
+    adapt_mesh({mesh, error, adaptivity, 0., warnings});
     EXPECT_TRUE(warnings.empty()) << warnings.front();
   }
 

@@ -314,14 +314,10 @@ namespace PlateImpact
     void
     Adaptation(benchmark::State &state)
     {
-      Stages                   stages(state.range(0));
-      const MeshAdaptation     adaptation([] {
-        AdaptivityParameters adaptivity =
-          steel_case(3, IntegratorType::Newmark).adaptivity;
-        adaptivity.strategy          = AdaptationStrategy::hanging_nodes;
-        adaptivity.minimum_cell_size = 1e-5;
-        return adaptivity;
-      }());
+      Stages               stages(state.range(0));
+      AdaptivityParameters adaptivity = stages.parameters.adaptivity;
+      adaptivity.strategy             = AdaptationStrategy::hanging_nodes;
+      adaptivity.minimum_cell_size    = 1e-5;
       std::vector<std::string> warnings;
       ErrorRatios              error;
       for (const auto &cell : stages.mesh->active_cell_iterators())
@@ -330,7 +326,7 @@ namespace PlateImpact
         {
           dealii::Triangulation<2> mesh;
           mesh.copy_triangulation(*stages.mesh);
-          adaptation.adapt(mesh, error, warnings);
+          adapt_mesh({mesh, error, adaptivity, 0., warnings});
         }
       count(state, stages);
     }
