@@ -157,7 +157,6 @@ namespace PlateImpact
 
     Observation seen = PlateImpact::observe(*current, impact, wanted, listener);
     const Timer timer;
-    seen.seconds += result.seconds;
     static_cast<Observation &>(result) = std::move(seen);
     static_cast<Judgement &>(result)   = judgement();
     if (result.peak_force_error)

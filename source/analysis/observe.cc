@@ -206,7 +206,7 @@ namespace PlateImpact
           AnalysisListener &listener)
   {
     Observation  seen;
-    StageCharges charges(cycle.plate, seen.seconds);
+    StageCharges charges(cycle.plate, cycle.result.seconds);
     const auto   stage = [&](const std::string &what) {
       listener.stage(cycle.result.cycle, what);
     };
