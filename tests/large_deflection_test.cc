@@ -368,7 +368,7 @@ namespace PlateImpact
       time.newmark_gamma = 0.5;
       time.end_time      = 2. * period;
       time.time_step     = period / 400.;
-      const NewmarkScheme    scheme(time);
+      const NewmarkScheme    scheme(time, ForceIntegration::energy_conserving);
       LargeDeflectionStepper stepper(scheme, matrices, load);
       double                 before = 0., amplitude = 0., first = 0., last = 0.;
       for (unsigned int step = 1; step <= scheme.n_steps; ++step)

@@ -53,8 +53,8 @@ namespace PlateImpact
           const double                contact_half_length = 0.)
     {
       std::vector<std::string> warnings;
-      const bool is_changed = MeshAdaptation(parameters, contact_half_length)
-                                .adapt(mesh, error, warnings);
+      const bool               is_changed =
+        adapt_mesh({mesh, error, parameters, contact_half_length, warnings});
       EXPECT_TRUE(warnings.empty()) << warnings.front();
       return is_changed;
     }
@@ -346,9 +346,7 @@ namespace PlateImpact
            {AdaptationStrategy::uniform,
             AdaptationStrategy::none,
             AdaptationStrategy::fixed_number})
-        EXPECT_EQ(
-          MeshAdaptation(adaptivity(strategy)).n_wanted_cells(*mesh, {}),
-          9.);
+        EXPECT_EQ(n_wanted_cells(*mesh, {}, adaptivity(strategy)), 9.);
     }
   } // namespace
 } // namespace PlateImpact

@@ -43,14 +43,14 @@ namespace PlateImpact
     /// A unit plate, its system and its response.
     struct Responding
     {
-      Responding(const double modulus, const ContactIntegration &integration)
+      Responding(const double modulus, const NewmarkScheme &scheme)
         : mesh(unit_square(4))
         , element(ElementType::MITC9)
         , model(*mesh, element, plate_of_modulus(modulus), 1.)
         , system(std::make_shared<EffectiveStiffness>(assembled(model),
                                                       SolverType::CHOLMOD),
                  model.load({{dealii::Point<2>(0.5, 0.5), 1.}}))
-        , response(NewmarkScheme(twenty_seconds()), system, integration)
+        , response(scheme, system)
       {}
 
       static PlateDiscretization &
@@ -71,8 +71,7 @@ namespace PlateImpact
 
     TEST(PeakForceDual, WeightsPredictTheChangeOfThePeak)
     {
-      const NewmarkScheme scheme(twenty_seconds());
-      const auto          law = std::make_shared<HertzLaw>(10.);
+      const auto law          = std::make_shared<HertzLaw>(10.);
       const auto yielding_law = std::make_shared<YieldingLaw>(10., 0.01, 0.5);
       const Contact hertz(law), series(law, -0.01),
         soft(std::make_shared<HertzLaw>(0.1)),
@@ -84,10 +83,9 @@ namespace PlateImpact
         for (const Contact *contact : {&hertz, &soft, &series, &yielding})
           for (const double mass : {0.01, 1., 100.})
             {
-              const ContactIntegration integration = choice;
-              const Responding         plate(1., integration),
-                stiffer(1. + 1e-6, integration);
-              const Impactor impactor{mass, 0., 0.5};
+              const NewmarkScheme scheme(twenty_seconds(), choice);
+              const Responding    plate(1., scheme), stiffer(1. + 1e-6, scheme);
+              const Impactor      impactor{mass, 0., 0.5};
               const ContactHistory
                 before =
                   plate.response.impact(*contact, impactor, scheme.n_steps)
@@ -95,15 +93,9 @@ namespace PlateImpact
                 after =
                   stiffer.response.impact(*contact, impactor, scheme.n_steps)
                     .history;
-              const Eigen::VectorXd phi =
-                forces_to_peak(before, *contact, integration);
-              const Eigen::VectorXd mu        = peak_force_weights(before,
-                                                            scheme,
-                                                            *contact,
-                                                            integration,
-                                                            impactor,
-                                                            plate.response);
-              double                predicted = 0.;
+              const auto [phi, mu] =
+                dual_loads(before, scheme, *contact, impactor, plate.response);
+              double predicted = 0.;
               for (Eigen::Index n = 0; n < phi.size(); ++n)
                 for (Eigen::Index k = 0; k <= n; ++k)
                   predicted -= mu[n] * phi[k] *
@@ -127,10 +119,9 @@ namespace PlateImpact
     {
       // M = 0 would make the sum of products with K that of the response; with
       // inertia it is the work of both: sum_n mu_n w_n by one motion alone
-      const ContactIntegration integration =
-        ForceIntegration::energy_conserving;
-      Responding          plate(1., integration);
-      const NewmarkScheme scheme(twenty_seconds());
+      const NewmarkScheme scheme(twenty_seconds(),
+                                 ForceIntegration::energy_conserving);
+      Responding          plate(1., scheme);
       Eigen::VectorXd     phi(61), mu(61);
       for (Eigen::Index n = 0; n < phi.size(); ++n)
         {
@@ -138,9 +129,9 @@ namespace PlateImpact
           mu[n]  = 0.02 * n;
         }
       const DualMotions all =
-        dual_motions(phi, mu, scheme, integration, plate.system, 1000);
+        dual_motions({phi, mu}, scheme, plate.system, 1000);
       const DualMotions some =
-        dual_motions(phi, mu, scheme, integration, plate.system, 20);
+        dual_motions({phi, mu}, scheme, plate.system, 20);
       EXPECT_EQ(all.weight, 1.);
       EXPECT_EQ(some.weight, 4.);
       const auto products = [&](const DualMotions &motions) {

@@ -52,18 +52,19 @@ namespace PlateImpact
       time.newmark_beta  = 0.25;
       time.newmark_gamma = 0.5;
 
-      const PlateResponse response(NewmarkScheme(time), plate, integration);
+      const NewmarkScheme scheme(time, integration);
+      const PlateResponse response(scheme, plate);
       unsigned int        most_contacts = 0;
       for (const double mass : {0.01, 0.1, 1., 100.})
         for (const double stiffness : {0.1, 10.})
           {
             const Contact  contact(std::make_shared<HertzLaw>(stiffness));
             const Impactor impactor{mass, 0., 0.5};
-            TimeStepper    stepper(time, plate, contact, integration, impactor);
+            TimeStepper    stepper(scheme, plate, contact, impactor);
             stepper.advance(stepper.n_steps());
             const ContactHistory &expected = stepper.impact().history;
             const Impact          impact =
-              response.impact(contact, impactor, NewmarkScheme(time).n_steps);
+              response.impact(contact, impactor, scheme.n_steps);
             for (const auto quantity : {&ContactState::time,
                                         &ContactState::force,
                                         &ContactState::plate_displacement,

@@ -212,13 +212,16 @@ namespace PlateImpact
 
 
     bool
-    remesh_with(const MeshAdaptation &remeshing,
-                Triangulation<2>     &mesh,
-                const double          fine)
+    remesh_to(Triangulation<2> &mesh,
+              const double      fine,
+              const double      contact_half_length = 0.)
     {
       std::vector<std::string> warnings;
-      const bool               is_changed =
-        remeshing.adapt(mesh, errors(mesh, fine), warnings);
+      const bool               is_changed = adapt_mesh({mesh,
+                                                        errors(mesh, fine),
+                                                        adaptivity(),
+                                                        contact_half_length,
+                                                        warnings});
       EXPECT_TRUE(warnings.empty()) << warnings.front();
       return is_changed;
     }
@@ -237,11 +240,10 @@ namespace PlateImpact
 
     TEST(Remeshing, KeepsTheDomainItsSidesAndTheEndsOfTheContact)
     {
-      const auto           mesh = quadrant();
-      const MeshAdaptation remeshing(adaptivity(), half_length);
+      const auto mesh = quadrant();
       for (const double fine : {0.002, 0.004, 0.01, 0.002})
         {
-          ASSERT_TRUE(remesh_with(remeshing, *mesh, fine));
+          ASSERT_TRUE(remesh_to(*mesh, fine, half_length));
           double                               area = 0.;
           std::map<types::boundary_id, double> lengths;
           for (const auto &cell : mesh->active_cell_iterators())
@@ -278,10 +280,9 @@ namespace PlateImpact
 
     TEST(Remeshing, FollowsTheTargetSizesWithinTheirLimits)
     {
-      const auto           mesh = quadrant();
-      const MeshAdaptation remeshing(adaptivity());
+      const auto mesh = quadrant();
       for (unsigned int cycle = 0; cycle < 3; ++cycle)
-        remesh_with(remeshing, *mesh, 1e-4); // below the minimum
+        remesh_to(*mesh, 1e-4); // below the minimum
       double smallest = 1., largest = 0.;
       for (const auto &cell : mesh->active_cell_iterators())
         {
@@ -302,14 +303,13 @@ namespace PlateImpact
     TEST(Remeshing, KnowsHowManyCellsItWillMake)
     {
       // every cell to be half as long, as its error has it
-      const auto           mesh = quadrant();
-      const MeshAdaptation remeshing(adaptivity());
-      ErrorRatios          error;
+      const auto  mesh = quadrant();
+      ErrorRatios error;
       error.overall = 4.;
       error.elements.assign(mesh->n_active_cells(), 4.);
-      const double expected = remeshing.n_wanted_cells(*mesh, error);
+      const double expected = n_wanted_cells(*mesh, error, adaptivity());
       std::vector<std::string> warnings;
-      ASSERT_TRUE(remeshing.adapt(*mesh, error, warnings));
+      ASSERT_TRUE(adapt_mesh({*mesh, error, adaptivity(), 0., warnings}));
       // the longest side of a cell, its size, is above the root of its area
       EXPECT_LT(mesh->n_active_cells() / expected, 1.5);
       EXPECT_GT(mesh->n_active_cells() / expected, 0.8);
@@ -334,15 +334,14 @@ namespace PlateImpact
 
     TEST(Remeshing, KeepsAMeshThatMeetsItsTarget)
     {
-      const auto           mesh = quadrant();
-      const MeshAdaptation remeshing(adaptivity());
-      unsigned int         n_meshes = 0;
+      const auto   mesh     = quadrant();
+      unsigned int n_meshes = 0;
       for (bool is_changed = true; is_changed && n_meshes < 10; ++n_meshes)
         {
           ErrorRatios error = errors(*mesh, 0.004);
           error.overall     = 0.8;
           std::vector<std::string> warnings;
-          is_changed = remeshing.adapt(*mesh, error, warnings);
+          is_changed = adapt_mesh({*mesh, error, adaptivity(), 0., warnings});
         }
       EXPECT_LT(n_meshes, 5u);
     }
@@ -351,18 +350,17 @@ namespace PlateImpact
 
     TEST(Remeshing, CellsGrowToTheLargestSizeWhereThereIsNoError)
     {
-      const auto           mesh = quadrant();
-      const MeshAdaptation remeshing(adaptivity());
-      remesh_with(remeshing, *mesh, 0.01);
+      const auto mesh = quadrant();
+      remesh_to(*mesh, 0.01);
       ErrorRatios error;
       error.elements.assign(mesh->n_active_cells(), 1e-4);
       std::vector<std::string> warnings;
-      EXPECT_TRUE(remeshing.adapt(*mesh, error, warnings));
+      EXPECT_TRUE(adapt_mesh({*mesh, error, adaptivity(), 0., warnings}));
       // 24 are 0.02 large where sides have an even number of them
       EXPECT_LT(mesh->n_active_cells(), 30u);
       // and stays so
       error.elements.assign(mesh->n_active_cells(), 1e-4);
-      EXPECT_FALSE(remeshing.adapt(*mesh, error, warnings));
+      EXPECT_FALSE(adapt_mesh({*mesh, error, adaptivity(), 0., warnings}));
     }
   } // namespace
 } // namespace PlateImpact

@@ -364,11 +364,10 @@ namespace PlateImpact
       ASSERT_NE(reduced, nullptr);
       const Contact contact  = make_contact(target.parameters);
       const auto    estimate = [&](SemidiscreteSystem &plate) {
-        MeshEstimator       estimator(*target.model);
-        TimeStepper         stepper(target.parameters.time,
+        MeshEstimator estimator(*target.model);
+        TimeStepper   stepper({target.parameters.time, target.integration},
                             plate,
                             contact,
-                            target.integration,
                             make_impactor(target.parameters.impactor));
         std::vector<double> times;
         Eigen::MatrixXd     states(plate.load().size(), 0);

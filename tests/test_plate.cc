@@ -98,7 +98,7 @@ namespace PlateImpact
       error.elements.push_back(cell_size(cell) /
                                (fine + growth * cell->center().norm()));
     std::vector<std::string> warnings;
-    MeshAdaptation(adaptivity).adapt(mesh, error, warnings);
+    adapt_mesh({mesh, error, adaptivity, 0., warnings});
     EXPECT_TRUE(warnings.empty()) << warnings.front();
   }
 
@@ -227,10 +227,9 @@ namespace PlateImpact
   impact(const Parameters &parameters, SemidiscreteSystem &plate)
   {
     const Contact contact = make_contact(parameters);
-    TimeStepper   stepper(parameters.time,
+    TimeStepper   stepper({parameters.time, parameters.contact.integration},
                         plate,
                         contact,
-                        parameters.contact.integration,
                         make_impactor(parameters.impactor));
     stepper.advance(stepper.n_steps());
     return stepper.impact().history;

@@ -103,7 +103,7 @@ namespace PlateImpact
         const ContactIntegration &integration,
         const Impactor           &impactor)
     {
-      TimeStepper stepper(time, plate, contact, integration, impactor);
+      TimeStepper stepper({time, integration}, plate, contact, impactor);
       stepper.advance(stepper.n_steps());
       return stepper.impact().history;
     }
@@ -243,7 +243,7 @@ namespace PlateImpact
     {
       SpringPlate plate(4., 1., 1.);
       plate.b = 0.1;
-      const NewmarkScheme scheme(time);
+      const NewmarkScheme scheme(time, conserving);
       PlateStepper        stepper(scheme, plate);
       for (unsigned int n = 0; n < scheme.n_steps; ++n)
         {
@@ -288,11 +288,11 @@ namespace PlateImpact
     TEST(TimeStepper, ImpulseIsTheChangeOfMomentumAndTheIntegralOfTheForce)
     {
       SpringPlate plate = compliant_plate();
-      TimeStepper stepper(time_parameters(2. * exact_duration,
-                                          exact_duration / 500.),
+      TimeStepper stepper({time_parameters(2. * exact_duration,
+                                           exact_duration / 500.),
+                           conserving},
                           plate,
                           contact,
-                          conserving,
                           ball);
       double      integral = 0., last_force = 0., last_time = 0.;
       for (unsigned int step = 0; step < stepper.n_steps(); ++step)
@@ -330,8 +330,8 @@ namespace PlateImpact
         {
           SpringPlate known   = bouncing_plate(true),
                       unknown = bouncing_plate(false);
-          TimeStepper with(time, known, contact, integration, ball),
-            without(time, unknown, contact, integration, ball);
+          TimeStepper with({time, integration}, known, contact, ball),
+            without({time, integration}, unknown, contact, ball);
           with.advance(with.n_steps());
           without.advance(without.n_steps());
           const ContactHistory &history  = with.impact().history,

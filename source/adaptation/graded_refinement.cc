@@ -63,17 +63,17 @@ namespace PlateImpact
 
 
   bool
-  refine_graded(Triangulation<2> &mesh,
-                const ErrorRatios &,
-                const AdaptivityParameters &adaptivity,
-                const double                contact_half_length,
-                std::vector<std::string> &)
+  refine_graded(const Adapting &adapting)
   {
+    const AdaptivityParameters &adaptivity = adapting.adaptivity;
     // below that, cells far from the contact are at the minimum size as well
     const double smallest_theta = adaptivity.minimum_cell_size /
-      (2. * mesh.n_active_cells() * adaptivity.maximum_cell_size);
+      (2. * adapting.mesh.n_active_cells() * adaptivity.maximum_cell_size);
     for (double theta = 1.; theta > smallest_theta; theta *= 0.5)
-      if (refine(mesh, theta, adaptivity, contact_half_length))
+      if (refine(adapting.mesh,
+                 theta,
+                 adaptivity,
+                 adapting.contact_half_length))
         return true;
     return false;
   }

@@ -126,14 +126,13 @@ namespace PlateImpact
 
 
   bool
-  adapt_by_hanging_nodes(Triangulation<2>           &mesh,
-                         const ErrorRatios          &error,
-                         const AdaptivityParameters &adaptivity,
-                         const double,
-                         std::vector<std::string> &)
+  adapt_by_hanging_nodes(const Adapting &adapting)
   {
-    const std::vector<CellId> before = sorted_cells(mesh);
-    const std::vector<double> sizes  = target_sizes(mesh, error, adaptivity);
+    Triangulation<2>           &mesh       = adapting.mesh;
+    const AdaptivityParameters &adaptivity = adapting.adaptivity;
+    const std::vector<CellId>   before     = sorted_cells(mesh);
+    const std::vector<double>   sizes =
+      target_sizes(mesh, adapting.error, adaptivity);
     mesh.clear_user_data();
     for (const auto &cell : mesh.active_cell_iterators())
       set_level(cell,

@@ -29,11 +29,7 @@ namespace PlateImpact
   namespace
   {
     bool
-    keep_mesh(Triangulation<2> &,
-              const ErrorRatios &,
-              const AdaptivityParameters &,
-              const double,
-              std::vector<std::string> &)
+    keep_mesh(const Adapting &)
     {
       return false;
     }
@@ -43,16 +39,12 @@ namespace PlateImpact
     /// Refines every cell, whatever its error, unless one is at the minimum
     /// size.
     bool
-    refine_uniformly(Triangulation<2> &mesh,
-                     const ErrorRatios &,
-                     const AdaptivityParameters &adaptivity,
-                     const double,
-                     std::vector<std::string> &)
+    refine_uniformly(const Adapting &adapting)
     {
-      for (const auto &cell : mesh.active_cell_iterators())
-        if (is_smallest(cell, adaptivity))
+      for (const auto &cell : adapting.mesh.active_cell_iterators())
+        if (is_smallest(cell, adapting.adaptivity))
           return false;
-      mesh.refine_global();
+      adapting.mesh.refine_global();
       return true;
     }
 
@@ -74,20 +66,19 @@ namespace PlateImpact
     /// squared error (Doerfler 1996, doi:10.1137/0733054), or a share of the
     /// cells.
     bool
-    refine_ranked(Triangulation<2>           &mesh,
-                  const ErrorRatios          &error,
-                  const AdaptivityParameters &adaptivity,
-                  const double,
-                  std::vector<std::string> &)
+    refine_ranked(const Adapting &adapting)
     {
+      Triangulation<2>           &mesh       = adapting.mesh;
+      const std::vector<double>  &errors     = adapting.error.elements;
+      const AdaptivityParameters &adaptivity = adapting.adaptivity;
       // Cells that may not be refined, and ought not to be coarsened, stay as
       // they are. Under a point load they would have all of the share.
       const auto is_settled = [&](const auto &cell) {
-        return error.elements[cell->active_cell_index()] >= 1. &&
+        return errors[cell->active_cell_index()] >= 1. &&
           is_smallest(cell, adaptivity);
       };
       const std::vector<CellId> before = sorted_cells(mesh);
-      Vector<double> criteria(error.elements.begin(), error.elements.end());
+      Vector<double>            criteria(errors.begin(), errors.end());
       // of cells that mirror each other all or none: round-off ranks no one
       for (double &criterion : criteria)
         criterion = rounded_to_sixteen_bits(criterion);
@@ -208,19 +199,17 @@ namespace PlateImpact
 
 
   bool
-  MeshAdaptation::adapt(Triangulation<2>         &mesh,
-                        const ErrorRatios        &error,
-                        std::vector<std::string> &warnings) const
+  adapt_mesh(const Adapting &adapting)
   {
-    return row_of(adaptivity.strategy, strategies)
-      .adapt(mesh, error, adaptivity, contact_half_length, warnings);
+    return row_of(adapting.adaptivity.strategy, strategies).adapt(adapting);
   }
 
 
 
   double
-  MeshAdaptation::n_wanted_cells(const Triangulation<2> &mesh,
-                                 const ErrorRatios      &error) const
+  n_wanted_cells(const Triangulation<2>     &mesh,
+                 const ErrorRatios          &error,
+                 const AdaptivityParameters &adaptivity)
   {
     const auto sizes = row_of(adaptivity.strategy, strategies).wanted_sizes;
     return sizes == nullptr ?

@@ -231,12 +231,10 @@ namespace PlateImpact
 
 
   bool
-  remesh(Triangulation<2>           &mesh,
-         const ErrorRatios          &error,
-         const AdaptivityParameters &adaptivity,
-         const double                contact_half_length,
-         std::vector<std::string>   &warnings)
+  remesh(const Adapting &adapting)
   {
+    const auto &[mesh, error, adaptivity, contact_half_length, warnings] =
+      adapting;
     for (const types::boundary_id id : mesh.get_boundary_ids())
       if (id >= edge_round)
         throw ComputationError("remeshing makes meshes of rectangles only");

@@ -1,6 +1,7 @@
 #include "plate_impact/analysis/impact_analysis.h"
 
 #include "plate_impact/adaptation/cell_sizes.h"
+#include "plate_impact/adaptation/mesh_adaptation.h"
 #include "plate_impact/analysis/observe.h"
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/contact/make_contact.h"
@@ -38,8 +39,6 @@ namespace PlateImpact
     , wanted(wanted.value_or(Wanted{parameters.needs_estimator(),
                                     parameters.output.write_report,
                                     parameters.output.field_samples}))
-    , adaptation(this->parameters.adaptivity,
-                 parameters.impactor.contact_half_length())
     , expected(parameters.has_impactor() ?
                  std::make_optional(make_zener_impact(parameters)) :
                  std::nullopt)
@@ -146,7 +145,8 @@ namespace PlateImpact
     Parameters impact =
       time_control->impact(window, current->plate, wanted.errors);
     if (result.degrees_of_freedom >= unknowns_in_vain &&
-        NewmarkScheme(impact.time).n_steps <= steps_in_vain)
+        NewmarkScheme(impact.time, impact.contact.integration).n_steps <=
+          steps_in_vain)
       impact.time.integrator = IntegratorType::Newmark;
     if (window.extent == Extent::peak_search)
       result.history =
@@ -157,7 +157,6 @@ namespace PlateImpact
 
     Observation seen = PlateImpact::observe(*current, impact, wanted, listener);
     const Timer timer;
-    seen.seconds += result.seconds;
     static_cast<Observation &>(result) = std::move(seen);
     static_cast<Judgement &>(result)   = judgement();
     if (result.peak_force_error)
@@ -257,20 +256,25 @@ namespace PlateImpact
   ImpactAnalysis::adapt(AdaptationControl &control, AnalysisListener &listener)
   {
     listener.stage(n_cycles, "next mesh");
-    const unsigned int most_cells = parameters.adaptivity.maximum_cells;
-    const Timer        timer;
-    ErrorRatios        error;
+    const AdaptivityParameters &adaptivity = parameters.adaptivity;
+    const Timer                 timer;
+    ErrorRatios                 error;
     do
       {
         // whoever keeps the last cycle needs its mesh: adapt a copy
         auto adapted = copy_of(current->mesh());
         error        = control.error_ratios(*current);
         // before there is a mesh that does not fit into the memory
-        if (adaptation.n_wanted_cells(*adapted, error) > most_cells)
+        if (n_wanted_cells(*adapted, error, adaptivity) >
+            adaptivity.maximum_cells)
           return Outcome::maximum_cells;
-        if (adaptation.adapt(*adapted, error, warnings))
+        if (adapt_mesh({*adapted,
+                        error,
+                        adaptivity,
+                        parameters.impactor.contact_half_length(),
+                        warnings}))
           {
-            if (adapted->n_active_cells() > most_cells)
+            if (adapted->n_active_cells() > adaptivity.maximum_cells)
               return Outcome::maximum_cells;
             if (time_control)
               window = time_control->on_next_mesh(window, current->result);
@@ -306,7 +310,7 @@ namespace PlateImpact
     halved->refine_global();
     // no longer than the peak takes, with nothing but the force
     Parameters          to_peak = parameters;
-    const NewmarkScheme scheme(result.time);
+    const NewmarkScheme scheme(result.time, parameters.contact.integration);
     to_peak.time                = result.time;
     to_peak.time.time_step      = scheme.dt;
     to_peak.time.end_of_vectors = 0.;

@@ -16,13 +16,14 @@ namespace PlateImpact
   namespace
   {
     std::vector<std::string>
-    warn_of_step(const TimeParameters       &time,
-                 const AdaptivityParameters &adaptivity,
-                 const CycleResult          &result,
-                 const double                expected_contact_time)
+    warn_of_step(const Parameters  &parameters,
+                 const CycleResult &result,
+                 const double       expected_contact_time)
     {
-      const ContactHistory &history = *result.history;
-      const ContactState   &peak    = history.peak();
+      const TimeParameters       &time       = parameters.time;
+      const AdaptivityParameters &adaptivity = parameters.adaptivity;
+      const ContactHistory       &history    = *result.history;
+      const ContactState         &peak       = history.peak();
       if (result.time_error)
         {
           // the mesh has its share of a target for the force
@@ -35,9 +36,10 @@ namespace PlateImpact
                           0.5 * adaptivity.target() :
                           wanted))
             return {};
+          const unsigned int order =
+            NewmarkScheme(time, parameters.contact.integration).order();
           const std::string step =
-            about(time.time_step *
-                  std::pow(wanted / error, 1. / NewmarkScheme(time).order()));
+            about(time.time_step * std::pow(wanted / error, 1. / order));
           // the step that the program chose is told as such
           return {fmt::format(
             "Time/Time step = {} s leaves an error of about {} in the peak "
@@ -198,14 +200,12 @@ namespace PlateImpact
                   const CycleResult &result,
                   const ZenerImpact &expected)
   {
-    Warnings warnings  = model_warnings(parameters, result, expected);
-    warnings.numerical = joined({warn_of_step(parameters.time,
-                                              parameters.adaptivity,
-                                              result,
-                                              expected.contact_time()),
-                                 warn_of_end(parameters.time, *result.history),
-                                 warn_of_history(result),
-                                 warnings.numerical});
+    Warnings warnings = model_warnings(parameters, result, expected);
+    warnings.numerical =
+      joined({warn_of_step(parameters, result, expected.contact_time()),
+              warn_of_end(parameters.time, *result.history),
+              warn_of_history(result),
+              warnings.numerical});
     return warnings;
   }
 

@@ -54,7 +54,8 @@ namespace PlateImpact
         , system(system)
         , charges(charges)
         , listener(listener)
-        , n_steps(NewmarkScheme(impact.time).n_steps)
+        , n_steps(
+            NewmarkScheme(impact.time, impact.contact.integration).n_steps)
         , sampling_interval(sampling_interval_of(impact, n_steps))
         , n_samples_at_once(std::min(n_steps / sampling_interval + 1,
                                      system.n_states_at_once()))
@@ -205,7 +206,7 @@ namespace PlateImpact
           AnalysisListener &listener)
   {
     Observation  seen;
-    StageCharges charges(cycle.plate, seen.seconds);
+    StageCharges charges(cycle.plate, cycle.result.seconds);
     const auto   stage = [&](const std::string &what) {
       listener.stage(cycle.result.cycle, what);
     };

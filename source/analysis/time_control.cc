@@ -153,8 +153,8 @@ namespace PlateImpact
     if (!scene.time.step_is_chosen || error <= most ||
         window.step < smallest_step * scene.time.time_step)
       return window.step;
-    const double halvings =
-      std::ceil(std::log2(error / most)) / NewmarkScheme(scene.time).order();
+    const double halvings = std::ceil(std::log2(error / most)) /
+      NewmarkScheme(scene.time, scene.contact.integration).order();
     return window.step * std::exp2(-std::min(halvings, 2.));
   }
 
@@ -170,8 +170,9 @@ namespace PlateImpact
     if (window.extent != Extent::to_peak)
       return until_contact_ends(plate, result, needs_states);
     // divides the scene's end time, where it has one
-    const double dt =
-      result.time.end_time > 0. ? NewmarkScheme(result.time).dt : window.step;
+    const double dt     = result.time.end_time > 0. ?
+          NewmarkScheme(result.time, scene.contact.integration).dt :
+          window.step;
     const double wanted = dt * std::ceil(window.to_peak / dt);
     if (result.time.end_time == 0. || wanted < result.time.end_time)
       {

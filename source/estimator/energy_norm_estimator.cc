@@ -102,36 +102,29 @@ namespace PlateImpact
       }
     u2 += regular_u2;
 
+    const unsigned int first = samples.singular_cells_count ? 2 : 0;
     for (std::size_t n = 0; n < times.size(); ++n)
       {
         const auto energy = [&](const Eigen::MatrixXd &energies) {
           const Eigen::VectorXd state = coordinates.col(n);
           return state.dot(energies.selfadjointView<Eigen::Upper>() * state);
         };
-        integrate(times[n], e2.col(n), energy(regular_u2), energy(u2));
+        const double regular_e2 = is_regular.dot(e2.col(n)),
+                     all_e2     = e2.col(n).sum();
+        const Norms  squares(regular_e2,
+                            regular_e2 + energy(regular_u2),
+                            all_e2,
+                            all_e2 + energy(u2));
+        const Norms  now   = squares.cwiseSqrt();
+        const double scale = now[first + 1] > 0. ? 1. / now[first + 1] : 0.;
+        norms.add(times[n], now);
+        relative.add(times[n], scale * e2.col(n).cwiseSqrt());
+        samples.sample_times.push_back(times[n]);
+        samples.sample_errors.push_back(scale * now[first]);
+        if (kept_interval > 0 &&
+            samples.sample_times.size() % kept_interval == 0)
+          samples.kept_element_errors.push_back(relative.last.cast<float>());
       }
-  }
-
-
-
-  void
-  EnergyNormEstimator::integrate(const double           time,
-                                 const Eigen::VectorXd &e2,
-                                 const double           regular_u2,
-                                 const double           u2)
-  {
-    const double regular_e2 = is_regular.dot(e2);
-    const Norms  now =
-      Norms(regular_e2, regular_e2 + regular_u2, e2.sum(), e2.sum() + u2)
-        .cwiseSqrt();
-    const unsigned int first = samples.singular_cells_count ? 2 : 0;
-    const double       scale = now[first + 1] > 0. ? 1. / now[first + 1] : 0.;
-    norms.add(time, now);
-    relative.add(time, scale * e2.cwiseSqrt());
-    samples.sample_times.push_back(time);
-    samples.sample_errors.push_back(scale * now[first]);
-    if (kept_interval > 0 && samples.sample_times.size() % kept_interval == 0)
-      samples.kept_element_errors.push_back(relative.last.cast<float>());
   }
 
 

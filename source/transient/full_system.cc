@@ -19,15 +19,17 @@ namespace PlateImpact
 
 
   double
-  FullSystem::computed_compliance()
+  FullSystem::static_compliance()
   {
-    const double infinite            = std::numeric_limits<double>::infinity();
+    if (compliance)
+      return *compliance;
+    compliance = std::numeric_limits<double>::infinity(); // if not found below
     const PlateDiscretization &plate = matrices->discretization;
     // strains of the middle surface that fit no displacements may take less
     // energy than those of a linear plate where bending causes them
     if (plate.is_free() ||
         (plate.is_nonlinear() && plate.section().is_unsymmetric()))
-      return infinite;
+      return *compliance;
     Eigen::VectorXd x, residual;
     try
       {
@@ -38,12 +40,14 @@ namespace PlateImpact
     catch (const ComputationError &)
       {
         // an element with spurious modes
-        return infinite;
+        return *compliance;
       }
     multiply_stiffness(x, residual);
     residual -= u;
     const double error = residual.norm() / u.norm();
     // a bound, beyond round-off
-    return error < 1e-4 ? (1.001 + error) * u.dot(x) : infinite;
+    if (error < 1e-4)
+      compliance = (1.001 + error) * u.dot(x);
+    return *compliance;
   }
 } // namespace PlateImpact

@@ -10,13 +10,11 @@
 
 namespace PlateImpact
 {
-  ImpactorStepper::ImpactorStepper(const NewmarkScheme      &scheme,
-                                   const Contact            &contact,
-                                   const ContactIntegration &integration,
-                                   const Impactor           &impactor)
+  ImpactorStepper::ImpactorStepper(const NewmarkScheme &scheme,
+                                   const Contact       &contact,
+                                   const Impactor      &impactor)
     : scheme(scheme)
     , contact(contact)
-    , integration(integration)
     , impactor(impactor)
   {
     current.impactor_velocity = impactor.velocity;
@@ -31,7 +29,7 @@ namespace PlateImpact
   ImpactorStepper::begin_step()
   {
     ++step;
-    begin_force = integration.known_begin_force(current.force);
+    begin_force = scheme.integration.known_begin_force(current.force);
     return begin_force;
   }
 
@@ -47,12 +45,12 @@ namespace PlateImpact
     const double impactor_free = impactor.displacement +
       dt * impactor.velocity -
       dt * dt / impactor.mass * (0.5 - beta) * begin_force;
-    const double at_begin   = integration.acts_at_begin() ? 1. : 0.;
+    const double at_begin   = scheme.integration.acts_at_begin() ? 1. : 0.;
     const double compliance = plate_compliance +
       dt * dt / impactor.mass * (beta + (0.5 - beta) * at_begin);
     try
       {
-        return solve_contact(integration,
+        return solve_contact(scheme.integration,
                              contact,
                              current.indentation,
                              impactor_free - plate_free,
@@ -74,7 +72,8 @@ namespace PlateImpact
                             const double plate_dissipated)
   {
     const double beta = scheme.beta, gamma = scheme.gamma, dt = scheme.dt;
-    const double begin = begin_force + (integration.acts_at_begin() ? phi : 0.);
+    const double begin =
+      begin_force + (scheme.integration.acts_at_begin() ? phi : 0.);
     impactor.displacement += dt * impactor.velocity -
       dt * dt / impactor.mass * ((0.5 - beta) * begin + beta * phi);
     const double impulse = dt * ((1. - gamma) * begin + gamma * phi);

@@ -50,7 +50,7 @@ namespace PlateImpact
   LoadedPlate::LoadedPlate(const Parameters     &impact,
                            std::shared_ptr<Load> shared_load)
     : parameters(impact)
-    , scheme(impact.time)
+    , scheme(impact.time, impact.contact.integration)
     , load(std::move(shared_load))
     , contact(make_contact(parameters, load->layer_constant))
     , impactor(make_impactor(parameters.impactor))
@@ -62,7 +62,7 @@ namespace PlateImpact
   TimeStepper
   LoadedPlate::steps(const NewmarkScheme &by, SemidiscreteSystem &stepped) const
   {
-    return {by, stepped, contact, load->integration, impactor};
+    return {by, stepped, contact, impactor};
   }
 
 
@@ -144,7 +144,7 @@ namespace PlateImpact
     longer.time_step      = factor * scheme.dt;
     longer.end_time =
       longer.time_step * ((scheme.n_steps + factor - 1) / factor);
-    TimeStepper           stepper = steps(longer, system);
+    TimeStepper           stepper = steps({longer, scheme.integration}, system);
     const ContactHistory &history = stepper.impact().history;
     while (history.states().size() <= stepper.n_steps() &&
            stepper.state().time < until)
@@ -191,7 +191,7 @@ namespace PlateImpact
     to_peak.ritz_tolerance = tolerance_of_estimate;
     return std::make_unique<RitzReduction>(*load->mesh,
                                            to_peak,
-                                           load->integration,
+                                           scheme.integration,
                                            true);
   }
 
@@ -215,15 +215,8 @@ namespace PlateImpact
     const unsigned int most_times =
       std::max(32u, of_dual.n_states_at_once() / 2);
     DualMotions motions =
-      dual_motions(forces_to_peak(history, contact, load->integration),
-                   peak_force_weights(history,
-                                      scheme,
-                                      contact,
-                                      load->integration,
-                                      impactor,
-                                      response),
+      dual_motions(dual_loads(history, scheme, contact, impactor, response),
                    scheme,
-                   load->integration,
                    of_dual,
                    most_times);
     return PeakForceProblem{std::move(motions), &of_dual, std::move(own)};

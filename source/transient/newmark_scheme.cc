@@ -33,9 +33,11 @@ namespace PlateImpact
 
 
 
-  NewmarkScheme::NewmarkScheme(const TimeParameters &time)
+  NewmarkScheme::NewmarkScheme(const TimeParameters     &time,
+                               const ContactIntegration &integration)
     : beta(time.newmark_beta)
     , gamma(time.newmark_gamma)
+    , integration(integration)
     , n_steps(count_steps(time))
     , dt(length_of_steps(time, n_steps))
     , c0(1. / (beta * dt * dt))

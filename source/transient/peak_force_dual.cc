@@ -8,83 +8,50 @@ namespace PlateImpact
 {
   namespace
   {
-    /// Steps up to the peak.
-    Eigen::Index
-    step_of_peak(const ContactHistory &history)
-    {
-      return &history.peak() - history.states().data();
-    }
-
-
-
     /// Displacement of an impactor j steps after a step with the contact force
     /// 1, away from the plate. [m/N]
     double
-    impactor_response(const unsigned int        j,
-                      const NewmarkScheme      &scheme,
-                      const ContactIntegration &integration,
-                      const Impactor           &impactor)
+    impactor_response(const unsigned int   j,
+                      const NewmarkScheme &scheme,
+                      const Impactor      &impactor)
     {
-      const double in_steps =
-        integration.acts_at_begin() ? j + 0.5 : std::max(scheme.beta, 1. * j);
+      const double in_steps = scheme.integration.acts_at_begin() ?
+        j + 0.5 :
+        std::max(scheme.beta, 1. * j);
       return scheme.dt * scheme.dt / impactor.mass * in_steps;
     }
-
   } // namespace
 
 
 
-  Eigen::VectorXd
-  forces_to_peak(const ContactHistory     &history,
-                 const Contact            &contact,
-                 const ContactIntegration &integration)
+  DualLoads
+  dual_loads(const ContactHistory &history,
+             const NewmarkScheme  &scheme,
+             const Contact        &contact,
+             const Impactor       &impactor,
+             const PlateResponse  &response)
   {
-    const std::vector<ContactState> &states = history.states();
-    Eigen::VectorXd                  forces(step_of_peak(history));
-    Contact                          followed = contact;
-    for (Eigen::Index k = 1; k <= forces.size(); ++k)
-      {
-        forces[k - 1] = integration.force(followed,
-                                          states[k - 1].indentation,
-                                          states[k].indentation);
-        followed.follow(states[k].indentation);
-      }
-    return forces;
-  }
-
-
-
-  Eigen::VectorXd
-  peak_force_weights(const ContactHistory     &history,
-                     const NewmarkScheme      &scheme,
-                     const Contact            &contact,
-                     const ContactIntegration &integration,
-                     const Impactor           &impactor,
-                     const PlateResponse      &response)
-  {
-    const std::vector<ContactState> &states = history.states();
-    const Eigen::VectorXd            forces =
-      forces_to_peak(history, contact, integration);
-    const Eigen::Index p = forces.size();
-    Eigen::VectorXd    compliance(p);
-    for (Eigen::Index j = 0; j < p; ++j)
-      compliance[j] = response.displacement(j) +
-        impactor_response(j, scheme, integration, impactor);
-
+    const std::vector<ContactState> &states      = history.states();
+    const ContactIntegration        &integration = scheme.integration;
+    const Eigen::Index p = &history.peak() - states.data(); // step of the peak
+    Eigen::VectorXd    compliance(p), phi(p);
     // d phi_k by the approaches at the begin (a) and at the end (b) of a step
     Eigen::VectorXd a = Eigen::VectorXd::Zero(p), b = a;
     Contact         followed = contact;
     double          at_peak  = 0.;
     for (Eigen::Index k = 0; k < p; ++k)
       {
+        compliance[k] =
+          response.displacement(k) + impactor_response(k, scheme, impactor);
         const double begin = states[k].indentation,
                      end   = states[k + 1].indentation;
-        if (forces[k] != 0.)
-          b[k] = integration.stiffness(followed, begin, end, forces[k]) /
+        phi[k]             = integration.force(followed, begin, end);
+        if (phi[k] != 0.)
+          b[k] = integration.stiffness(followed, begin, end, phi[k]) /
             followed.approach_derivative(end);
         // a mean force takes both ends alike
-        if (forces[k] != 0. && integration.acts_at_begin())
-          a[k] = integration.stiffness(followed, end, begin, forces[k]) /
+        if (phi[k] != 0. && integration.acts_at_begin())
+          a[k] = integration.stiffness(followed, end, begin, phi[k]) /
             followed.approach_derivative(begin);
         at_peak = followed.stiffness(end) / followed.approach_derivative(end);
         followed.follow(end);
@@ -102,32 +69,30 @@ namespace PlateImpact
         mu[n]   = right_hand_side / (1. + b[n] * compliance[0]);
         y_after = of_later + compliance[0] * mu[n];
       }
-    return mu;
+    return {phi, mu};
   }
 
 
 
   DualMotions
-  dual_motions(const Eigen::VectorXd    &forces,
-               const Eigen::VectorXd    &weights,
-               const NewmarkScheme      &scheme,
-               const ContactIntegration &integration,
-               SemidiscreteSystem       &plate,
-               const unsigned int        most_times)
+  dual_motions(const DualLoads     &loads,
+               const NewmarkScheme &scheme,
+               SemidiscreteSystem  &plate,
+               const unsigned int   most_times)
   {
     // Forces act in the middle of their steps and displacements are read at the
     // end: motion and dual motion belong together at times whose sum is half a
     // step more than that of the peak.
-    const Eigen::Index p = forces.size(), stride = 1 + (p - 1) / most_times;
+    const Eigen::Index p      = loads.forces.size(),
+                       stride = 1 + (p - 1) / most_times;
     const Eigen::Index first = p % stride, n_times = p / stride + 1;
     DualMotions        result;
     result.weight = stride;
     result.motion.setZero(plate.load().size(), n_times);
     result.dual = result.motion;
 
-    step_under(forces,
+    step_under(loads.forces,
                scheme,
-               integration,
                plate,
                [&](const Eigen::Index step, const PlateStepper &stepper) {
                  if (step % stride == first)
@@ -135,9 +100,8 @@ namespace PlateImpact
                    result.motion.col(step / stride) =
                      stepper.unknowns() + plate.damping() * stepper.rates();
                });
-    step_under(weights.reverse(),
+    step_under(loads.weights.reverse(),
                scheme,
-               integration,
                plate,
                [&](const Eigen::Index step, const PlateStepper &stepper) {
                  const auto column = [&](const Eigen::Index beside) {

@@ -2,6 +2,7 @@
 
 #include <deal.II/base/timer.h>
 
+#include "plate_impact/base/exceptions.h"
 #include "plate_impact/contact/make_contact.h"
 #include "plate_impact/plate/layer_response.h"
 #include "plate_impact/plate/load_distribution.h"
@@ -61,13 +62,11 @@ namespace PlateImpact
     if (found == loads.end())
       {
         forget_loads();
-        const ContactIntegration integration = impact.contact.integration;
-        const auto              &loaded      = loaded_mesh(impact);
-        const auto               load        = std::make_shared<Load>(
+        const auto &loaded = loaded_mesh(impact);
+        const auto  load   = std::make_shared<Load>(
           Load{loaded,
                layer_constant(impact.plate, impact.contact),
-               integration,
-               {*loaded, time, integration, needs_states}});
+               {*loaded, time, impact.contact.integration, needs_states}});
         found = loads.emplace(key, load).first;
         ++n_loads;
       }

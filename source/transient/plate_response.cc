@@ -8,17 +8,14 @@
 
 namespace PlateImpact
 {
-  PlateResponse::PlateResponse(const NewmarkScheme      &scheme,
-                               SemidiscreteSystem       &plate,
-                               const ContactIntegration &integration)
+  PlateResponse::PlateResponse(const NewmarkScheme &scheme,
+                               SemidiscreteSystem  &plate)
     : scheme(scheme)
-    , integration(integration)
     , reversed(scheme.n_steps)
   {
     Assert(scheme.conserves_energy(), dealii::ExcInternalError());
     step_under(Eigen::VectorXd::Unit(scheme.n_steps, 0),
                scheme,
-               integration,
                plate,
                [this](const Eigen::Index step, const PlateStepper &stepper) {
                  reversed[reversed.size() - step] = stepper.displacement();
@@ -36,7 +33,7 @@ namespace PlateImpact
                         const Impactor    &impactor,
                         const unsigned int n_steps) const
   {
-    ImpactorStepper stepper(scheme, contact, integration, impactor);
+    ImpactorStepper stepper(scheme, contact, impactor);
     const double    compliance = displacement(0);
     Eigen::VectorXd forces(n_steps);
     unsigned int    n_forces = 0; // up to the last that is not zero
@@ -53,7 +50,7 @@ namespace PlateImpact
           n_forces = step + 1;
         const double w_end = free + compliance * phi;
         const double force_begin =
-          begin + (integration.acts_at_begin() ? phi : 0.);
+          begin + (scheme.integration.acts_at_begin() ? phi : 0.);
         energy += 0.5 * (force_begin + phi) * (w_end - w);
         stepper.end_step(phi, w_end, energy);
       }

@@ -105,17 +105,16 @@ namespace PlateImpact
   step_under(
     const Eigen::VectorXd                                         &forces,
     const NewmarkScheme                                           &scheme,
-    const ContactIntegration                                      &integration,
     SemidiscreteSystem                                            &plate,
     const std::function<void(Eigen::Index, const PlateStepper &)> &show)
   {
     PlateStepper stepper(scheme, plate);
-    const double at_begin = integration.acts_at_begin() ? 1. : 0.;
+    const double at_begin = scheme.integration.acts_at_begin() ? 1. : 0.;
     for (Eigen::Index k = 0; k < forces.size(); ++k)
       {
         // a force at the end of a step is one at the beginning of the next
         stepper.begin_step(
-          k == 0 ? 0. : integration.known_begin_force(forces[k - 1]));
+          k == 0 ? 0. : scheme.integration.known_begin_force(forces[k - 1]));
         stepper.end_step(at_begin * forces[k], forces[k]);
         show(k + 1, stepper);
       }

@@ -147,14 +147,13 @@ namespace PlateImpact
 
     /// Longer steps where there are very many. Schemes that damp would damp
     /// more in these, and keep theirs.
-    TimeParameters
-    steps_to_judge(TimeParameters time)
+    NewmarkScheme
+    scheme_to_judge(const NewmarkScheme &scheme, TimeParameters time)
     {
-      const NewmarkScheme scheme(time);
       if (scheme.conserves_energy())
         time.time_step *=
           std::max(1., std::floor(scheme.n_steps / most_steps_to_judge));
-      return time;
+      return {time, scheme.integration};
     }
 
 
@@ -300,7 +299,7 @@ namespace PlateImpact
                most_numbers / n_unknowns);
     if (n_most < std::min(n_first * growth * growth, n_unknowns))
       return &full;
-    const NewmarkScheme         judging(steps_to_judge(time));
+    const NewmarkScheme         judging = scheme_to_judge(scheme, time);
     std::deque<Eigen::ArrayX2d> last_three;
     unsigned int                n_before = 0;
     for (double n = n_first; n <= n_most; n *= growth)
@@ -319,9 +318,8 @@ namespace PlateImpact
             // and settles before they do.
             if (are_right(last_three, time.ritz_tolerance) &&
                 (!needs_fields ||
-                 share_beyond(
-                   n_before,
-                   {judging, reduced, contact, integration, impactor}) <=
+                 share_beyond(n_before,
+                              {judging, reduced, contact, impactor}) <=
                    field_tolerance))
               return &reduced;
           }
@@ -364,13 +362,12 @@ namespace PlateImpact
                         const Contact       &contact,
                         const Impactor      &impactor,
                         const unsigned int   n_steps,
-                        const NewmarkScheme &scheme)
+                        const NewmarkScheme &by)
   {
     // the work of the force is the plate's energy where nothing dissipates it
-    if (scheme.conserves_energy() && system.damping() == 0. &&
-        system.is_linear())
-      return response(system, scheme).impact(contact, impactor, n_steps);
-    TimeStepper stepper(scheme, system, contact, integration, impactor);
+    if (by.conserves_energy() && system.damping() == 0. && system.is_linear())
+      return response(system, by).impact(contact, impactor, n_steps);
+    TimeStepper stepper(by, system, contact, impactor);
     stepper.advance(n_steps);
     return stepper.impact();
   }
@@ -378,11 +375,9 @@ namespace PlateImpact
 
 
   const PlateResponse &
-  RitzReduction::response(SemidiscreteSystem  &system,
-                          const NewmarkScheme &scheme)
+  RitzReduction::response(SemidiscreteSystem &system, const NewmarkScheme &by)
   {
-    return responses
-      .try_emplace({&system, scheme.n_steps}, scheme, system, integration)
+    return responses.try_emplace({&system, by.n_steps}, by, system)
       .first->second;
   }
 

@@ -12,7 +12,7 @@ namespace PlateImpact
   void
   TimeStepper::advance(const unsigned int n_steps)
   {
-    const double at_begin = integration.acts_at_begin() ? 1. : 0.;
+    const double at_begin = scheme.integration.acts_at_begin() ? 1. : 0.;
     for (unsigned int step = 0; step < n_steps; ++step)
       {
         std::optional<double> free =

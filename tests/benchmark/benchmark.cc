@@ -48,7 +48,7 @@ namespace PlateImpact
         , element(parameters.discretization.element)
         , model(*mesh, element, parameters.plate)
         , contact(make_contact(parameters))
-        , integration(parameters.contact.integration)
+        , scheme(parameters.time, parameters.contact.integration)
         , impactor(make_impactor(parameters.impactor))
       {}
 
@@ -67,7 +67,7 @@ namespace PlateImpact
       const PlateElement                              element;
       PlateDiscretization                             model;
       const Contact                                   contact;
-      const ContactIntegration                        integration;
+      const NewmarkScheme                             scheme;
       const Impactor                                  impactor;
     };
 
@@ -227,10 +227,9 @@ namespace PlateImpact
           if (n++ % 1000 == 0)
             {
               state.PauseTiming();
-              stepper.emplace(stages.parameters.time,
+              stepper.emplace(stages.scheme,
                               plate,
                               stages.contact,
-                              stages.integration,
                               stages.impactor);
               state.ResumeTiming();
             }
@@ -285,10 +284,9 @@ namespace PlateImpact
       RitzBasis  basis(plate, shift);
       basis.grow(100);
       ReducedSystem       reduced(basis, 100);
-      TimeStepper         stepper(stages.parameters.time,
+      TimeStepper         stepper(stages.scheme,
                           reduced,
                           stages.contact,
-                          stages.integration,
                           stages.impactor);
       std::vector<double> times;
       Eigen::MatrixXd     coordinates(100, 100);
@@ -316,14 +314,10 @@ namespace PlateImpact
     void
     Adaptation(benchmark::State &state)
     {
-      Stages                   stages(state.range(0));
-      const MeshAdaptation     adaptation([] {
-        AdaptivityParameters adaptivity =
-          steel_case(3, IntegratorType::Newmark).adaptivity;
-        adaptivity.strategy          = AdaptationStrategy::hanging_nodes;
-        adaptivity.minimum_cell_size = 1e-5;
-        return adaptivity;
-      }());
+      Stages               stages(state.range(0));
+      AdaptivityParameters adaptivity = stages.parameters.adaptivity;
+      adaptivity.strategy             = AdaptationStrategy::hanging_nodes;
+      adaptivity.minimum_cell_size    = 1e-5;
       std::vector<std::string> warnings;
       ErrorRatios              error;
       for (const auto &cell : stages.mesh->active_cell_iterators())
@@ -332,7 +326,7 @@ namespace PlateImpact
         {
           dealii::Triangulation<2> mesh;
           mesh.copy_triangulation(*stages.mesh);
-          adaptation.adapt(mesh, error, warnings);
+          adapt_mesh({mesh, error, adaptivity, 0., warnings});
         }
       count(state, stages);
     }

@@ -17,52 +17,42 @@ namespace PlateImpact
   sorted_cells(const dealii::Triangulation<2> &mesh);
 
 
-  /// A way to make the mesh follow its error: the strategy that the scene
-  /// names.
-  class MeshAdaptation
+  /// A mesh that is made to follow its error, and what that takes.
+  struct Adapting
   {
-  public:
-    /// @param contact_half_length  l of a contact along 0 <= x <= l; 0 for a
-    ///                             sphere [m]
-    explicit MeshAdaptation(const AdaptivityParameters &adaptivity,
-                            double contact_half_length = 0.)
-      : adaptivity(adaptivity)
-      , contact_half_length(contact_half_length)
-    {}
+    dealii::Triangulation<2>   &mesh;
+    const ErrorRatios          &error;
+    const AdaptivityParameters &adaptivity;
 
-    /// Changes the mesh.
-    /// @param warnings  told what a user should know about the new mesh
-    /// @return whether the new mesh differs from the old one
-    /// @throws ComputationError when there is no new mesh
-    bool
-    adapt(dealii::Triangulation<2> &mesh,
-          const ErrorRatios        &error,
-          std::vector<std::string> &warnings) const;
+    /// l of a contact along 0 <= x <= l; 0 for a sphere. [m]
+    double contact_half_length;
 
-    /// About how many cells the mesh would have after adapt(); as many as now
-    /// of strategies that refine cells once, whose mesh can be made and
-    /// counted.
-    double
-    n_wanted_cells(const dealii::Triangulation<2> &mesh,
-                   const ErrorRatios              &error) const;
-
-  private:
-    const AdaptivityParameters adaptivity;
-    const double               contact_half_length;
+    /// Told what a user should know about the new mesh.
+    std::vector<std::string> &warnings;
   };
 
 
-  // Strategies, each as MeshAdaptation::adapt().
+  /// Changes the mesh by the strategy that the scene names.
+  /// @return whether the new mesh differs from the old one
+  /// @throws ComputationError when there is no new mesh
+  bool
+  adapt_mesh(const Adapting &adapting);
+
+  /// About how many cells the mesh would have after that; as many as now of
+  /// strategies that refine cells once, whose mesh can be made and counted.
+  double
+  n_wanted_cells(const dealii::Triangulation<2> &mesh,
+                 const ErrorRatios              &error,
+                 const AdaptivityParameters     &adaptivity);
+
+
+  // Strategies, each as adapt_mesh().
 
   /// Satisfies target sizes by refining and coarsening cells of the given mesh,
   /// several levels at once where necessary. Levels are rounded up, so that no
   /// cell stays larger than its target.
   bool
-  adapt_by_hanging_nodes(dealii::Triangulation<2>   &mesh,
-                         const ErrorRatios          &error,
-                         const AdaptivityParameters &adaptivity,
-                         double                      contact_half_length,
-                         std::vector<std::string>   &warnings);
+  adapt_by_hanging_nodes(const Adapting &adapting);
 
   /// Satisfies target sizes by a new mesh of quadrilaterals, as the paper does.
   /// The impact and the end of a line contact are vertices.
@@ -75,11 +65,7 @@ namespace PlateImpact
   /// their target is well above them. For the same reason a mesh is kept when
   /// eta is met and no cell is off its target by more than the scatter.
   bool
-  remesh(dealii::Triangulation<2>   &mesh,
-         const ErrorRatios          &error,
-         const AdaptivityParameters &adaptivity,
-         double                      contact_half_length,
-         std::vector<std::string>   &warnings);
+  remesh(const Adapting &adapting);
 
   /// By active index. [m]
   std::vector<double>
@@ -92,11 +78,7 @@ namespace PlateImpact
   /// the minimum cell size. The ratio theta is 1 first and halved from mesh to
   /// mesh.
   bool
-  refine_graded(dealii::Triangulation<2>   &mesh,
-                const ErrorRatios          &error,
-                const AdaptivityParameters &adaptivity,
-                double                      contact_half_length,
-                std::vector<std::string>   &warnings);
+  refine_graded(const Adapting &adapting);
 
 
   /// Refines cells until those at the load are no larger than its patch, or the

@@ -26,18 +26,6 @@ namespace PlateImpact
     {
       return mesh + assembly + factorization + stepping + estimation + output;
     }
-
-    Seconds &
-    operator+=(const Seconds &other)
-    {
-      mesh += other.mesh;
-      assembly += other.assembly;
-      factorization += other.factorization;
-      stepping += other.stepping;
-      estimation += other.estimation;
-      output += other.output;
-      return *this;
-    }
   };
 
   /// What somebody wants of a transient besides its force.
@@ -75,7 +63,6 @@ namespace PlateImpact
 
     PlateModel::Work work; ///< on the mesh, those of transients before included
     unsigned int     contact_steps = 0; ///< with a force other than zero
-    Seconds          seconds;           ///< of this transient
 
     /// For this force alone: what the choice of steps or vectors is judged by.
     unsigned int new_vectors = 0, new_solves = 0;
@@ -125,7 +112,8 @@ namespace PlateImpact
 
     std::optional<Verification> verification; ///< where asked for
 
-    double seconds_before = 0.; ///< of all meshes before
+    Seconds seconds;             ///< on this mesh
+    double  seconds_before = 0.; ///< of all meshes before
 
     /// From the beginning to the end of this cycle. [s]
     double

@@ -3,7 +3,6 @@
 
 #include <deal.II/grid/tria.h>
 
-#include "plate_impact/adaptation/mesh_adaptation.h"
 #include "plate_impact/analysis/adaptation_control.h"
 #include "plate_impact/analysis/analysis_listener.h"
 #include "plate_impact/analysis/cycle.h"
@@ -93,7 +92,6 @@ namespace PlateImpact
 
     const Parameters                 parameters;
     const Wanted                     wanted;
-    const MeshAdaptation             adaptation;
     const std::optional<ZenerImpact> expected; ///< of an impactor
     const std::optional<TimeControl> time_control;
 

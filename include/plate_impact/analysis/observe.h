@@ -46,6 +46,7 @@ namespace PlateImpact
 
 
   /// Strikes the plate of a cycle.
+  /// @param cycle     is charged with the seconds
   /// @param impact    the scene with end time and step of the transient
   /// @param listener  told of stages and steps
   /// @throws ComputationError naming step and quantity

@@ -69,11 +69,6 @@ namespace PlateImpact
     evaluate(const std::vector<double> &times,
              const Eigen::MatrixXd     &fields,
              const Eigen::MatrixXd     &coordinates);
-    void
-    integrate(double                 time,
-              const Eigen::VectorXd &e2,
-              double                 regular_u2,
-              double                 u2);
     /// At the vertices of a cell, for states that are combinations of fields.
     void
     update_max_stress(const RecoveredField::Cell &cell,

@@ -47,15 +47,10 @@ namespace PlateImpact
       return matrices->damping;
     }
 
-    /// Factorizes K when it is first asked for. Large deflections stretch the
-    /// plate, which makes it stiffer.
+    /// Infinite where K cannot be inverted. Factorizes K when it is first asked
+    /// for. Large deflections stretch the plate, which makes it stiffer.
     double
-    static_compliance() override
-    {
-      if (!compliance)
-        compliance = computed_compliance();
-      return *compliance;
-    }
+    static_compliance() override;
 
     bool
     is_linear() const override
@@ -73,10 +68,6 @@ namespace PlateImpact
     }
 
   private:
-    /// u^T K^-1 u; infinite where K cannot be inverted.
-    double
-    computed_compliance();
-
     const std::shared_ptr<EffectiveStiffness> matrices;
     const Eigen::VectorXd                     u;
     std::optional<double>                     compliance; ///< under u [m/N]

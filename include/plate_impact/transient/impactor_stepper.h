@@ -3,7 +3,6 @@
 
 #include "plate_impact/contact/contact.h"
 #include "plate_impact/contact/contact_history.h"
-#include "plate_impact/contact/contact_solver.h"
 #include "plate_impact/contact/impactor.h"
 #include "plate_impact/transient/newmark_scheme.h"
 
@@ -34,10 +33,9 @@ namespace PlateImpact
   class ImpactorStepper
   {
   public:
-    ImpactorStepper(const NewmarkScheme      &scheme,
-                    const Contact            &contact,
-                    const ContactIntegration &integration,
-                    const Impactor           &impactor);
+    ImpactorStepper(const NewmarkScheme &scheme,
+                    const Contact       &contact,
+                    const Impactor      &impactor);
 
     /// Begins a step.
     /// @return force at its beginning that does not depend on its end [N]
@@ -85,14 +83,13 @@ namespace PlateImpact
     }
 
   private:
-    const NewmarkScheme      scheme;
-    Contact                  contact;
-    const ContactIntegration integration;
-    Impactor                 impactor;
-    ContactState             current;
-    Impact                   so_far;
-    unsigned int             step        = 0;
-    double                   begin_force = 0.; ///< of the step [N]
+    const NewmarkScheme scheme;
+    Contact             contact;
+    Impactor            impactor;
+    ContactState        current;
+    Impact              so_far;
+    unsigned int        step        = 0;
+    double              begin_force = 0.; ///< of the step [N]
   };
 } // namespace PlateImpact
 

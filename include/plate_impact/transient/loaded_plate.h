@@ -18,7 +18,6 @@ namespace PlateImpact
   {
     std::shared_ptr<LoadedMesh> mesh;
     std::optional<double>       layer_constant;
-    ContactIntegration          integration;
     RitzReduction               reduction;
   };
 
@@ -115,7 +114,7 @@ namespace PlateImpact
     TimeStepper
     steps_on_the_mesh(const TimeParameters &time) const
     {
-      return steps(time, load->mesh->system);
+      return steps({time, scheme.integration}, load->mesh->system);
     }
 
   private:

@@ -3,7 +3,6 @@
 
 #include "plate_impact/contact/contact.h"
 #include "plate_impact/contact/contact_history.h"
-#include "plate_impact/contact/contact_solver.h"
 #include "plate_impact/contact/impactor.h"
 #include "plate_impact/transient/newmark_scheme.h"
 #include "plate_impact/transient/plate_response.h"
@@ -13,30 +12,32 @@
 
 namespace PlateImpact
 {
-  /// phi_k of the steps up to the peak force of an impact. [N]
-  Eigen::VectorXd
-  forces_to_peak(const ContactHistory     &history,
-                 const Contact            &contact,
-                 const ContactIntegration &integration);
+  /// Of the steps up to the peak force of an impact, what moves a plate and
+  /// what moves it in the dual problem.
+  struct DualLoads
+  {
+    Eigen::VectorXd forces;  ///< phi_1 ... phi_p of the contact [N]
+    Eigen::VectorXd weights; ///< mu_1 ... mu_p of the displacements [N/m]
+  };
 
-  /// What a displacement of the plate adds to the peak force: where those after
-  /// the steps 1 ... p, p that of the peak, were larger by dw_n while the plate
-  /// answers forces as before, the peak would be smaller by sum mu_n dw_n, to
-  /// first order. The linearized discrete Volterra equation of the contact,
+
+  /// The forces, and what displacements of the plate weigh in the peak force:
+  /// where those after the steps 1 ... p, p that of the peak, were larger by
+  /// dw_n while the plate answers forces as before, the peak would be smaller
+  /// by sum mu_n dw_n, to first order. The linearized discrete Volterra
+  /// equation of the contact,
   ///   d delta_n = -dw_n - sum_{k <= n} (R + R_m)_{n-k} d phi_k,
   ///   d phi_k   = a_k d delta_{k-1} + b_k d delta_k,
   /// with the impactor's own response R_m, transposed and solved backwards. A
   /// shift of the peak in time is of second order. Of a law with memory the
   /// curve that a step runs on is held fixed.
   /// @param response  of the plate, by a scheme that conserves energy
-  /// @return mu_1 ... mu_p [N/m]
-  Eigen::VectorXd
-  peak_force_weights(const ContactHistory     &history,
-                     const NewmarkScheme      &scheme,
-                     const Contact            &contact,
-                     const ContactIntegration &integration,
-                     const Impactor           &impactor,
-                     const PlateResponse      &response);
+  DualLoads
+  dual_loads(const ContactHistory &history,
+             const NewmarkScheme  &scheme,
+             const Contact        &contact,
+             const Impactor       &impactor,
+             const PlateResponse  &response);
 
   /// The motion of a plate up to the peak force and the dual one, that under
   /// the weights above in reversed order, at times that belong together: with
@@ -54,12 +55,10 @@ namespace PlateImpact
 
   /// @param most_times  columns at most
   DualMotions
-  dual_motions(const Eigen::VectorXd    &forces,
-               const Eigen::VectorXd    &weights,
-               const NewmarkScheme      &scheme,
-               const ContactIntegration &integration,
-               SemidiscreteSystem       &plate,
-               unsigned int              most_times);
+  dual_motions(const DualLoads     &loads,
+               const NewmarkScheme &scheme,
+               SemidiscreteSystem  &plate,
+               unsigned int         most_times);
 } // namespace PlateImpact
 
 #endif

@@ -24,9 +24,7 @@ namespace PlateImpact
   public:
     /// Steps the plate to the end time.
     /// @param scheme  conserves energy
-    PlateResponse(const NewmarkScheme      &scheme,
-                  SemidiscreteSystem       &plate,
-                  const ContactIntegration &integration);
+    PlateResponse(const NewmarkScheme &scheme, SemidiscreteSystem &plate);
 
     /// R_j. [m/N]
     double
@@ -43,9 +41,8 @@ namespace PlateImpact
            unsigned int    n_steps) const;
 
   private:
-    const NewmarkScheme      scheme;
-    const ContactIntegration integration;
-    Eigen::VectorXd          reversed; ///< R_{n_steps - 1} ... R_0 [m/N]
+    const NewmarkScheme scheme;
+    Eigen::VectorXd     reversed; ///< R_{n_steps - 1} ... R_0 [m/N]
   };
 } // namespace PlateImpact
 

@@ -1,7 +1,6 @@
 #ifndef plate_impact_transient_plate_stepper_h
 #define plate_impact_transient_plate_stepper_h
 
-#include "plate_impact/contact/contact_solver.h"
 #include "plate_impact/transient/newmark_scheme.h"
 #include "plate_impact/transient/plate_motion.h"
 #include "plate_impact/transient/semidiscrete_system.h"
@@ -59,7 +58,6 @@ namespace PlateImpact
   step_under(
     const Eigen::VectorXd                                         &forces,
     const NewmarkScheme                                           &scheme,
-    const ContactIntegration                                      &integration,
     SemidiscreteSystem                                            &plate,
     const std::function<void(Eigen::Index, const PlateStepper &)> &show);
 } // namespace PlateImpact

@@ -2,7 +2,6 @@
 #define plate_impact_transient_ritz_reduction_h
 
 #include "plate_impact/base/parameters.h"
-#include "plate_impact/contact/contact_solver.h"
 #include "plate_impact/transient/plate_response.h"
 #include "plate_impact/transient/reduced_system.h"
 #include "plate_impact/transient/ritz_basis.h"
@@ -39,7 +38,7 @@ namespace PlateImpact
                   const ContactIntegration &integration,
                   bool                      needs_fields)
       : time(time)
-      , integration(integration)
+      , scheme(time, integration)
       , mesh(mesh)
       , full(mesh.system)
       , needs_fields(needs_fields)
@@ -61,7 +60,7 @@ namespace PlateImpact
            const Impactor     &impactor,
            unsigned int        n_steps)
     {
-      return impact(system, contact, impactor, n_steps, NewmarkScheme(time));
+      return impact(system, contact, impactor, n_steps, scheme);
     }
 
     /// The response of such a system, kept for the next impactor; for schemes
@@ -69,7 +68,7 @@ namespace PlateImpact
     const PlateResponse &
     response(SemidiscreteSystem &system)
     {
-      return response(system, NewmarkScheme(time));
+      return response(system, scheme);
     }
 
   private:
@@ -78,20 +77,20 @@ namespace PlateImpact
            const Contact       &contact,
            const Impactor      &impactor,
            unsigned int         n_steps,
-           const NewmarkScheme &scheme);
+           const NewmarkScheme &by);
     const PlateResponse &
-    response(SemidiscreteSystem &system, const NewmarkScheme &scheme);
+    response(SemidiscreteSystem &system, const NewmarkScheme &by);
     /// @return a reduced system, or that of the mesh
     SemidiscreteSystem *
     settle(const Parameters &rounded);
     ReducedSystem &
     reduced_system(int half_octave, unsigned int n);
 
-    const TimeParameters     time;
-    const ContactIntegration integration;
-    LoadedMesh              &mesh;
-    FullSystem              &full; ///< of the mesh
-    const bool               needs_fields;
+    const TimeParameters time;
+    const NewmarkScheme  scheme;
+    LoadedMesh          &mesh;
+    FullSystem          &full; ///< of the mesh
+    const bool           needs_fields;
 
     /// By the law's section, the impactor in round numbers and the plate's
     /// yield strength.

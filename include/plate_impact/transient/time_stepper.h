@@ -23,16 +23,14 @@ namespace PlateImpact
   {
   public:
     /// The plate must outlive the stepper.
-    TimeStepper(const NewmarkScheme      &scheme,
-                SemidiscreteSystem       &plate,
-                const Contact            &contact,
-                const ContactIntegration &integration,
-                const Impactor           &impactor)
+    TimeStepper(const NewmarkScheme &scheme,
+                SemidiscreteSystem  &plate,
+                const Contact       &contact,
+                const Impactor      &impactor)
       : scheme(scheme)
       , plate(plate)
-      , integration(integration)
       , plate_motion(plate.motion(scheme))
-      , impactor_stepper(scheme, contact, integration, impactor)
+      , impactor_stepper(scheme, contact, impactor)
     {}
 
     /// Steps that it takes to the end time.
@@ -78,7 +76,6 @@ namespace PlateImpact
 
     const NewmarkScheme          scheme;
     SemidiscreteSystem          &plate;
-    const ContactIntegration     integration;
     std::unique_ptr<PlateMotion> plate_motion;
     ImpactorStepper              impactor_stepper;
   };
