@@ -2,32 +2,24 @@
 #define plate_impact_contact_unloading_h
 
 #include <cmath>
+#include <functional>
+#include <memory>
 
 namespace PlateImpact
 {
   /// How a contact unloads that leaves a dent. From the largest indentation so
   /// far alpha_m, where the force was F_m,
   ///   F = F_m ((alpha - alpha_0) / (alpha_m - alpha_0))^n,
-  /// with the dent alpha_0 and the power n.
-  class Unloading
+  /// with the dent alpha_0 and the power n. All are functions of alpha_m.
+  struct Unloading
   {
-  public:
-    virtual ~Unloading() = default;
-
     /// alpha_0; 0 as long as the contact is elastic. [m]
-    virtual double
-    dent(double largest_indentation) const = 0;
+    std::function<double(double)> dent;
 
-    /// n.
-    virtual double
-    power(double largest_indentation) const = 0;
+    std::function<double(double)> power; ///< n
 
     /// n when the bodies touch again after they have parted.
-    virtual double
-    reloading_power(const double largest_indentation) const
-    {
-      return power(largest_indentation);
-    }
+    std::function<double(double)> reloading_power;
   };
 
 
@@ -82,6 +74,24 @@ namespace PlateImpact
                       std::pow(d, p - 1.);
     }
   };
+
+
+  /// What Yang & Sun measured on laminates (NASA CR-165460, 1981; Tan & Sun, J.
+  /// Appl. Mech. 52, 1985, p. 6): beyond a critical indentation alpha_cr the
+  /// contact leaves a dent alpha_0 = alpha_m (1 - (alpha_cr / alpha_m)^0.4). It
+  /// unloads with the power 2.5 and reloads with 1.5.
+  /// @param critical  alpha_cr [m]
+  inline std::shared_ptr<const Unloading>
+  yang_sun_unloading(const double critical)
+  {
+    const auto dent = [critical](const double largest) {
+      return largest > critical ?
+        largest * (1. - std::pow(critical / largest, 0.4)) :
+        0.;
+    };
+    return std::make_shared<Unloading>(
+      Unloading{dent, [](double) { return 2.5; }, [](double) { return 1.5; }});
+  }
 } // namespace PlateImpact
 
 #endif
