@@ -4,7 +4,7 @@
 #include "plate_impact/contact/contact.h"
 #include "plate_impact/contact/hertz_law.h"
 #include "plate_impact/contact/line_law.h"
-#include "plate_impact/contact/yang_sun_unloading.h"
+#include "plate_impact/contact/unloading.h"
 #include "plate_impact/contact/yielding_law.h"
 
 #include <memory>
@@ -41,8 +41,8 @@ namespace PlateImpact
                                                                 &softer,
                                                                 &line_on_layer};
 
-  inline const auto yang_sun = std::make_shared<YangSunUnloading>(2e-5);
-  inline const auto plastic  = std::make_shared<PlasticUnloading>(yielding_law);
+  inline const auto yang_sun = yang_sun_unloading(2e-5);
+  inline const auto plastic  = plastic_unloading(yielding_law);
 
   /// Contacts that leave a dent, each in series with nothing, and with what
   /// is stiffer or softer.

@@ -75,9 +75,7 @@ namespace PlateImpact
       const auto yielding_law = std::make_shared<YieldingLaw>(10., 0.01, 0.5);
       const Contact hertz(law), series(law, -0.01),
         soft(std::make_shared<HertzLaw>(0.1)),
-        yielding(yielding_law,
-                 0.,
-                 std::make_shared<PlasticUnloading>(yielding_law));
+        yielding(yielding_law, 0., plastic_unloading(yielding_law));
       for (const auto choice :
            {ForceIntegration::energy_conserving, ForceIntegration::collocation})
         for (const Contact *contact : {&hertz, &soft, &series, &yielding})

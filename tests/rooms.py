@@ -34,7 +34,7 @@ ROOMS = {
 
 # a law's name in the sources, and its own pair of files
 LAWS = {
-    r"Yang[_-]Sun\b": "contact/yang_sun_unloading",
+    r"(?i)yang[_-]sun": "contact/unloading",
     r"ForceLaw::line\b|enum class ForceLaw\s*{[^}]*\bline\b": "contact/line_law",
 }
 

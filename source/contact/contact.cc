@@ -13,17 +13,6 @@ namespace PlateImpact
 
 
 
-    /// (y^p - x^p) / (y - x) for 0 <= x < y, without cancellation.
-    double
-    difference_quotient(const double x, const double y, const double p)
-    {
-      const double d = y - x;
-      return x > 0. ? std::pow(x, p) * std::expm1(p * std::log1p(d / x)) / d :
-                      std::pow(y, p - 1.);
-    }
-
-
-
     /// A law up to an indentation, and its tangent there beyond.
     class TangentBeyond : public ContactLaw
     {
@@ -123,45 +112,6 @@ namespace PlateImpact
 
 
 
-  double
-  Contact::Branch::force(const double indentation) const
-  {
-    return end_force * std::pow((indentation - dent) / (end - dent), power);
-  }
-
-
-
-  double
-  Contact::Branch::stiffness(const double indentation) const
-  {
-    return power / (end - dent) * end_force *
-      std::pow((indentation - dent) / (end - dent), power - 1.);
-  }
-
-
-
-  double
-  Contact::Branch::mean_force(const double low, const double high) const
-  {
-    return end_force / (power + 1.) *
-      difference_quotient((low - dent) / (end - dent),
-                          (high - dent) / (end - dent),
-                          power + 1.);
-  }
-
-
-
-  double
-  Contact::Branch::mean_stiffness(const double low, const double high) const
-  {
-    return end_force / (end - dent) *
-      difference_quotient((low - dent) / (end - dent),
-                          (high - dent) / (end - dent),
-                          power);
-  }
-
-
-
   template <typename Function>
   double
   Contact::at(const double indentation, const Function &function) const
@@ -170,9 +120,9 @@ namespace PlateImpact
       {
         if (indentation <= dent())
           return 0.;
-        for (const Branch *branch : {&unload, &reload})
-          if (indentation <= branch->end)
-            return function(*branch);
+        for (const UnloadingCurve *curve : {&unload, &reload})
+          if (indentation <= curve->end)
+            return function(*curve);
       }
     return function(*law);
   }
@@ -204,22 +154,14 @@ namespace PlateImpact
   Contact::mean(const double a, const double b, const Function &function) const
   {
     const double low = std::min(a, b), high = std::max(a, b);
-    if (unloading == nullptr)
-      return function(*law, low, high);
-    double begin = dent(), sum = 0.;
-    for (const Branch *branch : {&unload, &reload})
-      {
-        const double from = std::max(low, begin),
-                     to   = std::min(high, branch->end);
-        if (from == low && to == high)
-          return function(*branch, low, high);
-        if (from < to)
-          sum += function(*branch, from, to) * (to - from);
-        begin = std::max(begin, branch->end);
-      }
-    if (low >= begin)
-      return function(*law, low, high);
-    if (high > begin)
+    double       begin = std::max(low, dent()), sum = 0.;
+    for (const UnloadingCurve *curve : {&unload, &reload})
+      if (const double end = std::min(high, curve->end); begin < end)
+        {
+          sum += function(*curve, begin, end) * (end - begin);
+          begin = end;
+        }
+    if (begin < high)
       sum += function(*law, begin, high) * (high - begin);
     return sum / (high - low);
   }
@@ -332,13 +274,7 @@ namespace PlateImpact
     dissipated = dissipated_energy(indentation);
     last       = indentation;
 
-    // unloading begins at the end of a step, unless the bodies have parted
     const double F = force(indentation);
-    const double turn =
-      indentation <= dent() ? dent() : std::max(indentation, unload.end);
-    if (turn == indentation)
-      unload.end_force = F;
-    unload.end = turn;
     if (indentation > reload.end)
       {
         const double dent = unloading->dent(indentation);
@@ -348,5 +284,9 @@ namespace PlateImpact
                              unloading->reloading_power(indentation)};
         unload = {dent, indentation, F, unloading->power(indentation)};
       }
+    else if (indentation <= dent())
+      unload.end = dent(); // the bodies have parted
+    else if (indentation > unload.end)
+      unload = {dent(), indentation, F, unload.power};
   }
 } // namespace PlateImpact

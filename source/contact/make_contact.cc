@@ -6,7 +6,7 @@
 #include "plate_impact/contact/hertz_law.h"
 #include "plate_impact/contact/impactor.h"
 #include "plate_impact/contact/line_law.h"
-#include "plate_impact/contact/yang_sun_unloading.h"
+#include "plate_impact/contact/unloading.h"
 #include "plate_impact/contact/yielding_law.h"
 #include "plate_impact/plate/layer_response.h"
 #include "plate_impact/plate/plate_section.h"
@@ -93,7 +93,7 @@ namespace PlateImpact
       if (parameters.contact.unloading == UnloadingLaw::Yang_Sun)
         return Contact(std::make_shared<HertzLaw>(k),
                        compliance,
-                       std::make_shared<YangSunUnloading>(
+                       yang_sun_unloading(
                          parameters.contact.critical_indentation));
       if (!bodies.weaker)
         return Contact(std::make_shared<HertzLaw>(k), compliance);
@@ -101,7 +101,7 @@ namespace PlateImpact
         std::make_shared<YieldingLaw>(k,
                                       *bodies.yield_indentation,
                                       bodies.weaker->share_of_compliance);
-      return Contact(law, compliance, std::make_shared<PlasticUnloading>(law));
+      return Contact(law, compliance, plastic_unloading(law));
     }
 
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace PlateImpact
 {
@@ -92,26 +91,18 @@ namespace PlateImpact
 
 
 
-  PlasticUnloading::PlasticUnloading(std::shared_ptr<const YieldingLaw> law)
-    : law(std::move(law))
-  {}
-
-
-
-  double
-  PlasticUnloading::dent(const double largest_indentation) const
+  std::shared_ptr<const Unloading>
+  plastic_unloading(const std::shared_ptr<const YieldingLaw> &law)
   {
-    const double x = 1. - law->share_of_hertz(largest_indentation);
-    return largest_indentation * x / (0.345 + 0.77 * x);
-  }
-
-
-
-  double
-  PlasticUnloading::power(const double largest_indentation) const
-  {
-    const double x    = 1. - law->share_of_hertz(largest_indentation);
-    const double back = 0.4 * std::pow(1. - x, 2.2 - 1.25 * x);
-    return (1. - dent(largest_indentation) / largest_indentation) / back - 1.;
+    const auto dent = [law](const double largest) {
+      const double x = 1. - law->share_of_hertz(largest);
+      return largest * x / (0.345 + 0.77 * x);
+    };
+    const auto power = [law, dent](const double largest) {
+      const double x    = 1. - law->share_of_hertz(largest);
+      const double back = 0.4 * std::pow(1. - x, 2.2 - 1.25 * x);
+      return (1. - dent(largest) / largest) / back - 1.;
+    };
+    return std::make_shared<Unloading>(Unloading{dent, power, power});
   }
 } // namespace PlateImpact

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace PlateImpact
 {
@@ -23,50 +24,44 @@ namespace PlateImpact
 
 
     /// Steps of Zener's equation from first touch.
-    class ZenerSteps
+    struct ZenerSteps
     {
-    public:
-      ZenerSteps(const Contact      &contact,
-                 const Impactor     &impactor,
-                 const PlateSection &section)
-        : contact(contact)
-        , mass(impactor.mass)
-        , impedance(PlateImpact::impedance(section))
-        , velocity(impactor.velocity)
+      explicit ZenerSteps(const ZenerImpact &impact)
+        : contact(impact.contact)
+        , impactor(impact.impactor)
+        , impedance(PlateImpact::impedance(impact.section))
       {}
+
+      Contact      contact;
+      Impactor     impactor;
+      const double impedance;
+      double       approach = 0., alpha = 0.;
 
       /// @return indentation at the end of the step [m]
       double
       advance(const double dt)
       {
-        const double compliance = dt / impedance + dt * dt / (2. * mass);
-        const double free       = approach + dt * velocity;
-        const double force =
-          solve_contact(step, contact, alpha, free, compliance);
-        velocity -= dt / mass * force;
+        const double compliance =
+          dt / impedance + dt * dt / (2. * impactor.mass);
+        const double free  = approach + dt * impactor.velocity;
+        const double force = solve_contact(ForceIntegration::energy_conserving,
+                                           contact,
+                                           alpha,
+                                           free,
+                                           compliance);
+        impactor.velocity -= dt / impactor.mass * force;
         approach = free - compliance * force;
         alpha    = contact.indentation_under(approach);
         contact.follow(alpha);
         return alpha;
       }
 
-      const Contact &
-      state() const
-      {
-        return contact;
-      }
-
+      /// Of impactor and contact. [J]
       double
-      impactor_velocity() const
+      energy() const
       {
-        return velocity;
+        return impactor.kinetic_energy() + contact.stored_energy(alpha);
       }
-
-    private:
-      const ContactIntegration step = ForceIntegration::energy_conserving;
-      Contact                  contact;
-      const double             mass, impedance;
-      double                   approach = 0., alpha = 0., velocity;
     };
 
 
@@ -75,20 +70,18 @@ namespace PlateImpact
     /// impedance * v0 can be exceeded: the smaller of the two indentations is
     /// the length scale, a part of the time to cross it the step.
     double
-    step_size(const Contact      &contact,
-              const Impactor     &impactor,
-              const PlateSection &section)
+    step_size(const ZenerImpact &impact)
     {
-      const ContactLaw &law = contact.first_loading();
-      const double      v0  = impactor.velocity;
-      double low = 0., high = law.indentation(impedance(section) * v0);
+      const ContactLaw &law    = impact.contact.first_loading();
+      const double      v0     = impact.impactor.velocity;
+      const double      energy = impact.impactor.kinetic_energy();
+      double low = 0., high = law.indentation(impedance(impact.section) * v0);
       // the first by bisection of the potential
-      if (law.potential(high) > impactor.kinetic_energy())
+      if (law.potential(high) > energy)
         while (high - low > 1e-3 * high)
           {
-            const double middle = 0.5 * (low + high);
-            (law.potential(middle) > impactor.kinetic_energy() ? high : low) =
-              middle;
+            const double middle                           = 0.5 * (low + high);
+            (law.potential(middle) > energy ? high : low) = middle;
           }
       return high / v0 / 150.;
     }
@@ -102,7 +95,7 @@ namespace PlateImpact
     : contact(contact)
     , impactor(impactor)
     , section(section)
-    , peak(peak_in_steps(step_size(contact, impactor, section)))
+    , peak(peak_in_steps(step_size(*this)))
   {}
 
 
@@ -110,7 +103,7 @@ namespace PlateImpact
   ContactState
   ZenerImpact::peak_in_steps(const double dt) const
   {
-    ZenerSteps steps(contact, impactor, section);
+    ZenerSteps steps(*this);
     double     before = 0., alpha = 0.;
     for (unsigned int n = 1; n < 100000000; ++n)
       {
@@ -147,19 +140,23 @@ namespace PlateImpact
   ContactHistory
   ZenerImpact::history(const double end_time) const
   {
-    const double   shortest = step_size(contact, impactor, section);
-    ZenerSteps     steps(contact, impactor, section);
+    const double   shortest = step_size(*this);
+    ZenerSteps     steps(*this);
     ContactHistory history;
     ContactState   state;
     state.impactor_velocity = impactor.velocity;
     history.add(state);
-    for (double dt = shortest; state.time < end_time && state.overlap() >= 0.;)
+    // without an end, a plate that gives way takes all of the energy
+    const double least_energy =
+      std::isinf(end_time) ? 1e-6 * impactor.kinetic_energy() : 0.;
+    for (double dt = shortest; state.time < end_time && state.overlap() >= 0. &&
+         steps.energy() >= least_energy;)
       {
         const double before = state.indentation, v = state.impactor_velocity;
         state.indentation           = steps.advance(dt);
-        state.force                 = steps.state().force(state.indentation);
-        state.permanent_indentation = steps.state().dent();
-        state.impactor_velocity     = steps.impactor_velocity();
+        state.force                 = steps.contact.force(state.indentation);
+        state.permanent_indentation = steps.contact.dent();
+        state.impactor_velocity     = steps.impactor.velocity;
         state.impactor_displacement += 0.5 * dt * (v + state.impactor_velocity);
         state.plate_displacement =
           state.impactor_displacement - state.indentation;
@@ -179,23 +176,10 @@ namespace PlateImpact
   double
   ZenerImpact::restitution() const
   {
-    const double shortest = step_size(contact, impactor, section);
-    ZenerSteps   steps(contact, impactor, section);
-    double       dt = shortest, alpha = 0.;
-    while (true)
-      {
-        const double next = steps.advance(dt);
-        if (next <= steps.state().dent())
-          return -steps.impactor_velocity() / impactor.velocity;
-        // past the peak of a heavily damped impact the indentation creeps back
-        const double slow = 0.002 * next * dt / std::abs(next - alpha);
-        dt                = std::clamp(slow, shortest, 1.01 * dt);
-        alpha             = next;
-        const double v    = steps.impactor_velocity();
-        if (steps.state().stored_energy(alpha) + 0.5 * impactor.mass * v * v <
-            1e-6 * impactor.kinetic_energy())
-          return 0.;
-      }
+    const ContactState last =
+      history(std::numeric_limits<double>::infinity()).states().back();
+    return last.overlap() < 0. ? -last.impactor_velocity / impactor.velocity :
+                                 0.;
   }
 
 

@@ -112,31 +112,14 @@ namespace PlateImpact
     }
 
   private:
-    /// F = end_force ((alpha - dent) / (end - dent))^power from the dent to an
-    /// end, where it has a length.
-    struct Branch
-    {
-      double dent = 0., end = 0., end_force = 0., power = 1.;
-
-      double
-      force(double indentation) const;
-      double
-      stiffness(double indentation) const;
-      /// As those of ContactLaw, within the branch, low below high.
-      double
-      mean_force(double low, double high) const;
-      double
-      mean_stiffness(double low, double high) const;
-    };
-
-    /// Calls a function for what the force follows at an indentation: a branch
-    /// or the law.
+    /// Calls a function for what the force follows at an indentation: the curve
+    /// of unloading, that of reloading or the law.
     template <typename Function>
     double
     at(double indentation, const Function &function) const;
 
-    /// Mean over the indentation of what a function gives for a branch or the
-    /// law and two indentations.
+    /// Mean over the indentation of what a function gives for one of these and
+    /// two indentations.
     template <typename Function>
     double
     mean(double a, double b, const Function &function) const;
@@ -146,8 +129,8 @@ namespace PlateImpact
     double                            compliance;
     double force_limit = std::numeric_limits<double>::infinity(); ///< [N]
 
-    Branch unload, reload;             ///< below the largest indentation
-    double last = 0., dissipated = 0.; ///< where the last step ended
+    UnloadingCurve unload, reload; ///< below the largest indentation
+    double         last = 0., dissipated = 0.; ///< where the last step ended
   };
 } // namespace PlateImpact
 

@@ -76,19 +76,8 @@ namespace PlateImpact
   /// 0. Fitted to the same indentations, which it follows within 2 % in energy
   /// and 0.01 alpha_m in the dent. Etsion, Kligerman & Kadin (2005),
   /// doi:10.1016/j.ijsolstr.2004.12.006, give back up to 6 % less energy there.
-  class PlasticUnloading : public Unloading
-  {
-  public:
-    explicit PlasticUnloading(std::shared_ptr<const YieldingLaw> law);
-
-    double
-    dent(double largest_indentation) const override;
-    double
-    power(double largest_indentation) const override;
-
-  private:
-    const std::shared_ptr<const YieldingLaw> law;
-  };
+  std::shared_ptr<const Unloading>
+  plastic_unloading(const std::shared_ptr<const YieldingLaw> &law);
 } // namespace PlateImpact
 
 #endif

@@ -55,8 +55,9 @@ namespace PlateImpact
     peak_on_rigid_plate() const;
 
     /// The whole solution: up to the end of the contact, or to a time when that
-    /// comes first; a plate that gives way at once is never left. The plate's
-    /// displacement is that of the point; energies are left out.
+    /// comes first. A plate that gives way at once is never left: to an
+    /// infinite time, up to where a millionth of the energy remains. The
+    /// plate's displacement is that of the point; energies are left out.
     ContactHistory
     history(double end_time) const;
 
