@@ -154,7 +154,8 @@ namespace PlateImpact
   Contact::mean(const double a, const double b, const Function &function) const
   {
     const double low = std::min(a, b), high = std::max(a, b);
-    double       begin = std::max(low, dent()), sum = 0.;
+    // no force up to the dent, which is 0 without memory
+    double begin = std::max(low, dent()), sum = 0.;
     for (const UnloadingCurve *curve : {&unload, &reload})
       if (const double end = std::min(high, curve->end); begin < end)
         {
@@ -274,6 +275,7 @@ namespace PlateImpact
     dissipated = dissipated_energy(indentation);
     last       = indentation;
 
+    // unloading begins at the end of a step, unless the bodies have parted
     const double F = force(indentation);
     if (indentation > reload.end)
       {
@@ -285,7 +287,7 @@ namespace PlateImpact
         unload = {dent, indentation, F, unloading->power(indentation)};
       }
     else if (indentation <= dent())
-      unload.end = dent(); // the bodies have parted
+      unload.end = dent();
     else if (indentation > unload.end)
       unload = {dent(), indentation, F, unload.power};
   }
