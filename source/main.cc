@@ -190,7 +190,7 @@ namespace
     add_scene(add("check",
                   "Check a scene and say what to expect of it",
                   "Takes a second or two, longer where the first meshes are "
-                  "fine, and writes nothing.",
+                  "fine or the plate stretches, and writes nothing.",
                   [&] { check(arguments); }),
               arguments);
     add(

@@ -1,5 +1,4 @@
-#ifndef plate_impact_tests_contacts_h
-#define plate_impact_tests_contacts_h
+#pragma once
 
 #include "plate_impact/contact/contact.h"
 #include "plate_impact/contact/hertz_law.h"
@@ -61,5 +60,3 @@ namespace PlateImpact
     return all;
   }
 } // namespace PlateImpact
-
-#endif

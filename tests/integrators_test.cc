@@ -45,6 +45,33 @@ namespace PlateImpact
 
 
 
+    // Vectors are judged in longer steps where there are very many, which must
+    // not be too long for a contact.
+    TEST_F(Integrators, RitzVectorsGiveTheHistoryOfTheMeshInManySteps)
+    {
+      const std::string many =
+        "--set Adaptivity/Strategy=none --set 'Discretization/Initial "
+        "cells=5,5' --set 'Time/End time=3e-3' --set 'Time/Time step=2e-7' ";
+      nlohmann::json cycles[2];
+      for (const bool is_reduced : {false, true})
+        {
+          ASSERT_EQ(run(main_scene,
+                        many + "--set 'Time/Integrator=" +
+                          (is_reduced ? "Ritz vectors'" : "Newmark'")),
+                    0)
+            << err;
+          cycles[is_reduced] = last_cycle();
+        }
+      EXPECT_GT(cycles[1]["work"]["ritz_vectors"], 0);
+      for (const char *quantity : {"peak_force",
+                                   "first_contact_end",
+                                   "final_impactor_velocity",
+                                   "impulse"})
+        expect_near(cycles[1][quantity], cycles[0][quantity], 1e-4);
+    }
+
+
+
     TEST_F(Integrators, RitzVectorsGiveTheHistoryOfTheMesh)
     {
       const std::string conserving =

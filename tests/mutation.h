@@ -1,5 +1,4 @@
-#ifndef plate_impact_tests_mutation_h
-#define plate_impact_tests_mutation_h
+#pragma once
 
 #include <algorithm>
 #include <filesystem>
@@ -107,5 +106,3 @@ namespace PlateImpact
                                             "99999999999999999999"};
   };
 } // namespace PlateImpact
-
-#endif

@@ -23,8 +23,7 @@ namespace PlateImpact
       ASSERT_EQ(execute("check '" + main_scene + "' --set 'Time/Time step=0'"),
                 0)
         << err;
-      EXPECT_NE(out.find("0: the program chooses it; at first "),
-                std::string::npos)
+      EXPECT_NE(out.find("0: the program chooses it; "), std::string::npos)
         << out;
       // heavier than the plate: nothing that Zener's equation knows
       ASSERT_EQ(execute("check '" SCENES "/extremes/heavy-impactor.prm'"), 0);
@@ -134,9 +133,9 @@ namespace PlateImpact
 
 
 
-    TEST_F(Program, CheckKnowsCellsToAFactorOfAboutFour)
+    TEST_F(Program, CheckKnowsCellsToAFactorOfAboutThree)
     {
-      // waves and a hole take more, a light ball fewer
+      // by the first two meshes of the run, which the last ones follow
       for (const std::string scene : {SCENES "/drilled-plate.prm",
                                       SCENES "/extremes/fast-impact.prm",
                                       SCENES "/extremes/light-impactor.prm"})
@@ -149,8 +148,8 @@ namespace PlateImpact
           ASSERT_EQ(run(scene), 0) << err;
           EXPECT_EQ(summary()["outcome"], "target reached");
           const double ratio = expected / last_cycle()["cells"].get<double>();
-          EXPECT_GT(ratio, 1. / 4.5) << scene;
-          EXPECT_LT(ratio, 4.5) << scene;
+          EXPECT_GT(ratio, 1. / 3.) << scene;
+          EXPECT_LT(ratio, 3.) << scene;
         }
     }
   } // namespace

@@ -1,5 +1,4 @@
-#ifndef plate_impact_tests_program_fixture_h
-#define plate_impact_tests_program_fixture_h
+#pragma once
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -253,5 +252,3 @@ namespace PlateImpact
   /// models, the first of tests/reference/impact_fe_cases.json. [N]
   constexpr double elastic_peak = 1400.0;
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_tests_test_plate_h
-#define plate_impact_tests_test_plate_h
+#pragma once
 
 #include <deal.II/base/function.h>
 #include <deal.II/grid/tria.h>
@@ -158,5 +157,3 @@ namespace PlateImpact
     const std::function<Values(const dealii::Point<2> &)> field;
   };
 } // namespace PlateImpact
-
-#endif

@@ -363,18 +363,16 @@ namespace PlateImpact
     TEST(TimeStepper, EndTimeIsReachedExactly)
     {
       SpringPlate plate = compliant_plate();
-      TimeStepper stepper(time_parameters(1e-4, 3e-5),
+      TimeStepper stepper({time_parameters(1e-4, 3e-5), conserving},
                           plate,
                           contact,
-                          conserving,
                           ball);
       EXPECT_EQ(stepper.n_steps(), 4);
       stepper.advance(4);
       EXPECT_DOUBLE_EQ(stepper.state().time, 1e-4);
-      EXPECT_EQ(TimeStepper(time_parameters(80e-6, 1e-7),
+      EXPECT_EQ(TimeStepper({time_parameters(80e-6, 1e-7), conserving},
                             plate,
                             contact,
-                            conserving,
                             ball)
                   .n_steps(),
                 800);
@@ -396,10 +394,9 @@ namespace PlateImpact
         model.load({{dealii::Point<2>(0.5, 0.5), 1.}}));
       const Contact   soft(std::make_shared<HertzLaw>(1.));
       const double    dt = 0.05;
-      TimeStepper     stepper(time_parameters(5., dt),
+      TimeStepper     stepper({time_parameters(5., dt), conserving},
                           meshed,
                           soft,
-                          conserving,
                           {1., 0., 1.});
       Eigen::VectorXd z = stepper.displacement(), v = z;
       double          largest = 0.;
@@ -422,10 +419,9 @@ namespace PlateImpact
     TEST(TimeStepper, ValuesThatAreNotFiniteStopTheRunAndNameTheStep)
     {
       SpringPlate broken(std::numeric_limits<double>::infinity(), 1., 1.);
-      TimeStepper stepper(time_parameters(1e-4, 1e-5),
+      TimeStepper stepper({time_parameters(1e-4, 1e-5), conserving},
                           broken,
                           contact,
-                          conserving,
                           ball);
       try
         {

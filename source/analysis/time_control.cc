@@ -61,11 +61,11 @@ namespace PlateImpact
     Window next{Extent::to_peak,
                 last.step,
                 std::max(last.to_peak, reserve * seen.history->peak().time)};
-    // a window that holds a whole impact beyond a late peak would be watched
-    // twice on a mesh that meets the target
+    // a mesh that meets the target would be watched twice, once in a window
+    // that holds the whole contact and once to the end of that
     if (const auto end = seen.history->first_contact_end(); end &&
-        is_late(*seen.history) && scene.time.end_time == 0. &&
-        *end < next.to_peak)
+        scene.time.end_time == 0. && is_late(*seen.history) &&
+        *end > seen.history->peak().time && *end < next.to_peak)
       next.extent = Extent::whole;
     return next;
   }

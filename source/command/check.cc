@@ -183,8 +183,7 @@ namespace PlateImpact
     void
     add_advice(ExpectationText   &text,
                const Parameters  &parameters,
-               const Expectation &expected,
-               const bool         chooses_step)
+               const Expectation &expected)
     {
       if (expected.is_bound)
         return text.line("step, end time, cost",
@@ -194,9 +193,13 @@ namespace PlateImpact
       const std::string     steps = format("{} s is {} steps to the peak",
                                        about(time.time_step),
                                        about(rise / time.time_step));
-      if (chooses_step)
+      if (time.step_is_chosen)
         text.line("Time/Time step",
-                  "0: the program chooses it; at first " + steps);
+                  format("0: the program chooses it; {}{}",
+                         parameters.adaptivity.is_for_peak_force() ?
+                           "at first " :
+                           "",
+                         steps));
       else if (expected.crossings_before_peak(parameters))
         text.line("Time/Time step",
                   "0: the ripples on a late peak need far shorter steps than "
@@ -297,10 +300,7 @@ namespace PlateImpact
         add_waves(text, parameters, expected);
         add_frequencies(text, parameters);
         text.text += "\nAdvice\n";
-        add_advice(text,
-                   parameters,
-                   expected,
-                   scene.given.time.time_step == 0.);
+        add_advice(text, parameters, expected);
         add_sweep(text, scene.given);
         for (const std::string &warning : expected.warnings)
           text.text += "  warning: " + in_ascii(warning) + '\n';

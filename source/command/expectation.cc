@@ -80,7 +80,9 @@ namespace PlateImpact
     Expectation::Cost
     cost_by_two_meshes(Parameters parameters)
     {
-      parameters.adaptivity.maximum_cycles = 2;
+      const bool has_more = parameters.adaptivity.maximum_cycles > 2;
+      parameters.adaptivity.maximum_cycles =
+        std::min(2u, parameters.adaptivity.maximum_cycles);
       ImpactAnalysis    analysis(parameters, nullptr, Wanted{true, false, 0});
       AdaptationControl control(parameters.adaptivity);
       AnalysisListener  listener;
@@ -89,6 +91,8 @@ namespace PlateImpact
       const CycleResult          &result     = analysis.last_cycle().result;
       const AdaptivityParameters &adaptivity = parameters.adaptivity;
       double                      cells      = result.cells;
+      if (!has_more)
+        return {cells, 1. * result.steps};
       if (!adaptivity.is_for_peak_force())
         cells *= std::max(1., result.error->eta / adaptivity.target_error);
       else if (result.peak_force_bar)

@@ -1,5 +1,4 @@
-#ifndef plate_impact_page_assets_h
-#define plate_impact_page_assets_h
+#pragma once
 
 #include <string_view>
 
@@ -9,5 +8,3 @@ namespace PlateImpact::PageAssets
 {
   extern const std::string_view page, style, script, library;
 }
-
-#endif

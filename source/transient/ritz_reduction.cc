@@ -26,6 +26,9 @@ namespace PlateImpact
     /// out of a force hardly depends on the step.
     constexpr double most_steps_to_judge = 2000.;
 
+    /// Of these steps, in a contact of the infinite plate.
+    constexpr double fewest_steps_of_contact = 64.;
+
 
 
     /// Numbers in the vectors: 1.6 GB.
@@ -145,14 +148,19 @@ namespace PlateImpact
 
 
 
-    /// Longer steps where there are very many. Schemes that damp would damp
-    /// more in these, and keep theirs.
+    /// Longer steps where there are very many, but enough for a contact.
+    /// Schemes that damp would damp more in these, and keep theirs.
     NewmarkScheme
-    scheme_to_judge(const NewmarkScheme &scheme, TimeParameters time)
+    scheme_to_judge(const NewmarkScheme &scheme,
+                    TimeParameters       time,
+                    const double         contact_time)
     {
       if (scheme.conserves_energy())
         time.time_step *=
-          std::max(1., std::floor(scheme.n_steps / most_steps_to_judge));
+          std::max(1.,
+                   std::floor(std::min(
+                     scheme.n_steps / most_steps_to_judge,
+                     contact_time / (fewest_steps_of_contact * scheme.dt))));
       return {time, scheme.integration};
     }
 
@@ -299,7 +307,8 @@ namespace PlateImpact
                most_numbers / n_unknowns);
     if (n_most < std::min(n_first * growth * growth, n_unknowns))
       return &full;
-    const NewmarkScheme         judging = scheme_to_judge(scheme, time);
+    const NewmarkScheme judging =
+      scheme_to_judge(scheme, time, expected.contact_time());
     std::deque<Eigen::ArrayX2d> last_three;
     unsigned int                n_before = 0;
     for (double n = n_first; n <= n_most; n *= growth)

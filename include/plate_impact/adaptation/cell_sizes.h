@@ -1,5 +1,4 @@
-#ifndef plate_impact_adaptation_cell_sizes_h
-#define plate_impact_adaptation_cell_sizes_h
+#pragma once
 
 #include <deal.II/grid/tria.h>
 
@@ -66,5 +65,3 @@ namespace PlateImpact
   is_smallest(const dealii::Triangulation<2>::cell_iterator &cell,
               const AdaptivityParameters                    &adaptivity);
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_adaptation_mesh_adaptation_h
-#define plate_impact_adaptation_mesh_adaptation_h
+#pragma once
 
 #include <deal.II/grid/cell_id.h>
 #include <deal.II/grid/tria.h>
@@ -88,5 +87,3 @@ namespace PlateImpact
   refine_towards_load(dealii::Triangulation<2> &mesh,
                       const Parameters         &parameters);
 } // namespace PlateImpact
-
-#endif

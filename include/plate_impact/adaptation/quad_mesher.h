@@ -1,5 +1,4 @@
-#ifndef plate_impact_adaptation_quad_mesher_h
-#define plate_impact_adaptation_quad_mesher_h
+#pragma once
 
 #include <deal.II/base/point.h>
 
@@ -97,5 +96,3 @@ namespace PlateImpact
     std::vector<std::string>            &warnings,
     const std::vector<MesherSettings>   &attempts = default_mesher_settings());
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_analysis_adaptation_control_h
-#define plate_impact_analysis_adaptation_control_h
+#pragma once
 
 #include "plate_impact/analysis/goal.h"
 
@@ -55,5 +54,3 @@ namespace PlateImpact
     double                            target;
   };
 } // namespace PlateImpact
-
-#endif

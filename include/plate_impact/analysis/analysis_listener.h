@@ -1,5 +1,4 @@
-#ifndef plate_impact_analysis_analysis_listener_h
-#define plate_impact_analysis_analysis_listener_h
+#pragma once
 
 #include <functional>
 #include <string>
@@ -23,5 +22,3 @@ namespace PlateImpact
     std::function<void(Cycle &)> cycle = [](const auto &...) {};
   };
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_analysis_cycle_h
-#define plate_impact_analysis_cycle_h
+#pragma once
 
 #include <deal.II/grid/tria.h>
 
@@ -48,5 +47,3 @@ namespace PlateImpact
     mutable std::optional<StressRecovery> stress_recovery;
   };
 } // namespace PlateImpact
-
-#endif

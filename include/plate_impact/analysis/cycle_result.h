@@ -1,5 +1,4 @@
-#ifndef plate_impact_analysis_cycle_result_h
-#define plate_impact_analysis_cycle_result_h
+#pragma once
 
 #include "plate_impact/base/parameters.h"
 #include "plate_impact/contact/contact_history.h"
@@ -123,5 +122,3 @@ namespace PlateImpact
     }
   };
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_analysis_goal_h
-#define plate_impact_analysis_goal_h
+#pragma once
 
 #include "plate_impact/analysis/cycle.h"
 #include "plate_impact/analysis/outcome.h"
@@ -52,5 +51,3 @@ namespace PlateImpact
   std::unique_ptr<const Goal>
   make_goal(const AdaptivityParameters &adaptivity);
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_analysis_impact_analysis_h
-#define plate_impact_analysis_impact_analysis_h
+#pragma once
 
 #include <deal.II/grid/tria.h>
 
@@ -109,5 +108,3 @@ namespace PlateImpact
                  steps_in_vain    = 0;
   };
 } // namespace PlateImpact
-
-#endif

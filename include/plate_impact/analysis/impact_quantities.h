@@ -1,5 +1,4 @@
-#ifndef plate_impact_analysis_impact_quantities_h
-#define plate_impact_analysis_impact_quantities_h
+#pragma once
 
 #include "plate_impact/analysis/cycle_result.h"
 #include "plate_impact/base/parameters.h"
@@ -65,5 +64,3 @@ namespace PlateImpact
                const ZenerImpact  &expected,
                const ContactState &peak);
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_analysis_model_limits_h
-#define plate_impact_analysis_model_limits_h
+#pragma once
 
 #include "plate_impact/analysis/warnings.h"
 #include "plate_impact/contact/contact_bodies.h"
@@ -126,5 +125,3 @@ namespace PlateImpact
     Warnings                  warnings;
   };
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_analysis_observe_h
-#define plate_impact_analysis_observe_h
+#pragma once
 
 #include <deal.II/base/timer.h>
 
@@ -56,5 +55,3 @@ namespace PlateImpact
           const Wanted     &wanted,
           AnalysisListener &listener);
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_analysis_outcome_h
-#define plate_impact_analysis_outcome_h
+#pragma once
 
 #include "plate_impact/base/choices.h"
 
@@ -22,5 +21,3 @@ namespace PlateImpact
   template <>
   const std::vector<Word<Outcome>> Choices<Outcome>::words;
 } // namespace PlateImpact
-
-#endif

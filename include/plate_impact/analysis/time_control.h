@@ -1,5 +1,4 @@
-#ifndef plate_impact_analysis_time_control_h
-#define plate_impact_analysis_time_control_h
+#pragma once
 
 #include "plate_impact/analysis/cycle_result.h"
 #include "plate_impact/base/parameters.h"
@@ -44,7 +43,8 @@ namespace PlateImpact
   /// target is watched to the end, for a later force may be larger. The first
   /// mesh is as well: before waves are back from the edges a force has one
   /// peak, and a larger one later is the mesh's own; one after that is the
-  /// impact's, and the window holds it from the beginning.
+  /// impact's, and the window holds it from the beginning. Where that window
+  /// would hold the end of the contact too, it ends there.
   class TimeControl
   {
   public:
@@ -95,5 +95,3 @@ namespace PlateImpact
     const double     return_of_waves; ///< when waves are back [s]
   };
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_analysis_warnings_h
-#define plate_impact_analysis_warnings_h
+#pragma once
 
 #include <deal.II/grid/tria.h>
 
@@ -75,5 +74,3 @@ namespace PlateImpact
                        const CycleResult              &result,
                        const ZenerImpact              &expected);
 } // namespace PlateImpact
-
-#endif

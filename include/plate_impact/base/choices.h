@@ -1,5 +1,4 @@
-#ifndef plate_impact_base_choices_h
-#define plate_impact_base_choices_h
+#pragma once
 
 #include <memory>
 #include <stdexcept>
@@ -256,5 +255,3 @@ namespace PlateImpact
     return words;
   }
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_base_entries_h
-#define plate_impact_base_entries_h
+#pragma once
 
 #include <deal.II/base/exceptions.h>
 
@@ -248,5 +247,3 @@ namespace PlateImpact
     return entries.back();
   }
 } // namespace PlateImpact
-
-#endif

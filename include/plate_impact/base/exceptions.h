@@ -1,5 +1,4 @@
-#ifndef plate_impact_base_exceptions_h
-#define plate_impact_base_exceptions_h
+#pragma once
 
 #include "plate_impact/base/text.h"
 
@@ -70,5 +69,3 @@ namespace PlateImpact
     const int signal;
   };
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_base_interrupt_h
-#define plate_impact_base_interrupt_h
+#pragma once
 
 namespace PlateImpact
 {
@@ -18,5 +17,3 @@ namespace PlateImpact
   void
   throw_if_interrupted();
 } // namespace PlateImpact
-
-#endif

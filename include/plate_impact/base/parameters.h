@@ -1,5 +1,4 @@
-#ifndef plate_impact_base_parameters_h
-#define plate_impact_base_parameters_h
+#pragma once
 
 #include "plate_impact/base/choices.h"
 
@@ -407,5 +406,3 @@ namespace PlateImpact
     }
   };
 } // namespace PlateImpact
-
-#endif

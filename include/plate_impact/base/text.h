@@ -1,5 +1,4 @@
-#ifndef plate_impact_base_text_h
-#define plate_impact_base_text_h
+#pragma once
 
 #include <cstddef>
 #include <fmt/format.h>
@@ -150,5 +149,3 @@ namespace PlateImpact
          const char                  *format,
          const std::optional<double> &value);
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_command_commands_h
-#define plate_impact_command_commands_h
+#pragma once
 
 #include "plate_impact/scene/scene.h"
 #include "plate_impact/scene/sweep_scene.h"
@@ -61,5 +60,3 @@ namespace PlateImpact
   void
   print_expectation(std::ostream &out, const Scene &scene);
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_command_expectation_h
-#define plate_impact_command_expectation_h
+#pragma once
 
 #include "plate_impact/base/parameters.h"
 #include "plate_impact/contact/contact_history.h"
@@ -65,5 +64,3 @@ namespace PlateImpact
   double
   distance_to_edge(const Parameters &parameters);
 } // namespace PlateImpact
-
-#endif

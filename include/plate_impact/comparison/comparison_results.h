@@ -1,5 +1,4 @@
-#ifndef plate_impact_comparison_comparison_results_h
-#define plate_impact_comparison_comparison_results_h
+#pragma once
 
 #include "plate_impact/comparison/strategy_comparison.h"
 #include "plate_impact/page/page.h"
@@ -36,5 +35,3 @@ namespace PlateImpact
                         const StrategyComparison &comparison,
                         const Json               &results);
 } // namespace PlateImpact
-
-#endif

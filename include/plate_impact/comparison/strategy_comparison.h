@@ -1,5 +1,4 @@
-#ifndef plate_impact_comparison_strategy_comparison_h
-#define plate_impact_comparison_strategy_comparison_h
+#pragma once
 
 #include "plate_impact/analysis/adaptation_control.h"
 #include "plate_impact/analysis/analysis_listener.h"
@@ -210,5 +209,3 @@ namespace PlateImpact
     const AdaptationControl *marking;
   };
 } // namespace PlateImpact
-
-#endif

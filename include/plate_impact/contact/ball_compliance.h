@@ -1,5 +1,4 @@
-#ifndef plate_impact_contact_ball_compliance_h
-#define plate_impact_contact_ball_compliance_h
+#pragma once
 
 namespace PlateImpact
 {
@@ -29,5 +28,3 @@ namespace PlateImpact
                   double poissons_ratio,
                   double contact_radius);
 } // namespace PlateImpact
-
-#endif

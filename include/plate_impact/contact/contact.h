@@ -1,5 +1,4 @@
-#ifndef plate_impact_contact_contact_h
-#define plate_impact_contact_contact_h
+#pragma once
 
 #include "plate_impact/contact/contact_law.h"
 #include "plate_impact/contact/unloading.h"
@@ -133,5 +132,3 @@ namespace PlateImpact
     double         last = 0., dissipated = 0.; ///< where the last step ended
   };
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_contact_contact_bodies_h
-#define plate_impact_contact_contact_bodies_h
+#pragma once
 
 #include <optional>
 
@@ -85,5 +84,3 @@ namespace PlateImpact
     double least_poissons_ratio;
   };
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_contact_contact_history_h
-#define plate_impact_contact_contact_history_h
+#pragma once
 
 #include <cstddef>
 #include <iosfwd>
@@ -122,5 +121,3 @@ namespace PlateImpact
     std::vector<ContactState> history;
   };
 } // namespace PlateImpact
-
-#endif

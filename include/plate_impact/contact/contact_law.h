@@ -1,5 +1,4 @@
-#ifndef plate_impact_contact_contact_law_h
-#define plate_impact_contact_contact_law_h
+#pragma once
 
 #include <functional>
 #include <optional>
@@ -56,5 +55,3 @@ namespace PlateImpact
     }
   };
 } // namespace PlateImpact
-
-#endif

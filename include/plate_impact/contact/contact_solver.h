@@ -1,5 +1,4 @@
-#ifndef plate_impact_contact_contact_solver_h
-#define plate_impact_contact_contact_solver_h
+#pragma once
 
 #include "plate_impact/base/choices.h"
 #include "plate_impact/contact/contact.h"
@@ -82,5 +81,3 @@ namespace PlateImpact
                 double                    free,
                 double                    compliance);
 } // namespace PlateImpact
-
-#endif

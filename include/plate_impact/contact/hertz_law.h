@@ -1,5 +1,4 @@
-#ifndef plate_impact_contact_hertz_law_h
-#define plate_impact_contact_hertz_law_h
+#pragma once
 
 #include "plate_impact/contact/contact_law.h"
 
@@ -66,5 +65,3 @@ namespace PlateImpact
     const double k;
   };
 } // namespace PlateImpact
-
-#endif

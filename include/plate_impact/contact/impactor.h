@@ -1,5 +1,4 @@
-#ifndef plate_impact_contact_impactor_h
-#define plate_impact_contact_impactor_h
+#pragma once
 
 namespace PlateImpact
 {
@@ -27,5 +26,3 @@ namespace PlateImpact
   Impactor
   make_impactor(const ImpactorParameters &parameters);
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_contact_line_law_h
-#define plate_impact_contact_line_law_h
+#pragma once
 
 #include "plate_impact/contact/contact_law.h"
 
@@ -52,5 +51,3 @@ namespace PlateImpact
     const double largest_indentation; ///< there [m]
   };
 } // namespace PlateImpact
-
-#endif

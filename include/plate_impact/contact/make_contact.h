@@ -1,5 +1,4 @@
-#ifndef plate_impact_contact_make_contact_h
-#define plate_impact_contact_make_contact_h
+#pragma once
 
 #include "plate_impact/base/parameters.h"
 #include "plate_impact/contact/zener.h"
@@ -35,5 +34,3 @@ namespace PlateImpact
   ZenerImpact
   make_zener_impact(const Parameters &parameters);
 } // namespace PlateImpact
-
-#endif

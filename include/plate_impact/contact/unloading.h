@@ -1,5 +1,4 @@
-#ifndef plate_impact_contact_unloading_h
-#define plate_impact_contact_unloading_h
+#pragma once
 
 #include <cmath>
 #include <functional>
@@ -93,5 +92,3 @@ namespace PlateImpact
       Unloading{dent, [](double) { return 2.5; }, [](double) { return 1.5; }});
   }
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_contact_yielding_law_h
-#define plate_impact_contact_yielding_law_h
+#pragma once
 
 #include "plate_impact/contact/hertz_law.h"
 #include "plate_impact/contact/unloading.h"
@@ -79,5 +78,3 @@ namespace PlateImpact
   std::shared_ptr<const Unloading>
   plastic_unloading(const std::shared_ptr<const YieldingLaw> &law);
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_contact_zener_h
-#define plate_impact_contact_zener_h
+#pragma once
 
 #include "plate_impact/contact/contact.h"
 #include "plate_impact/contact/contact_history.h"
@@ -93,5 +92,3 @@ namespace PlateImpact
     wave_of(double contact_time) const;
   };
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_estimator_energy_norm_estimator_h
-#define plate_impact_estimator_energy_norm_estimator_h
+#pragma once
 
 #include <deal.II/grid/tria.h>
 
@@ -86,5 +85,3 @@ namespace PlateImpact
     ErrorEstimate                 samples;  ///< stresses, errors over time
   };
 } // namespace PlateImpact
-
-#endif

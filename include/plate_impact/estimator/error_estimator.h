@@ -1,5 +1,4 @@
-#ifndef plate_impact_estimator_error_estimator_h
-#define plate_impact_estimator_error_estimator_h
+#pragma once
 
 #include <Eigen/Core>
 
@@ -114,5 +113,3 @@ namespace PlateImpact
   Eigen::MatrixXd
   leading_combinations(const Eigen::MatrixXd &coordinates, double tolerance);
 } // namespace PlateImpact
-
-#endif

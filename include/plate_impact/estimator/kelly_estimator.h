@@ -1,5 +1,4 @@
-#ifndef plate_impact_estimator_kelly_estimator_h
-#define plate_impact_estimator_kelly_estimator_h
+#pragma once
 
 #include "plate_impact/estimator/error_estimator.h"
 #include "plate_impact/plate/plate_discretization.h"
@@ -49,5 +48,3 @@ namespace PlateImpact
     TimeIntegral<Eigen::VectorXd>         shares;
   };
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_estimator_make_error_estimator_h
-#define plate_impact_estimator_make_error_estimator_h
+#pragma once
 
 #include "plate_impact/base/parameters.h"
 #include "plate_impact/estimator/error_estimator.h"
@@ -24,5 +23,3 @@ namespace PlateImpact
                        const StressRecovery      &recovery,
                        unsigned int               kept_interval);
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_estimator_peak_force_error_h
-#define plate_impact_estimator_peak_force_error_h
+#pragma once
 
 #include "plate_impact/estimator/stress_recovery.h"
 #include "plate_impact/plate/plate_discretization.h"
@@ -99,5 +98,3 @@ namespace PlateImpact
                            bool                             resolves_load,
                            const std::optional<double>     &ripples = {});
 } // namespace PlateImpact
-
-#endif

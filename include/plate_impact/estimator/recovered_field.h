@@ -1,5 +1,4 @@
-#ifndef plate_impact_estimator_recovered_field_h
-#define plate_impact_estimator_recovered_field_h
+#pragma once
 
 #include <deal.II/base/point.h>
 #include <deal.II/grid/tria.h>
@@ -117,5 +116,3 @@ namespace PlateImpact
                        const Eigen::Ref<const Eigen::MatrixXd> &states,
                        const std::vector<dealii::Point<2>>     &unit_points);
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_estimator_reference_error_h
-#define plate_impact_estimator_reference_error_h
+#pragma once
 
 #include <deal.II/base/point.h>
 
@@ -36,5 +35,3 @@ namespace PlateImpact
     std::vector<double>           times;   ///< [s]
   };
 } // namespace PlateImpact
-
-#endif

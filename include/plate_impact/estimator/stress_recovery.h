@@ -1,5 +1,4 @@
-#ifndef plate_impact_estimator_stress_recovery_h
-#define plate_impact_estimator_stress_recovery_h
+#pragma once
 
 #include <deal.II/base/point.h>
 #include <deal.II/grid/tria.h>
@@ -170,5 +169,3 @@ namespace PlateImpact
       fits;
   };
 } // namespace PlateImpact
-
-#endif

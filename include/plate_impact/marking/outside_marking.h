@@ -1,5 +1,4 @@
-#ifndef plate_impact_marking_outside_marking_h
-#define plate_impact_marking_outside_marking_h
+#pragma once
 
 #include "plate_impact/analysis/adaptation_control.h"
 #include "plate_impact/output/result_directory.h"
@@ -42,5 +41,3 @@ namespace PlateImpact
     const ResultDirectory &directory;
   };
 } // namespace PlateImpact
-
-#endif

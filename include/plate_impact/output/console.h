@@ -1,5 +1,4 @@
-#ifndef plate_impact_output_console_h
-#define plate_impact_output_console_h
+#pragma once
 
 #include <chrono>
 #include <cstddef>
@@ -69,5 +68,3 @@ namespace PlateImpact
     Clock::time_point begin_of_count, last;
   };
 } // namespace PlateImpact
-
-#endif

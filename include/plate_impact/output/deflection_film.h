@@ -1,5 +1,4 @@
-#ifndef plate_impact_output_deflection_film_h
-#define plate_impact_output_deflection_film_h
+#pragma once
 
 #include "plate_impact/analysis/cycle.h"
 #include "plate_impact/page/page.h"
@@ -27,5 +26,3 @@ namespace PlateImpact
   Json
   deflection_film(const Cycle &cycle);
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_output_field_files_h
-#define plate_impact_output_field_files_h
+#pragma once
 
 #include "plate_impact/analysis/cycle.h"
 #include "plate_impact/output/result_directory.h"
@@ -12,5 +11,3 @@ namespace PlateImpact
   void
   write_fields(const ResultDirectory &directory, const Cycle &cycle);
 } // namespace PlateImpact
-
-#endif

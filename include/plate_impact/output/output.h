@@ -1,5 +1,4 @@
-#ifndef plate_impact_output_output_h
-#define plate_impact_output_output_h
+#pragma once
 
 #include "plate_impact/analysis/cycle.h"
 #include "plate_impact/analysis/outcome.h"
@@ -58,5 +57,3 @@ namespace PlateImpact
     Report       report;
   };
 } // namespace PlateImpact
-
-#endif

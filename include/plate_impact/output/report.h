@@ -1,5 +1,4 @@
-#ifndef plate_impact_output_report_h
-#define plate_impact_output_report_h
+#pragma once
 
 #include "plate_impact/analysis/cycle.h"
 #include "plate_impact/contact/contact_history.h"
@@ -46,5 +45,3 @@ namespace PlateImpact
          meshes = Json::array(), stresses = Json::array();
   };
 } // namespace PlateImpact
-
-#endif

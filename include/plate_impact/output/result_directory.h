@@ -1,5 +1,4 @@
-#ifndef plate_impact_output_result_directory_h
-#define plate_impact_output_result_directory_h
+#pragma once
 
 #include <filesystem>
 #include <functional>
@@ -53,5 +52,3 @@ namespace PlateImpact
     const int descriptor; ///< of the directory; carries the lock
   };
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_output_run_in_words_h
-#define plate_impact_output_run_in_words_h
+#pragma once
 
 #include "plate_impact/base/parameters.h"
 
@@ -20,5 +19,3 @@ namespace PlateImpact
   std::string
   load_in_words(const Parameters &parameters);
 } // namespace PlateImpact
-
-#endif

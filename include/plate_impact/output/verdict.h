@@ -1,5 +1,4 @@
-#ifndef plate_impact_output_verdict_h
-#define plate_impact_output_verdict_h
+#pragma once
 
 #include "plate_impact/analysis/cycle_result.h"
 #include "plate_impact/analysis/outcome.h"
@@ -60,5 +59,3 @@ namespace PlateImpact
   std::string
   model_in_words(const Verdict &verdict);
 } // namespace PlateImpact
-
-#endif

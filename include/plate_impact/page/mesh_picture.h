@@ -1,5 +1,4 @@
-#ifndef plate_impact_page_mesh_picture_h
-#define plate_impact_page_mesh_picture_h
+#pragma once
 
 #include <deal.II/grid/tria.h>
 
@@ -36,5 +35,3 @@ namespace PlateImpact
   Json
   plate_on_page(const Parameters &parameters);
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_page_page_h
-#define plate_impact_page_page_h
+#pragma once
 
 #include <nlohmann/json.hpp>
 
@@ -32,5 +31,3 @@ namespace PlateImpact
   Json
   numbers_on_page(const std::vector<double> &values);
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_plate_assumed_shear_h
-#define plate_impact_plate_assumed_shear_h
+#pragma once
 
 #include <deal.II/base/quadrature.h>
 #include <deal.II/fe/fe_values.h>
@@ -79,5 +78,3 @@ namespace PlateImpact
   AssumedShear
   mixed_shear();
 } // namespace PlateImpact
-
-#endif

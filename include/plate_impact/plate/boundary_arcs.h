@@ -1,5 +1,4 @@
-#ifndef plate_impact_plate_boundary_arcs_h
-#define plate_impact_plate_boundary_arcs_h
+#pragma once
 
 #include <deal.II/base/point.h>
 #include <deal.II/grid/tria.h>
@@ -21,5 +20,3 @@ namespace PlateImpact
   std::vector<Arc>
   find_arcs(dealii::Triangulation<2> &mesh);
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_plate_free_unknowns_h
-#define plate_impact_plate_free_unknowns_h
+#pragma once
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/lac/affine_constraints.h>
@@ -99,5 +98,3 @@ namespace PlateImpact
     Eigen::SparseMatrix<double, Eigen::RowMajor> nodal_values_of_cells;
   };
 } // namespace PlateImpact
-
-#endif

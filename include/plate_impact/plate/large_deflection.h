@@ -1,5 +1,4 @@
-#ifndef plate_impact_plate_large_deflection_h
-#define plate_impact_plate_large_deflection_h
+#pragma once
 
 #include "plate_impact/plate/plate_discretization.h"
 
@@ -97,5 +96,3 @@ namespace PlateImpact
     std::vector<unsigned int> shape_of_cell;
   };
 } // namespace PlateImpact
-
-#endif

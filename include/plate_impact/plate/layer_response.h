@@ -1,5 +1,4 @@
-#ifndef plate_impact_plate_layer_response_h
-#define plate_impact_plate_layer_response_h
+#pragma once
 
 #include "plate_impact/base/parameters.h"
 
@@ -73,5 +72,3 @@ namespace PlateImpact
   load_rotation_factor(const PlateParameters   &plate,
                        const ContactParameters &contact);
 } // namespace PlateImpact
-
-#endif

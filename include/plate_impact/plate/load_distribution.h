@@ -1,5 +1,4 @@
-#ifndef plate_impact_plate_load_distribution_h
-#define plate_impact_plate_load_distribution_h
+#pragma once
 
 #include <deal.II/base/point.h>
 
@@ -41,5 +40,3 @@ namespace PlateImpact
   on_meshed_part(const std::vector<LoadPoint> &of_quadrant,
                  const PlateParameters        &plate);
 } // namespace PlateImpact
-
-#endif

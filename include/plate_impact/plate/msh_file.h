@@ -1,5 +1,4 @@
-#ifndef plate_impact_plate_msh_file_h
-#define plate_impact_plate_msh_file_h
+#pragma once
 
 #include <deal.II/base/point.h>
 #include <deal.II/grid/tria_description.h>
@@ -46,5 +45,3 @@ namespace PlateImpact
   [[noreturn]] void
   refuse_file(const std::string &sentence);
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_plate_plate_discretization_h
-#define plate_impact_plate_plate_discretization_h
+#pragma once
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/lac/affine_constraints.h>
@@ -179,5 +178,3 @@ namespace PlateImpact
     Eigen::VectorXd unknowns;
   };
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_plate_plate_element_h
-#define plate_impact_plate_plate_element_h
+#pragma once
 
 #include <deal.II/base/point.h>
 #include <deal.II/base/quadrature_lib.h>
@@ -146,5 +145,3 @@ namespace PlateImpact
     const dealii::QGauss<2>   samples; ///< 2x2, superconvergent
   };
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_plate_plate_file_h
-#define plate_impact_plate_plate_file_h
+#pragma once
 
 #include <deal.II/base/point.h>
 #include <deal.II/grid/tria.h>
@@ -54,5 +53,3 @@ namespace PlateImpact
   std::shared_ptr<const PlateFile>
   read_plate_file(const std::string &path);
 } // namespace PlateImpact
-
-#endif

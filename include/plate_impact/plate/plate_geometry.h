@@ -1,5 +1,4 @@
-#ifndef plate_impact_plate_plate_geometry_h
-#define plate_impact_plate_plate_geometry_h
+#pragma once
 
 #include <deal.II/grid/tria.h>
 
@@ -121,5 +120,3 @@ namespace PlateImpact
   double
   initial_cell_size(const Parameters &parameters);
 } // namespace PlateImpact
-
-#endif

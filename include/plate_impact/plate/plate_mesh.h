@@ -1,5 +1,4 @@
-#ifndef plate_impact_plate_plate_mesh_h
-#define plate_impact_plate_plate_mesh_h
+#pragma once
 
 #include <deal.II/fe/mapping.h>
 #include <deal.II/grid/tria.h>
@@ -66,5 +65,3 @@ namespace PlateImpact
                        double                          half_length,
                        double                          distance = 0.);
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_plate_plate_section_h
-#define plate_impact_plate_plate_section_h
+#pragma once
 
 #include "plate_impact/base/parameters.h"
 
@@ -189,5 +188,3 @@ namespace PlateImpact
   section_fields(const PlateSection    &section,
                  const Eigen::MatrixXd &resultants);
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_plate_ply_h
-#define plate_impact_plate_ply_h
+#pragma once
 
 #include "plate_impact/base/parameters.h"
 
@@ -72,5 +71,3 @@ namespace PlateImpact
     const std::vector<Eigen::Matrix3d> &plane_stiffness,
     const std::vector<Eigen::Matrix2d> &shear_moduli);
 } // namespace PlateImpact
-
-#endif

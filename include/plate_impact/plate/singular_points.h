@@ -1,5 +1,4 @@
-#ifndef plate_impact_plate_singular_points_h
-#define plate_impact_plate_singular_points_h
+#pragma once
 
 #include "plate_impact/base/parameters.h"
 #include "plate_impact/plate/plate_geometry.h"
@@ -34,5 +33,3 @@ namespace PlateImpact
   std::vector<SingularPoint>
   singular_points(const Parameters &parameters);
 } // namespace PlateImpact
-
-#endif

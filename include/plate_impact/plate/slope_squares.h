@@ -1,5 +1,4 @@
-#ifndef plate_impact_plate_slope_squares_h
-#define plate_impact_plate_slope_squares_h
+#pragma once
 
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
@@ -49,5 +48,3 @@ namespace PlateImpact
     strains(const dealii::FEValues<2> &values);
   };
 } // namespace PlateImpact
-
-#endif

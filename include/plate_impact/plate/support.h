@@ -1,5 +1,4 @@
-#ifndef plate_impact_plate_support_h
-#define plate_impact_plate_support_h
+#pragma once
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/lac/affine_constraints.h>
@@ -19,5 +18,3 @@ namespace PlateImpact
              const PlateGeometry               &geometry,
              dealii::AffineConstraints<double> &constraints);
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_scene_scene_h
-#define plate_impact_scene_scene_h
+#pragma once
 
 #include "plate_impact/base/parameters.h"
 #include "plate_impact/contact/zener.h"
@@ -40,5 +39,3 @@ namespace PlateImpact
   void
   print_defaults(std::ostream &out);
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_scene_scene_checker_h
-#define plate_impact_scene_scene_checker_h
+#pragma once
 
 #include "plate_impact/base/entries.h"
 #include "plate_impact/base/parameters.h"
@@ -126,5 +125,3 @@ namespace PlateImpact
     AdaptivityParameters &adaptivity = parameters.adaptivity;
   };
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_scene_scene_file_h
-#define plate_impact_scene_scene_file_h
+#pragma once
 
 #include <istream>
 #include <string>
@@ -59,5 +58,3 @@ namespace PlateImpact
   closest_name(const std::string              &name,
                const std::vector<std::string> &candidates);
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_scene_scene_reader_h
-#define plate_impact_scene_scene_reader_h
+#pragma once
 
 #include "plate_impact/base/entries.h"
 #include "plate_impact/base/parameters.h"
@@ -52,5 +51,3 @@ namespace PlateImpact
     std::vector<std::string> mistakes;
   };
 } // namespace PlateImpact
-
-#endif

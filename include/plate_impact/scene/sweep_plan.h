@@ -1,5 +1,4 @@
-#ifndef plate_impact_scene_sweep_plan_h
-#define plate_impact_scene_sweep_plan_h
+#pragma once
 
 #include "plate_impact/base/entries.h"
 #include "plate_impact/base/parameters.h"
@@ -70,5 +69,3 @@ namespace PlateImpact
     combine(const Entries &all);
   };
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_scene_sweep_scene_h
-#define plate_impact_scene_sweep_scene_h
+#pragma once
 
 #include "plate_impact/base/text.h"
 #include "plate_impact/contact/zener.h"
@@ -44,5 +43,3 @@ namespace PlateImpact
     std::string       text; ///< every value, as a scene that repeats the sweep
   };
 } // namespace PlateImpact
-
-#endif

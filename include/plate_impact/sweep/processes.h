@@ -1,5 +1,4 @@
-#ifndef plate_impact_sweep_processes_h
-#define plate_impact_sweep_processes_h
+#pragma once
 
 #include <deal.II/base/mpi.h>
 
@@ -55,5 +54,3 @@ namespace PlateImpact
     std::size_t    counter        = 0; ///< without MPI
   };
 } // namespace PlateImpact
-
-#endif

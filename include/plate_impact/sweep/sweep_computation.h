@@ -1,5 +1,4 @@
-#ifndef plate_impact_sweep_sweep_computation_h
-#define plate_impact_sweep_sweep_computation_h
+#pragma once
 
 #include "plate_impact/analysis/cycle_result.h"
 #include "plate_impact/scene/sweep_scene.h"
@@ -67,5 +66,3 @@ namespace PlateImpact
     std::vector<std::string>    mesh_warnings;      ///< of its mesh
   };
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_sweep_sweep_groups_h
-#define plate_impact_sweep_sweep_groups_h
+#pragma once
 
 #include "plate_impact/scene/sweep_plan.h"
 
@@ -42,5 +41,3 @@ namespace PlateImpact
     std::size_t n_loads;
   };
 } // namespace PlateImpact
-
-#endif

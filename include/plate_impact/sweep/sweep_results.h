@@ -1,5 +1,4 @@
-#ifndef plate_impact_sweep_sweep_results_h
-#define plate_impact_sweep_sweep_results_h
+#pragma once
 
 #include "plate_impact/contact/contact_history.h"
 #include "plate_impact/output/result_directory.h"
@@ -99,5 +98,3 @@ namespace PlateImpact
                    const std::map<std::size_t, ContactHistory> &histories,
                    const SweepWork                             &work);
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_transient_effective_stiffness_h
-#define plate_impact_transient_effective_stiffness_h
+#pragma once
 
 #include <deal.II/base/timer.h>
 
@@ -123,5 +122,3 @@ namespace PlateImpact
     std::optional<double> factorized_for; ///< c [1/s^2]
   };
 } // namespace PlateImpact
-
-#endif

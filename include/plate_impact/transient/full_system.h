@@ -1,5 +1,4 @@
-#ifndef plate_impact_transient_full_system_h
-#define plate_impact_transient_full_system_h
+#pragma once
 
 #include "plate_impact/transient/effective_stiffness.h"
 #include "plate_impact/transient/semidiscrete_system.h"
@@ -73,5 +72,3 @@ namespace PlateImpact
     std::optional<double>                     compliance; ///< under u [m/N]
   };
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_transient_impactor_stepper_h
-#define plate_impact_transient_impactor_stepper_h
+#pragma once
 
 #include "plate_impact/contact/contact.h"
 #include "plate_impact/contact/contact_history.h"
@@ -92,5 +91,3 @@ namespace PlateImpact
     double              begin_force = 0.; ///< of the step [N]
   };
 } // namespace PlateImpact
-
-#endif

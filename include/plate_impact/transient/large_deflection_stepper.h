@@ -1,5 +1,4 @@
-#ifndef plate_impact_transient_large_deflection_stepper_h
-#define plate_impact_transient_large_deflection_stepper_h
+#pragma once
 
 #include "plate_impact/plate/large_deflection.h"
 #include "plate_impact/transient/effective_stiffness.h"
@@ -67,5 +66,3 @@ namespace PlateImpact
     bool   tangent_is_old = false;
   };
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_transient_linear_solver_h
-#define plate_impact_transient_linear_solver_h
+#pragma once
 
 #include "plate_impact/base/choices.h"
 
@@ -39,5 +38,3 @@ namespace PlateImpact
   std::unique_ptr<LinearSolver>
   make_linear_solver(SolverType type);
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_transient_loaded_plate_h
-#define plate_impact_transient_loaded_plate_h
+#pragma once
 
 #include "plate_impact/base/parameters.h"
 #include "plate_impact/transient/peak_force_dual.h"
@@ -135,5 +134,3 @@ namespace PlateImpact
     SemidiscreteSystem         &system; ///< that is stepped
   };
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_transient_natural_frequencies_h
-#define plate_impact_transient_natural_frequencies_h
+#pragma once
 
 #include "plate_impact/transient/full_system.h"
 
@@ -21,5 +20,3 @@ namespace PlateImpact
   std::vector<double>
   natural_frequencies(EffectiveStiffness &matrices, unsigned int n);
 } // namespace PlateImpact
-
-#endif

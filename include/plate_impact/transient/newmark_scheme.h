@@ -1,5 +1,4 @@
-#ifndef plate_impact_transient_newmark_scheme_h
-#define plate_impact_transient_newmark_scheme_h
+#pragma once
 
 #include "plate_impact/contact/contact_solver.h"
 
@@ -44,5 +43,3 @@ namespace PlateImpact
     const double             c2; ///< 1/(2 beta) - 1
   };
 } // namespace PlateImpact
-
-#endif

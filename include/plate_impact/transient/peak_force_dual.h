@@ -1,5 +1,4 @@
-#ifndef plate_impact_transient_peak_force_dual_h
-#define plate_impact_transient_peak_force_dual_h
+#pragma once
 
 #include "plate_impact/contact/contact.h"
 #include "plate_impact/contact/contact_history.h"
@@ -60,5 +59,3 @@ namespace PlateImpact
                SemidiscreteSystem  &plate,
                unsigned int         most_times);
 } // namespace PlateImpact
-
-#endif

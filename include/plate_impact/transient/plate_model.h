@@ -1,5 +1,4 @@
-#ifndef plate_impact_transient_plate_model_h
-#define plate_impact_transient_plate_model_h
+#pragma once
 
 #include <deal.II/grid/tria.h>
 
@@ -115,5 +114,3 @@ namespace PlateImpact
                      const Parameters &impact,
                      bool              needs_states);
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_transient_plate_motion_h
-#define plate_impact_transient_plate_motion_h
+#pragma once
 
 #include <Eigen/Core>
 
@@ -74,5 +73,3 @@ namespace PlateImpact
     double          w = 0., w_of_unit_response = 0., dissipated = 0.;
   };
 } // namespace PlateImpact
-
-#endif

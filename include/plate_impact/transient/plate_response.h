@@ -1,5 +1,4 @@
-#ifndef plate_impact_transient_plate_response_h
-#define plate_impact_transient_plate_response_h
+#pragma once
 
 #include "plate_impact/transient/impactor_stepper.h"
 #include "plate_impact/transient/newmark_scheme.h"
@@ -45,5 +44,3 @@ namespace PlateImpact
     Eigen::VectorXd     reversed; ///< R_{n_steps - 1} ... R_0 [m/N]
   };
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_transient_plate_stepper_h
-#define plate_impact_transient_plate_stepper_h
+#pragma once
 
 #include "plate_impact/transient/newmark_scheme.h"
 #include "plate_impact/transient/plate_motion.h"
@@ -61,5 +60,3 @@ namespace PlateImpact
     SemidiscreteSystem                                            &plate,
     const std::function<void(Eigen::Index, const PlateStepper &)> &show);
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_transient_reduced_system_h
-#define plate_impact_transient_reduced_system_h
+#pragma once
 
 #include "plate_impact/transient/ritz_basis.h"
 #include "plate_impact/transient/semidiscrete_system.h"
@@ -106,5 +105,3 @@ namespace PlateImpact
     Eigen::VectorXd         inverse_pivots, factor; ///< of K + c M
   };
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_transient_ritz_basis_h
-#define plate_impact_transient_ritz_basis_h
+#pragma once
 
 #include "plate_impact/transient/full_system.h"
 
@@ -132,5 +131,3 @@ namespace PlateImpact
     }
   };
 } // namespace PlateImpact
-
-#endif

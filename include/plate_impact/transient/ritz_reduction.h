@@ -1,5 +1,4 @@
-#ifndef plate_impact_transient_ritz_reduction_h
-#define plate_impact_transient_ritz_reduction_h
+#pragma once
 
 #include "plate_impact/base/parameters.h"
 #include "plate_impact/transient/plate_response.h"
@@ -23,10 +22,10 @@ namespace PlateImpact
   /// root mean square over the contact and over all steps, and, where fields
   /// are asked for, displacements hardly use what lies beyond the basis before.
   /// The number is found with an impactor of round numbers nearby, whose
-  /// contact is shorter, and in some 2000 steps at most, so that similar
-  /// impactors share it and what one gets depends on nothing but plate, load,
-  /// time and itself; vectors that another one has asked for before are not
-  /// computed again.
+  /// contact is shorter, and in fewer than 4000 steps if these resolve it, so
+  /// that similar impactors share it and what one gets depends on nothing but
+  /// plate, load, time and itself; vectors that another one has asked for
+  /// before are not computed again.
   class RitzReduction
   {
   public:
@@ -104,5 +103,3 @@ namespace PlateImpact
       responses;
   };
 } // namespace PlateImpact
-
-#endif

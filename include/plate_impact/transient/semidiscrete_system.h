@@ -1,5 +1,4 @@
-#ifndef plate_impact_transient_semidiscrete_system_h
-#define plate_impact_transient_semidiscrete_system_h
+#pragma once
 
 #include "plate_impact/transient/newmark_scheme.h"
 #include "plate_impact/transient/plate_motion.h"
@@ -92,5 +91,3 @@ namespace PlateImpact
     }
   };
 } // namespace PlateImpact
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef plate_impact_transient_time_stepper_h
-#define plate_impact_transient_time_stepper_h
+#pragma once
 
 #include "plate_impact/transient/impactor_stepper.h"
 #include "plate_impact/transient/plate_motion.h"
@@ -80,5 +79,3 @@ namespace PlateImpact
     ImpactorStepper              impactor_stepper;
   };
 } // namespace PlateImpact
-
-#endif
