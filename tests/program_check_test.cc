@@ -19,7 +19,7 @@ namespace PlateImpact
       };
       EXPECT_NEAR(force() / elastic_peak, 1., 0.02) << out;
       // a step that the program chooses is not called the scene's
-      EXPECT_NE(out.find("the scene's 5e-07 s"), std::string::npos) << out;
+      EXPECT_NE(out.find("the scene's 1e-07 s"), std::string::npos) << out;
       ASSERT_EQ(execute("check '" + main_scene + "' --set 'Time/Time step=0'"),
                 0)
         << err;
