@@ -3,6 +3,7 @@ returns the text of an SVG file."""
 
 import re
 
+import matplotlib
 from matplotlib.collections import PolyCollection
 from matplotlib.ticker import MaxNLocator
 import numpy as np
