@@ -24,6 +24,9 @@ namespace PlateImpact
 
     /// A window holds the time of a peak that is known this many times.
     constexpr double reserve = 1.5;
+
+    /// And that of the end of a contact, which another mesh may have later.
+    constexpr double past_contact = 1.1;
   } // namespace
 
 
@@ -58,15 +61,26 @@ namespace PlateImpact
   {
     if (!is_for_peak)
       return last;
-    Window next{Extent::to_peak,
+    return with_peak(last, *seen.history);
+  }
+
+
+
+  Window
+  TimeControl::with_peak(const Window         &last,
+                         const ContactHistory &history) const
+  {
+    const double peak = history.peak().time;
+    Window       next{Extent::to_peak,
                 last.step,
-                std::max(last.to_peak, reserve * seen.history->peak().time)};
-    // a mesh that meets the target would be watched twice, once in a window
-    // that holds the whole contact and once to the end of that
-    if (const auto end = seen.history->first_contact_end(); end &&
-        scene.time.end_time == 0. && is_late(*seen.history) &&
-        *end > seen.history->peak().time && *end < next.to_peak)
+                std::max(last.to_peak, reserve * peak)};
+    if (!is_late(history))
+      return next;
+    // waves that return may bring a larger force as long as the contact lasts
+    if (scene.time.end_time == 0.)
       next.extent = Extent::whole;
+    else if (const auto end = history.first_contact_end())
+      next.to_peak = std::max(next.to_peak, past_contact * *end);
     return next;
   }
 
@@ -81,10 +95,11 @@ namespace PlateImpact
     Window       next = last;
     if (last.extent == Extent::peak_search)
       {
-        next.extent = Extent::to_peak;
-        if (is_late(*seen.history))
+        if (!is_late(*seen.history))
+          next.extent = Extent::to_peak;
+        else
           {
-            next.to_peak = std::max(last.to_peak, reserve * peak);
+            next = with_peak(last, *seen.history);
             if (scene.time.step_is_chosen)
               next.step = std::min(next.step, peak / fewest_steps_to_late_peak);
           }

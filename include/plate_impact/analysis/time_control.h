@@ -43,8 +43,8 @@ namespace PlateImpact
   /// target is watched to the end, for a later force may be larger. The first
   /// mesh is as well: before waves are back from the edges a force has one
   /// peak, and a larger one later is the mesh's own; one after that is the
-  /// impact's, and the window holds it from the beginning. Where that window
-  /// would hold the end of the contact too, it ends there.
+  /// impact's. The waves may then bring a still larger one while the contact
+  /// lasts, and the window holds the contact.
   class TimeControl
   {
   public:
@@ -81,6 +81,10 @@ namespace PlateImpact
     impact(const Window &window, PlateModel &plate, bool needs_states) const;
 
   private:
+    /// A window on the way to a peak that is known about; to the end of the
+    /// contact where it is late.
+    Window
+    with_peak(const Window &last, const ContactHistory &history) const;
     /// Whether the window ended where the scene does.
     bool
     is_whole(const Window &window, const CycleResult &seen) const;
