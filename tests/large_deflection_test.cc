@@ -159,25 +159,7 @@ namespace PlateImpact
       std::unique_ptr<PlateDiscretization> model;
     };
 
-    class StretchedField : public Function<2>
-    {
-    public:
-      using Values = std::array<double, 5>;
-      explicit StretchedField(
-        const std::function<Values(const Point<2> &)> &field)
-        : Function<2>(5)
-        , field(field)
-      {}
-
-      double
-      value(const Point<2> &point, const unsigned int component) const override
-      {
-        return field(point)[component];
-      }
-
-    private:
-      const std::function<Values(const Point<2> &)> field;
-    };
+    using StretchedField = FieldOf<5>;
 
 
 
@@ -306,8 +288,9 @@ namespace PlateImpact
 
 
 
-    // A slope that grows along x stretches alone: A_11 (w_x^2 / 2)^2 is what
-    // damping takes of it, and the work of the forces that are more for it.
+    // A deflection that grows along x stretches alone: A_11 (w_x^2 / 2)^2 is
+    // what damping takes of it, and the work of the forces that are more for
+    // it.
     TEST(LargeDeflections, DampingTakesFromStretchingToo)
     {
       const double damping = 0.2, slope = 0.03;

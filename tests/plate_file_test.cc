@@ -5,6 +5,9 @@
 
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/plate/plate_file.h"
+#include "plate_impact/plate/plate_geometry.h"
+#include "plate_impact/plate/plate_mesh.h"
+#include "plate_impact/scene/scene.h"
 #include "program_fixture.h"
 #include "test_plate.h"
 
@@ -106,6 +109,65 @@ namespace PlateImpact
                   straight["final_impactor_velocity"],
                   3e-3);
       EXPECT_EQ(turned["number_of_contacts"], straight["number_of_contacts"]);
+    }
+
+
+
+    // One edge holds along itself, its neighbour across: one direction where
+    // they are square to each other, and two, which is all, where they are not.
+    TEST_F(PlateFromFile, CornersHoldTheDirectionsOfBothEdges)
+    {
+      for (const double degrees : {90., 60.})
+        {
+          const double     angle = degrees * numbers::PI / 180.;
+          Triangulation<2> square;
+          make_square(square);
+          GridTools::transform(
+            [angle](const Point<2> &p) {
+              return Point<2>(p[0] + p[1] * std::cos(angle),
+                              p[1] * std::sin(angle));
+            },
+            square);
+          GridTools::rotate(0.3, square);
+          const std::string path = write(
+            msh(square, {{0, "left"}, {1, "right"}, {2, "low"}, {3, "high"}}));
+          const PlateParameters plate =
+            read_scene(main_scene,
+                       {"Plate/Outline=" + path,
+                        "Plate/Support=left: simply supported, low: simply "
+                        "supported, right: free, high: free",
+                        "Plate/In-plane support=left: held along, low: held "
+                        "across, right: sliding, high: sliding",
+                        "Plate/Deflection=large"})
+              .parameters.plate;
+          const auto         mesh = make_plate_mesh(plate, {{4, 4}});
+          const PlateElement element(ElementType::MITC9, Stretching::large);
+          const PlateDiscretization model(*mesh, element, plate);
+          const Eigen::VectorXd     shifted =
+            interpolate(model, FieldOf<5>([](const Point<2> &) {
+                          return FieldOf<5>::Values{{0., 0., 0., 1., 0.5}};
+                        }));
+          // the corner of both edges: the first vertex of the square
+          const Point<2> corner   = square.get_vertices()[0];
+          bool           is_found = false;
+          for (const auto &cell : mesh->active_cell_iterators())
+            for (const unsigned int v : cell->vertex_indices())
+              if (cell->vertex(v).distance(corner) < 1e-9)
+                {
+                  is_found = true;
+                  const Eigen::VectorXd values =
+                    model.free_unknowns().cell_values(cell->active_cell_index(),
+                                                      shifted);
+                  const auto  &fe = element.finite_element();
+                  const double u  = values[fe.component_to_system_index(3, v)],
+                               w  = values[fe.component_to_system_index(4, v)];
+                  if (degrees == 60.)
+                    EXPECT_LT(std::hypot(u, w), 1e-12);
+                  else
+                    EXPECT_GT(std::hypot(u, w), 0.1);
+                }
+          EXPECT_TRUE(is_found);
+        }
     }
 
 

@@ -59,7 +59,7 @@ namespace PlateImpact
     const dealii::Triangulation<2>                        &mesh,
     const std::function<double(const dealii::Point<2> &)> &pressure);
 
-  /// The unknowns of a given field of deflection and rotations.
+  /// The unknowns of a given field.
   Eigen::VectorXd
   interpolate(const PlateDiscretization &model,
               const dealii::Function<2> &field);
@@ -135,14 +135,17 @@ namespace PlateImpact
   void
   record(const std::string &name, double value);
 
-  /// Deflection and rotations given by a function of a point.
-  class Field : public dealii::Function<2>
+  /// Unknowns given by a function of a point: deflection and rotations, and of
+  /// plates that stretch displacements in the plane.
+  template <unsigned int n>
+  class FieldOf : public dealii::Function<2>
   {
   public:
-    using Values = std::array<double, 3>;
+    using Values = std::array<double, n>;
 
-    explicit Field(const std::function<Values(const dealii::Point<2> &)> &field)
-      : dealii::Function<2>(3)
+    explicit FieldOf(
+      const std::function<Values(const dealii::Point<2> &)> &field)
+      : dealii::Function<2>(n)
       , field(field)
     {}
 
@@ -156,4 +159,6 @@ namespace PlateImpact
   private:
     const std::function<Values(const dealii::Point<2> &)> field;
   };
+
+  using Field = FieldOf<3>;
 } // namespace PlateImpact

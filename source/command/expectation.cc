@@ -69,14 +69,15 @@ namespace PlateImpact
 
 
 
-    /// By which the bar of a late peak falls when every cell is halved:
-    /// measured on random heavy impactors.
+    /// By which the bar of the peak force falls when every cell is halved:
+    /// measured on random heavy impactors, whose peaks are late.
     constexpr double fall_by_halved_cells = 12.;
 
 
 
     /// The run itself, on its first two meshes: eta falls about as the number
-    /// of cells grows, and for a late peak every cell is halved.
+    /// of cells grows, and the bar of the force as if every cell were halved,
+    /// which only late peaks need.
     Expectation::Cost
     cost_by_two_meshes(Parameters parameters)
     {

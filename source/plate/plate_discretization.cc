@@ -13,7 +13,9 @@
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
+#include "plate_impact/plate/support.h"
 
+#include <Eigen/SVD>
 #include <Epetra_CrsGraph.h>
 #include <Epetra_Map.h>
 #include <Epetra_SerialComm.h>

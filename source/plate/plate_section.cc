@@ -137,7 +137,7 @@ namespace PlateImpact
           turn);
         shear_stiffness += shear_correction_factor * t * shear_moduli.back();
         if (plate.is_laminate())
-          ply_faces.insert(ply_faces.end(), {{near, Q * T}, {far, Q * T}});
+          plies.push_back({near, far, Q * T});
       }
     if (plate.is_laminate() && plate.shear_correction_factor == 0.)
       shear_stiffness = thickness *
@@ -201,13 +201,10 @@ namespace PlateImpact
         const auto along = [&](const Eigen::Matrix3d &stiffness) {
           return stiffness_along(stiffness, std::acos(-1.) * i / n);
         };
-        const double bending = along(bending_stiffness) / rotary_inertia;
-        if (!is_unsymmetric())
-          {
-            largest = std::max(largest, bending);
-            continue;
-          }
-        const double stretching = along(membrane_stiffness) / mass_per_area,
+        const double bending    = along(bending_stiffness) / rotary_inertia,
+                     stretching = how_it_stretches == Stretching::none ?
+          0. :
+          along(membrane_stiffness) / mass_per_area,
                      coupling   = along(coupling_stiffness) /
           std::sqrt(rotary_inertia * mass_per_area);
         largest =
@@ -285,7 +282,7 @@ namespace PlateImpact
                                           of_plies  = {"fibre_stress",
                                                        "transverse_stress",
                                                        "ply_shear_stress"};
-    return ply_faces.empty() ? isotropic : of_plies;
+    return plies.empty() ? isotropic : of_plies;
   }
 
 
@@ -296,7 +293,7 @@ namespace PlateImpact
   {
     const bool            stretches = how_it_stretches != Stretching::none;
     const Eigen::Vector3d moments   = resultants.head<3>();
-    if (ply_faces.empty())
+    if (plies.empty())
       {
         const auto von_mises = [](const Eigen::Vector3d &s) {
           return std::sqrt(s[0] * s[0] - s[0] * s[1] + s[1] * s[1] +
@@ -316,16 +313,18 @@ namespace PlateImpact
     const unsigned int    n = n_for_stresses();
     const Eigen::VectorXd strains =
       compliance.topLeftCorner(n, n) * resultants.head(n);
-    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-    if (stretches)
-      middle = strains.tail<3>();
-    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(ply_faces.size() / 2, 3);
-    for (std::size_t k = 0; k < ply_faces.size(); ++k)
+    Eigen::MatrixXd result(plies.size(), 3);
+    for (std::size_t k = 0; k < plies.size(); ++k)
       {
-        const Eigen::Vector3d strain =
-          middle - ply_faces[k].z * strains.head<3>();
-        result.row(k / 2) = result.row(k / 2).cwiseMax(
-          (ply_faces[k].stress_per_strain * strain).cwiseAbs().transpose());
+        const PlyStresses    &ply   = plies[k];
+        const Eigen::Vector3d per_z = ply.stress_per_strain * strains.head<3>();
+        Eigen::Vector3d       middle = Eigen::Vector3d::Zero();
+        if (stretches)
+          middle = ply.stress_per_strain * strains.tail<3>();
+        result.row(k) = (middle - ply.near * per_z)
+                          .cwiseAbs()
+                          .cwiseMax((middle - ply.far * per_z).cwiseAbs())
+                          .transpose();
       }
     return result;
   }

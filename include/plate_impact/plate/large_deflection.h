@@ -5,7 +5,6 @@
 #include <Eigen/Core>
 #include <Epetra_CrsMatrix.h>
 
-#include <memory>
 #include <vector>
 
 namespace PlateImpact

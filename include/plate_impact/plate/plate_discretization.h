@@ -7,7 +7,6 @@
 #include "plate_impact/plate/load_distribution.h"
 #include "plate_impact/plate/plate_element.h"
 #include "plate_impact/plate/plate_section.h"
-#include "plate_impact/plate/support.h"
 
 #include <Eigen/Core>
 #include <Epetra_CrsMatrix.h>

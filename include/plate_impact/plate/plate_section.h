@@ -89,7 +89,8 @@ namespace PlateImpact
     double
     mean_shear_stiffness() const;
 
-    /// Speed of the fastest wave, of bending at infinite frequency. [m/s]
+    /// Speed of the fastest wave, at infinite frequency: of bending, and where
+    /// the plate stretches of both together. [m/s]
     double
     fastest_wave() const;
 
@@ -151,10 +152,10 @@ namespace PlateImpact
     void
     set_plies(const PlateParameters &plate);
 
-    /// Stresses of a ply at a face of it, z from the middle, per strain.
-    struct PlyFace
+    /// A ply between two z from the middle [m], and its stresses per strain.
+    struct PlyStresses
     {
-      double          z;
+      double          near, far;
       Eigen::Matrix3d stress_per_strain;
     };
 
@@ -166,8 +167,7 @@ namespace PlateImpact
     Stretching      how_it_stretches = Stretching::none;
     Eigen::MatrixXd compliance; ///< strains per resultants
 
-    /// Both of each ply of a laminate; an isotropic plate has none.
-    std::vector<PlyFace> ply_faces;
+    std::vector<PlyStresses> plies; ///< of a laminate alone
   };
 
 
