@@ -163,7 +163,6 @@ namespace PlateImpact
       {
         peak_here    = PeakOnMesh{result.history->peak().force,
                                mesh_part_of_bar(),
-                               result.peak_force_error->bar(),
                                result.cells};
         history_here = result.history;
       }
@@ -192,7 +191,8 @@ namespace PlateImpact
                              "larger Time/Time step, or Adaptivity/Goal = "
                              "energy norm");
     Judgement worth;
-    worth.peak_is_late = time_control->is_late(*result.history);
+    worth.peak_is_late =
+      time_control->returns_before_peak(*result.history) > 1.;
     if (const auto space = mesh_part_of_bar(); space && result.time_error)
       worth.peak_force_bar =
         PeakForceBar{*space, *result.time_error, result.vector_error};
@@ -229,16 +229,18 @@ namespace PlateImpact
                                     result.history->peak().force,
                                     peak_before,
                                     result.cell_size_at_load <= load,
-                                    change_of_ripples());
+                                    time_control->returns_before_peak(
+                                      *result.history),
+                                    change_around_peak());
   }
 
 
 
   std::optional<double>
-  ImpactAnalysis::change_of_ripples() const
+  ImpactAnalysis::change_around_peak() const
   {
     const ContactHistory &history = *current->result.history;
-    if (!history_before || !history.peak_is_on_ripples())
+    if (!history_before)
       return {};
     const ContactState &peak = history.peak();
     const double around = history.difference_around(peak.time, *history_before);

@@ -69,9 +69,10 @@ namespace PlateImpact
 
 
 
-    /// By which the bar of the peak force falls when every cell is halved:
-    /// measured on random heavy impactors, whose peaks are late.
-    constexpr double fall_by_halved_cells = 12.;
+    /// By which the bar of the peak force falls when every cell is halved: the
+    /// median of random heavy impactors, whose peaks are late
+    /// (doc/make/error_bars.py).
+    constexpr double fall_by_halved_cells = 9.;
 
 
 
@@ -96,14 +97,15 @@ namespace PlateImpact
         return {cells, 1. * result.steps};
       if (!adaptivity.is_for_peak_force())
         cells *= std::max(1., result.error->eta / adaptivity.target_error);
-      else if (result.peak_force_bar)
+      else if (result.peak_force_bar &&
+               result.peak_force_bar->total() >
+                 adaptivity.target_peak_force_error)
         cells *=
-          std::pow(4.,
-                   std::ceil(
-                     std::max(0.,
-                              std::log(result.peak_force_bar->total() /
-                                       adaptivity.target_peak_force_error) /
-                                std::log(fall_by_halved_cells))));
+          std::pow(4., // once at least
+                   std::max(1.,
+                            std::log(result.peak_force_bar->total() /
+                                     adaptivity.target_peak_force_error) /
+                              std::log(fall_by_halved_cells)));
       return {std::min(cells, 1. * adaptivity.maximum_cells),
               1. * result.steps};
     }

@@ -19,6 +19,10 @@ namespace PlateImpact
     /// nothing.
     constexpr double largest_on_first_mesh = 0.05;
 
+    /// Of waves, from which on what cells contribute has random signs: chosen
+    /// on random heavy impactors (doc/theory.md).
+    constexpr double many_returns = 3.;
+
 
 
     /// Motions as combinations of few fields: fields, and the symmetric matrix
@@ -85,20 +89,24 @@ namespace PlateImpact
                            const double                     peak,
                            const std::optional<PeakOnMesh> &before,
                            const bool                       resolves_load,
-                           const std::optional<double>     &ripples)
+                           const double                     returns,
+                           const std::optional<double>     &change)
   {
-    double bar = estimate.bar();
-    // a mesh of much the same cells changes little, whatever its error
-    if (ripples && bar < before->bar &&
-        estimate.cells.size() >= 1.5 * before->n_cells)
-      bar = std::min(bar, *ripples * bar / (before->bar - bar));
     if (!before &&
-        (!resolves_load || bar > safety_of_bar * largest_on_first_mesh))
+        (!resolves_load ||
+         estimate.bar() > safety_of_bar * largest_on_first_mesh))
       return {};
+    double bar = estimate.bar();
+    if (returns > many_returns)
+      {
+        bar = estimate.bar_of_random_signs();
+        if (change && estimate.cells.size() >= 1.5 * before->n_cells)
+          bar = std::min(bar, *change);
+      }
     if (resolves_load)
       return bar;
-    const double change    = std::abs(peak - before->force) / peak;
-    const bool   was_blind = !before->space || change > *before->space;
-    return std::max(bar, was_blind ? change : 0.);
+    const double of_peak   = std::abs(peak - before->force) / peak;
+    const bool   was_blind = !before->space || of_peak > *before->space;
+    return std::max(bar, was_blind ? of_peak : 0.);
   }
 } // namespace PlateImpact

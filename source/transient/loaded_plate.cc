@@ -21,7 +21,7 @@ namespace PlateImpact
     constexpr double past_ripples = 1.1;
 
     /// Of the change of a peak over the root of the mean square of that of the
-    /// ripples around it: covers 95 of 100 (doc/theory.md).
+    /// ripples around it: covers 95 of 100 random heavy impactors.
     constexpr double peak_over_ripples = 1.25;
 
     /// Of the force by Ritz vectors that serve its error alone.

@@ -82,10 +82,10 @@ namespace PlateImpact
     /// Of the bar of the peak force; empty on blind meshes.
     std::optional<double>
     mesh_part_of_bar() const;
-    /// Of the force around a peak on ripples, from the mesh before, over the
-    /// peak; empty for others.
+    /// Of the force around its peak, from the mesh before, over the peak; empty
+    /// where that was not watched until then.
     std::optional<double>
-    change_of_ripples() const;
+    change_around_peak() const;
     std::optional<Outcome>
     adapt(AdaptationControl &control, AnalysisListener &listener);
 

@@ -70,9 +70,10 @@ namespace PlateImpact
     std::optional<Window>
     rest(const Window &last, const CycleResult &seen) const;
 
-    /// Whether waves are back from the edges before the peak.
-    bool
-    is_late(const ContactHistory &history) const;
+    /// How often waves are back from the nearest edge before the peak: from
+    /// one on it is late.
+    double
+    returns_before_peak(const ContactHistory &history) const;
 
     /// The scene with the end time and the step of a window.
     /// @param needs_states  as for PlateModel::under()

@@ -34,9 +34,22 @@ namespace PlateImpact
     double
     bar() const
     {
-      return safety_of_bar *
-        Eigen::Map<const Eigen::VectorXd>(cells.data(), cells.size())
-          .lpNorm<1>();
+      return safety_of_bar * contributions().lpNorm<1>();
+    }
+
+    /// The same of contributions whose signs are random: two standard
+    /// deviations of their sum.
+    double
+    bar_of_random_signs() const
+    {
+      return 2. * contributions().norm();
+    }
+
+  private:
+    Eigen::Map<const Eigen::VectorXd>
+    contributions() const
+    {
+      return {cells.data(), static_cast<Eigen::Index>(cells.size())};
     }
   };
 
@@ -71,9 +84,8 @@ namespace PlateImpact
   /// The peak on a mesh, for the next one.
   struct PeakOnMesh
   {
-    double                force = 0.;   ///< [N]
-    std::optional<double> space;        ///< of the bar
-    double                bar     = 0.; ///< PeakForceError::bar()
+    double                force = 0.; ///< [N]
+    std::optional<double> space;      ///< of the bar
     std::size_t           n_cells = 0;
   };
 
@@ -82,19 +94,20 @@ namespace PlateImpact
   /// that was more than the bar there; and empty on a first mesh, as is any
   /// estimate above a twentieth of the force there.
   ///
-  /// What waves bring that have come back many times adds up with either sign,
-  /// and the sum of absolute values is many times the error. There the ripples
-  /// of the force tell: by as much as they change less than the bar from the
-  /// mesh before, the bar is too wide on both; where there are half as many
-  /// cells again at least, for much the same cells change little, whatever
-  /// their error.
+  /// What waves bring that have come back several times adds up with either
+  /// sign, and the sum of absolute values is many times the error: there it is
+  /// bar_of_random_signs(), and no more than the force has changed from the
+  /// mesh before, where there are half as many cells again at least. Much the
+  /// same cells change little, whatever their error.
   /// @param resolves_load  whether cells at the load are no larger than it
-  /// @param ripples        change of the force around a peak on ripples from
-  ///                       the mesh before, over the peak
+  /// @param returns        how often waves are back before the peak
+  /// @param change         of the force around the peak from the mesh before,
+  ///                       over the peak
   std::optional<double>
   peak_force_error_by_mesh(const PeakForceError            &estimate,
                            double                           peak,
                            const std::optional<PeakOnMesh> &before,
                            bool                             resolves_load,
-                           const std::optional<double>     &ripples = {});
+                           double                           returns = 0.,
+                           const std::optional<double>     &change  = {});
 } // namespace PlateImpact
