@@ -32,7 +32,7 @@ namespace PlateImpact
 
     TEST(PeakForceBar, OfAFirstMeshNeedsALoadThatIsResolved)
     {
-      const PeakForceError some{{0.004, -0.006}}, much{{0.04, -0.02}};
+      const PeakForceError some{{0.004, -0.006}, {}}, much{{0.04, -0.02}, {}};
       EXPECT_NEAR(bar(some, {}, true).value(), safety_of_bar * 0.01, 1e-15);
       EXPECT_FALSE(bar(some, {}, false));
       EXPECT_FALSE(bar(much, {}, true));
@@ -44,7 +44,7 @@ namespace PlateImpact
 
     TEST(PeakForceBar, IsNoLessThanAChangeThatShowsTheMeshBeforeToBeBlind)
     {
-      const PeakForceError estimate{{0.001, -0.001}};
+      const PeakForceError estimate{{0.001, -0.001}, {}};
       const auto           change = [&](const PeakOnMesh &before) {
         return bar(estimate, before, false).value();
       };
@@ -55,9 +55,9 @@ namespace PlateImpact
 
 
 
-    TEST(PeakForceBar, AddsContributionsOfWavesThatHaveComeBackAsRandomOnes)
+    TEST(PeakForceBar, AddsRingsThatWavesHaveCrossedManyTimesAsRandomOnes)
     {
-      const PeakForceError estimate{{0.003, -0.004}};
+      const PeakForceError estimate{{0.003, -0.004}, {0.003, -0.004}};
       const PeakOnMesh     before{100., {}, 1};
       // once or twice they may all have one sign
       EXPECT_NEAR(bar(estimate, before, true, 2.).value(),

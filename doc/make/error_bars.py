@@ -157,11 +157,18 @@ def late_scene(number):
     return entries
 
 
+def damped_scene(number):
+    """The same on plates with damping."""
+    loss_factor = 10**random.Random(-2 - number).uniform(-3, -1)
+    return {**late_scene(1000 + number), "Plate/Loss factor": f"{loss_factor:.4g}"}
+
+
 # what makes the scenes of a class, how many of them are measured, and targets of true forces
 CLASSES = {"elastic": (random_scene, 200, TRUE_TARGETS),
            "laminates": (laminate_scene, 60, TRUE_TARGETS),
            "yielding": (yielding_scene, 100, TRUE_TARGETS),
-           "late peaks": (late_scene, 100, LATE_TARGETS)}
+           "late peaks": (late_scene, 170, LATE_TARGETS),
+           "damped": (damped_scene, 30, LATE_TARGETS)}
 
 
 def run(program, entries, seconds=SECONDS):

@@ -53,6 +53,37 @@ namespace PlateImpact
       return {span.vectors * combinations,
               0.5 * (product + product.transpose())};
     }
+
+
+
+    /// Of values of cells by active index, over rings as wide as the cell that
+    /// each begins with.
+    std::vector<double>
+    sums_over_rings(const Triangulation<2>    &mesh,
+                    const std::vector<double> &values)
+    {
+      std::vector<Triangulation<2>::active_cell_iterator> cells;
+      for (const auto &cell : mesh.active_cell_iterators())
+        cells.push_back(cell);
+      const auto distance = [](const auto &cell) {
+        return cell->center().norm();
+      };
+      std::sort(cells.begin(), cells.end(), [&](const auto &a, const auto &b) {
+        return distance(a) < distance(b);
+      });
+      std::vector<double> sums;
+      double              end = 0.;
+      for (const auto &cell : cells)
+        {
+          if (sums.empty() || distance(cell) > end)
+            {
+              sums.push_back(0.);
+              end = distance(cell) + std::sqrt(cell->measure());
+            }
+          sums.back() += values[cell->active_cell_index()];
+        }
+      return sums;
+    }
   } // namespace
 
 
@@ -79,6 +110,7 @@ namespace PlateImpact
           factor * (e * products.of_coordinates).cwiseProduct(e).sum();
         roots.recovered.finish(cell);
       }
+    result.rings = sums_over_rings(discretization.mesh(), result.cells);
     return result;
   }
 

@@ -20,8 +20,9 @@ namespace PlateImpact
   /// relative to the peak.
   struct PeakForceError
   {
-    /// What the cells contribute, by active index, with their signs.
-    std::vector<double> cells;
+    /// What the cells contribute, by active index, with their signs; and its
+    /// sums over rings around the load, which one wave reaches at one time.
+    std::vector<double> cells, rings;
 
     double
     sum() const
@@ -34,22 +35,18 @@ namespace PlateImpact
     double
     bar() const
     {
-      return safety_of_bar * contributions().lpNorm<1>();
+      return safety_of_bar *
+        Eigen::Map<const Eigen::VectorXd>(cells.data(), cells.size())
+          .lpNorm<1>();
     }
 
-    /// The same of contributions whose signs are random: two standard
-    /// deviations of their sum.
+    /// The same of rings whose signs are random: two standard deviations of
+    /// their sum.
     double
     bar_of_random_signs() const
     {
-      return 2. * contributions().norm();
-    }
-
-  private:
-    Eigen::Map<const Eigen::VectorXd>
-    contributions() const
-    {
-      return {cells.data(), static_cast<Eigen::Index>(cells.size())};
+      return 2. *
+        Eigen::Map<const Eigen::VectorXd>(rings.data(), rings.size()).norm();
     }
   };
 
