@@ -11,7 +11,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace PlateImpact
 {
@@ -220,6 +222,13 @@ namespace PlateImpact
           cells.col(i) = Eigen::Map<const Eigen::VectorXd>(error.cells.data(),
                                                            error.cells.size());
           sums.push_back(error.bar());
+          // rings around the load hold every cell once
+          EXPECT_NEAR(std::accumulate(error.rings.begin(),
+                                      error.rings.end(),
+                                      0.),
+                      error.sum(),
+                      1e-12 * error.bar());
+          EXPECT_LT(error.rings.size(), error.cells.size() / 4);
         }
       // at the beginning the plate is at rest
       EXPECT_LT(sums.front(),
