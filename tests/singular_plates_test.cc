@@ -226,7 +226,6 @@ namespace PlateImpact
             overall * std::sqrt(at_corner * norm / true_at_corner);
           record(fmt::format("share/{}", n), at_corner / all);
           record(fmt::format("true share/{}", n), true_at_corner / true_all);
-          record(fmt::format("overall/{}", n), overall);
           record(fmt::format("corner/{}", n), corner);
           EXPECT_NEAR(at_corner / all, true_at_corner / true_all, 0.05) << n;
           EXPECT_GT(corner, 1.) << n;

@@ -159,14 +159,6 @@ class Run(Command):
         history = self.histories[cycle]
         return float(np.interp(time, history["time"], history["force"]))
 
-    def approach_at(self, force):
-        """Displacement of the impactor less that of the plate when the force of the last
-        cycle first reaches a value, between two steps linear. [m]"""
-        history = self.histories[-1]
-        n = int(np.argmax(history["force"] >= force))
-        approach = history["impactor_displacement"] - history["plate_displacement"]
-        return float(np.interp(force, history["force"][n - 1:n + 1], approach[n - 1:n + 1]))
-
     @functools.cached_property
     def contacts(self):
         """Begin and end of the contacts of the last cycle, where the indentation passes
@@ -177,12 +169,6 @@ class Run(Command):
         times = [float(time[i] - alpha[i] * (time[i + 1] - time[i]) / (alpha[i + 1] - alpha[i]))
                  for i in passes]
         return list(itertools.zip_longest(times[::2], times[1::2]))
-
-    @property
-    def integral_of_force(self):
-        """The integral of the last force history by the trapezoidal rule. [N s]"""
-        history = self.histories[-1]
-        return float(np.trapz(history["force"], history["time"]))
 
     def field(self, name):
         """x, y [m], triangles and a field at the end, of a run with `Output/Field
