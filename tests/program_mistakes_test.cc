@@ -100,7 +100,7 @@ namespace PlateImpact
                 "around '=', as in --set 'Section/Entry=value'\n");
       EXPECT_EQ(run("no-such-scene.prm"), 1);
       EXPECT_EQ(err,
-                "plate-impact: no-such-scene.prm: the scene cannot be read\n");
+                "plate-impact: no-such-scene.prm: there is no such scene\n");
       EXPECT_EQ(run(main_scene, "--set 'Time/Endtime=1'"), 1);
       EXPECT_EQ(err,
                 "plate-impact: --set: there is no entry 'Endtime' in section "

@@ -280,9 +280,11 @@ namespace PlateImpact
     catch (const Interruption &interruption)
       {
         output.write_failure(interruption.what());
-        throw interruption.with(
-          output.kept() +
-          "; a larger Target error or a shorter End time makes the run faster");
+        throw interruption.with(output.kept() + "; a larger " +
+                                (adaptivity.is_for_peak_force() ?
+                                   "Target peak force error" :
+                                   "Target error") +
+                                " or a shorter End time makes the run faster");
       }
     catch (const std::bad_alloc &)
       {

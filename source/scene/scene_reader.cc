@@ -10,6 +10,7 @@
 #include <limits>
 #include <map>
 #include <regex>
+#include <system_error>
 #include <utility>
 
 namespace PlateImpact
@@ -46,8 +47,12 @@ namespace PlateImpact
       SceneFile     file;
       if (in.is_open())
         file = scan_scene(in, path);
+      std::error_code unknown;
       if (!in.is_open() || in.bad())
-        file.mistakes = {path + ": the scene cannot be read"};
+        file.mistakes = {path +
+                         (fs::exists(path, unknown) ?
+                            ": the scene cannot be read" :
+                            ": there is no such scene")};
 
       const auto add = [&file](const Assignment &assignment) {
         file.assignments.push_back(assignment);
