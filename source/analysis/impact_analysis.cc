@@ -191,8 +191,7 @@ namespace PlateImpact
                              "larger Time/Time step, or Adaptivity/Goal = "
                              "energy norm");
     Judgement worth;
-    worth.peak_is_late =
-      time_control->returns_before_peak(*result.history) > 1.;
+    worth.peak_is_late = time_control->is_late(*result.history);
     if (const auto space = mesh_part_of_bar(); space && result.time_error)
       worth.peak_force_bar =
         PeakForceBar{*space, *result.time_error, result.vector_error};

@@ -74,7 +74,7 @@ namespace PlateImpact
     Window       next{Extent::to_peak,
                 last.step,
                 std::max(last.to_peak, reserve * peak)};
-    if (returns_before_peak(history) <= 1.)
+    if (!is_late(history))
       return next;
     // waves that return may bring a larger force as long as the contact lasts
     if (scene.time.end_time == 0.)
@@ -95,7 +95,7 @@ namespace PlateImpact
     Window       next = last;
     if (last.extent == Extent::peak_search)
       {
-        if (returns_before_peak(*seen.history) <= 1.)
+        if (!is_late(*seen.history))
           next.extent = Extent::to_peak;
         else
           {
@@ -143,6 +143,14 @@ namespace PlateImpact
 
 
   bool
+  TimeControl::is_late(const ContactHistory &history) const
+  {
+    return returns_before_peak(history) > 1.;
+  }
+
+
+
+  bool
   TimeControl::is_whole(const Window &window, const CycleResult &seen) const
   {
     const double end = scene.time.end_time; // 0 for that of the contact
@@ -159,7 +167,7 @@ namespace PlateImpact
     const double mesh_error = seen.peak_force_bar ? seen.peak_force_bar->space :
       seen.peak_force_error ? seen.peak_force_error->bar() :
                               0.;
-    const double share = share_of_step(returns_before_peak(*seen.history) > 1.);
+    const double share      = share_of_step(is_late(*seen.history));
     const double most =
       std::max(share * scene.adaptivity.target_peak_force_error,
                0.1 * mesh_error);

@@ -70,10 +70,13 @@ namespace PlateImpact
     std::optional<Window>
     rest(const Window &last, const CycleResult &seen) const;
 
-    /// How often waves are back from the nearest edge before the peak: from
-    /// one on it is late.
+    /// How often waves are back from the nearest edge before the peak.
     double
     returns_before_peak(const ContactHistory &history) const;
+
+    /// Whether they are back at all.
+    bool
+    is_late(const ContactHistory &history) const;
 
     /// The scene with the end time and the step of a window.
     /// @param needs_states  as for PlateModel::under()
