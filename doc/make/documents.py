@@ -20,6 +20,7 @@ import pathlib
 import re
 import shlex
 import sys
+import tempfile
 import textwrap
 import traceback
 
@@ -182,11 +183,11 @@ def update_scenes(text, checks):
     return drifted
 
 
-def make(name, build, checks):
+def make(name, build, answers, checks):
     """Writes or checks a page; what is wrong with it."""
     pictures = Pictures(checks)
     try:
-        text = rendered(name, runs.Program(build), pictures)
+        text = rendered(name, runs.Program(build, answers), pictures)
         if name.endswith(".txt"):
             return update_scenes(text, checks)
         page = root / name
@@ -215,9 +216,11 @@ def main():
     unknown = sorted(set(wanted) - set(every))
     if unknown:
         sys.exit(f"documents.py: {', '.join(unknown)} has no template")
-    with concurrent.futures.ProcessPoolExecutor() as pool:
+    with (tempfile.TemporaryDirectory() as answers,
+          concurrent.futures.ProcessPoolExecutor() as pool):
         problems = dict(zip(wanted, pool.map(
-            make, wanted, itertools.repeat(arguments.build), itertools.repeat(arguments.check))))
+            make, wanted, itertools.repeat(arguments.build), itertools.repeat(answers),
+            itertools.repeat(arguments.check))))
     print("".join(problems.values()), end="")
     bad = [name for name, problem in problems.items() if problem]
     if bad:

@@ -1,8 +1,10 @@
 """What templates may ask the program and its tests for; every answer is computed
-once."""
+once, for all pages."""
 
 import csv
+import fcntl
 import functools
+import hashlib
 import itertools
 import json
 import os
@@ -42,9 +44,32 @@ def wrapped(words, width=96):
     return "\n".join(lines)
 
 
+class Answers:
+    """What commands did, in a folder each. Processes that make pages share them: the first
+    that asks runs the command, the others wait for it."""
+
+    def __init__(self, folder):
+        self.folder = pathlib.Path(folder)
+
+    def of(self, command, **options):
+        """The folder in which a command ran, and its exit status and output."""
+        name = hashlib.sha256(repr([str(word) for word in command]).encode()).hexdigest()
+        folder = self.folder / name
+        folder.mkdir(exist_ok=True)
+        answer = folder / "answer.json"
+        with open(folder / "lock", "w") as lock:
+            fcntl.flock(lock, fcntl.LOCK_EX)
+            if not answer.exists():
+                for shared in ("prm", "doc"):
+                    (folder / shared).symlink_to(root / shared)
+                done = subprocess.run(command, cwd=folder, capture_output=True, text=True,
+                                      **options)
+                answer.write_text(json.dumps([done.returncode, done.stdout, done.stderr]))
+        return folder, *json.loads(answer.read_text())
+
+
 class Command:
-    """The program at work on a scene, some of whose entries are changed; its files
-    stay until the pages are written."""
+    """The program at work on a scene, some of whose entries are changed."""
 
     def __init__(self, program, verb, scene, *changes, marking=None):
         self.words = ["plate-impact", verb, scene]
@@ -52,19 +77,14 @@ class Command:
             self.words += ["--set", change]
         if marking:
             self.words += ["--marking", marking]
-        self.folder = tempfile.TemporaryDirectory()
-        for folder in ("prm", "doc"):
-            (pathlib.Path(self.folder.name) / folder).symlink_to(root / folder)
-        command = [program, *self.words[1:]]
         # the python3 of a marking is this one, which has numpy
         path = f"{pathlib.Path(sys.executable).parent}:{os.environ['PATH']}"
-        done = subprocess.run(command, cwd=self.folder.name, capture_output=True, text=True,
-                              env={**os.environ, "PATH": path})
-        if done.returncode != 0:
-            raise Failed(f"{self.command}\n{done.stderr}")
-        self.results = pathlib.Path(self.folder.name) / "output"
-        self.console = free_seconds(done.stdout)
-        self.messages = done.stderr
+        folder, status, printed, self.messages = program.answers.of(
+            [program.program, *self.words[1:]], env={**os.environ, "PATH": path})
+        if status != 0:
+            raise Failed(f"{self.command}\n{self.messages}")
+        self.results = folder / "output"
+        self.console = free_seconds(printed)
 
     def said(self, pattern):
         """The first group of a pattern in what the program printed."""
@@ -279,29 +299,32 @@ def header(scene, key):
 
 
 class Program:
-    """The program and the tests of a build directory."""
+    """The program and the tests of a build directory, with a folder for their answers: one of
+    its own where none is given."""
 
-    def __init__(self, build):
+    def __init__(self, build, answers=None):
         self.build = pathlib.Path(build).resolve()
         self.program = self.build / "plate-impact"
+        self.own_answers = None if answers else tempfile.TemporaryDirectory()
+        self.answers = Answers(answers or self.own_answers.name)
         self.done = []
 
     @functools.cache
     def run(self, scene, *changes, marking=None):
-        return self.remembered(Run(self.program, scene, *changes, marking=marking))
+        return self.remembered(Run(self, scene, *changes, marking=marking))
 
     @functools.cache
     def sweep(self, scene, *changes):
-        return self.remembered(Sweep(self.program, scene, *changes))
+        return self.remembered(Sweep(self, scene, *changes))
 
     @functools.cache
     def compare(self, scene, *changes):
-        return self.remembered(Comparison(self.program, scene, *changes))
+        return self.remembered(Comparison(self, scene, *changes))
 
     @functools.cache
     def check(self, scene, *changes):
         """What `check` prints of a scene."""
-        return self.remembered(Command(self.program, "check", scene, *changes))
+        return self.remembered(Command(self, "check", scene, *changes))
 
     @functools.cached_property
     def entries(self):
@@ -343,14 +366,12 @@ class Program:
     @functools.cache
     def test(self, name):
         """What a test of unit_tests records of what it measures, by name."""
-        with tempfile.TemporaryDirectory() as folder:
-            report = pathlib.Path(folder) / "report.json"
-            done = subprocess.run(
-                [self.build / "tests/unit_tests", f"--gtest_filter={name}",
-                 f"--gtest_output=json:{report}"], capture_output=True, text=True, cwd=folder)
-            if done.returncode != 0:
-                raise Failed(f"{name}\n{done.stdout}")
-            suite, = json.loads(report.read_text())["testsuites"]
+        folder, status, printed, _ = self.answers.of(
+            [self.build / "tests/unit_tests", f"--gtest_filter={name}",
+             "--gtest_output=json:report.json"])
+        if status != 0:
+            raise Failed(f"{name}\n{printed}")
+        suite, = json.loads((folder / "report.json").read_text())["testsuites"]
         recorded, = suite["testsuite"]
         known = {"name", "file", "line", "status", "result", "timestamp", "time", "classname"}
         return {key: Sweep.number(value) for key, value in recorded.items() if key not in known}
