@@ -110,7 +110,6 @@ def rendered(name, program, pictures):
     environment.globals.update(
         page_picture=draw_page,
         run=program.run, sweep=program.sweep, compare=program.compare, check=program.check, mistakes_of=program.mistakes_of,
-        chosen_for_zero=program.chosen_for_zero,
         test=program.test, measured=measured.stored, compared=measured.Compared, figure=draw, holds=holds, given=given,
         slow_impact=theory.slow_impact, velocity_of_first_yield=theory.velocity_of_first_yield, bending_wavelength=theory.bending_wavelength,
         shear_stiffness=theory.shear_stiffness, give_per_halving=theory.give_per_halving,

@@ -343,12 +343,6 @@ class Program:
                 comment = []
         return entries
 
-    def chosen_for_zero(self):
-        """Entries whose 0 lets the program choose, and what it chooses."""
-        found = ((f"{section}/{name}", re.search(r"\b0: (.*?)\.?(?: \[.*\])?$", meaning))
-                 for section, name, _, meaning in self.entries)
-        return [(entry, meaning[1]) for entry, meaning in found if meaning]
-
     def mistakes_of(self, scene):
         """What the program answers to the text of a scene with mistakes."""
         with tempfile.TemporaryDirectory() as folder:
