@@ -157,38 +157,6 @@ namespace PlateImpact
 
 
 
-    TEST_F(LaminateLayer, ForcesAreThoseOfThreeDimensionalElasticity)
-    {
-      for (const auto &one : laminates())
-        {
-          ASSERT_EQ(run(main_scene,
-                        changes_of(one) + " --set 'Contact/Finite ball=false'"),
-                    0)
-            << err;
-          EXPECT_EQ(summary()["inputs"]["Contact/Law"], "Hertz");
-          EXPECT_EQ(summary()["local_response"], "layer");
-          const auto last     = last_cycle();
-          const bool is_short = one["hertz_time_over_shear_transit"] < 10.;
-          EXPECT_NEAR(last["peak_force"].get<double>() /
-                        one["peak_force"].get<double>(),
-                      1.,
-                      is_short ? 0.012 : 0.005)
-            << one["name"];
-          EXPECT_NEAR(last["time_of_peak_force"].get<double>() /
-                        one["time_of_peak"].get<double>(),
-                      1.,
-                      0.03)
-            << one["name"];
-          EXPECT_NEAR(last["contact_radius_over_thickness"].get<double>() /
-                        one["contact_radius_over_thickness"].get<double>(),
-                      1.,
-                      0.02)
-            << one["name"];
-        }
-    }
-
-
-
     TEST_F(LaminateLayer, IsotropicPliesHaveTheForceOfThePlate)
     {
       ASSERT_EQ(run(main_scene), 0) << err;

@@ -67,6 +67,10 @@ namespace PlateImpact
       // no more than the force has changed
       EXPECT_NEAR(bar(estimate, before, true, 5., 0.006).value(), 0.006, 1e-12);
       EXPECT_NEAR(bar(estimate, before, true, 5., 0.06).value(), 0.01, 1e-12);
+      // a third of that where every cell is halved
+      const PeakForceError halved{{0.003, -0.004, 0.003, -0.004},
+                                  {0.003, -0.004, 0.003, -0.004}};
+      EXPECT_NEAR(bar(halved, before, true, 5., 0.006).value(), 0.002, 1e-12);
       // which tells nothing where the cells are much the same
       EXPECT_NEAR(
         bar(estimate, PeakOnMesh{100., {}, 2}, true, 5., 0.006).value(),

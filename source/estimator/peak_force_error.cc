@@ -32,6 +32,22 @@ namespace PlateImpact
       Eigen::MatrixXd fields, of_coordinates;
     };
 
+    /// The error of a mesh, from the change of the force from the mesh before:
+    /// no more than that, and a third where every cell is halved, since errors
+    /// fall at least with the square of the size. Empty for about as many
+    /// cells, which change little, whatever their error.
+    std::optional<double>
+    error_by_change(const double      change,
+                    const std::size_t n_cells,
+                    const std::size_t n_before)
+    {
+      if (n_cells < 1.5 * n_before)
+        return {};
+      return n_cells < 4 * n_before ? change : change / 3.;
+    }
+
+
+
     Products
     products_of(const SemidiscreteSystem &system, const DualMotions &motions)
     {
@@ -132,8 +148,12 @@ namespace PlateImpact
     if (returns > many_returns)
       {
         bar = estimate.bar_of_random_signs();
-        if (change && estimate.cells.size() >= 1.5 * before->n_cells)
-          bar = std::min(bar, *change);
+        if (change)
+          bar = std::min(bar,
+                         error_by_change(*change,
+                                         estimate.cells.size(),
+                                         before->n_cells)
+                           .value_or(bar));
       }
     if (resolves_load)
       return bar;

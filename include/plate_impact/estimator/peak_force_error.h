@@ -94,8 +94,8 @@ namespace PlateImpact
   /// What waves bring that have come back several times adds up with either
   /// sign, and the sum of absolute values is many times the error: there it is
   /// bar_of_random_signs(), and no more than the force has changed from the
-  /// mesh before, where there are half as many cells again at least. Much the
-  /// same cells change little, whatever their error.
+  /// mesh before if there are half as many cells again, or a third of this if
+  /// there are four times as many, as when every cell is halved.
   /// @param resolves_load  whether cells at the load are no larger than it
   /// @param returns        how often waves are back before the peak
   /// @param change         of the force around the peak from the mesh before,
