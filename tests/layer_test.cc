@@ -262,6 +262,25 @@ namespace PlateImpact
 
 
 
+    TEST_F(Layer, ErrorOfAHalfSpaceHasThatOfTheBall)
+    {
+      const std::string rubber = SCENES "/extremes/rubber.prm";
+      ASSERT_EQ(run(rubber), 0) << err;
+      const double of_ball = last_cycle()["peak_force"];
+      ASSERT_EQ(run(rubber, half_space), 0) << err;
+      const double change =
+        of_ball / last_cycle()["peak_force"].get<double>() - 1.;
+      EXPECT_GT(change, 0.05);
+      double     told  = 0.;
+      const auto parts = summary()["verdict"]["model"]["errors"];
+      for (const auto &part : parts)
+        if (part["of"] == "ball taken for a half-space")
+          told = part["relative"];
+      EXPECT_NEAR(told / change, 1., 0.2);
+    }
+
+
+
     TEST_F(Layer, LineContactOnALayer)
     {
       ASSERT_EQ(run(SCENES "/paper-cylinder.prm",

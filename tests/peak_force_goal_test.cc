@@ -135,6 +135,28 @@ namespace PlateImpact
 
 
 
+    TEST_F(PeakForceGoal, EndTimeZeroFollowsAContactThatWavesInterrupt)
+    {
+      const std::string heavy =
+        "--set 'Plate/Side lengths=0.036, 0.036' --set Plate/Thickness=0.00033 "
+        "--set 'Impactor/Radius=0.001' --set Impactor/Mass=0.0043 --set "
+        "Impactor/Velocity=0.4 --set \"Impactor/Young's modulus=2.5e9\" --set "
+        "Adaptivity/Strategy=none --set 'Discretization/Initial cells=6, 6' "
+        "--set 'Time/Time step=1e-6' --set 'Plate/Support=soft simply "
+        "supported' ";
+      ASSERT_EQ(run(main_scene, heavy + "--set 'Time/End time=0'"), 0) << err;
+      const auto last = last_cycle();
+      EXPECT_EQ(err.find("still moves towards"), std::string::npos) << err;
+      EXPECT_GT(last["number_of_contacts"], 1);
+      EXPECT_LT(last["first_contact_end"], last["time_of_peak_force"]);
+      EXPECT_LT(last["final_impactor_velocity"], 0.);
+      ASSERT_EQ(run(main_scene, heavy + "--set 'Time/End time=2e-3'"), 0)
+        << err;
+      expect_near(last["peak_force"], last_cycle()["peak_force"], 1e-3);
+    }
+
+
+
     TEST_F(PeakForceGoal, AFirstMeshWithoutALineHasNoBar)
     {
       // Cells as fine as the strip along all of its length are too many. Two

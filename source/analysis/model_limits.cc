@@ -64,11 +64,11 @@ namespace PlateImpact
       plate.shear_correction_factor < 10.;
     if (!was_compared)
       return leaves("local response", {});
-    if (!is_layer)
-      return leaves("local response of a half-space",
-                    is_laminate ? 0.15 : 0.08);
-    leaves("local response", is_laminate ? 0.005 : 0.003);
-    if (contact.finite_ball)
+    if (is_layer)
+      leaves("local response", is_laminate ? 0.005 : 0.003);
+    else
+      leaves("local response of a half-space", is_laminate ? 0.15 : 0.08);
+    if (is_layer && contact.finite_ball)
       return;
     // the same impact of a finite ball, by Zener's equation
     Parameters changed          = parameters;

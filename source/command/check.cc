@@ -215,9 +215,9 @@ namespace PlateImpact
                        about(expected.contact_end ?
                                1.1 * *expected.contact_end :
                                2. * rise),
-                       expected.contact_end ? "first contact" : "peak",
+                       expected.contact_end ? "contact" : "peak",
                        time.end_time > 0. ? about(time.end_time) + " s" :
-                                            "the end of the first contact"));
+                                            "the end of the contact"));
       if (parameters.contact.load_is_singular())
         text.line("Contact",
                   "under a point load the peak force does not converge under "

@@ -53,6 +53,7 @@ namespace PlateImpact
       parameters.time.end_time   = 1.5 * expected_contact_time;
       PlateModel  plate          = coarse_plate(parameters, n_cells);
       CycleResult result;
+      const bool  is_held  = std::isfinite(plate.static_compliance(scene));
       result.cells         = plate.discretization().mesh().n_active_cells();
       result.min_cell_size = smallest_cell_size(plate.discretization().mesh());
       while (true)
@@ -61,7 +62,7 @@ namespace PlateImpact
           result.history = plate.under(parameters, false).strike().history;
           const bool is_long =
             parameters.time.end_time > 1e6 * expected_contact_time;
-          if (result.history->first_contact_end() || is_long)
+          if (result.history->end_of_impact(is_held) || is_long)
             return result;
           parameters.time.end_time *= 2.;
         }
@@ -146,7 +147,9 @@ namespace PlateImpact
       coarse_impact(parameters, zener.contact_time(), wave.length);
     const bool is_resolved = impact.min_cell_size < 0.5 * wave.length;
     until                  = impact.history->states().back().time;
-    contact_end            = impact.history->first_contact_end();
+    contact_end            = impact.history->end_of_impact(/*is_held=*/true);
+    if (!contact_end)
+      contact_end = impact.history->first_contact_end();
     source = "on a coarse mesh of " + counted(impact.cells, "cell");
     if (!is_resolved)
       {

@@ -90,10 +90,19 @@ namespace PlateImpact
   std::optional<double>
   ContactHistory::first_contact_end() const
   {
+    return end_of_impact(/*is_held=*/false);
+  }
+
+
+
+  std::optional<double>
+  ContactHistory::end_of_impact(const bool is_held) const
+  {
     for (std::size_t n = 1; n < history.size(); ++n)
       {
         const ContactState &before = history[n - 1], &after = history[n];
-        if (before.overlap() > 0. && after.overlap() <= 0.)
+        const bool ends = before.overlap() > 0. && after.overlap() <= 0.;
+        if (ends && (!is_held || after.impactor_velocity <= 0.))
           return before.time +
             (after.time - before.time) * before.overlap() /
             (before.overlap() - after.overlap());

@@ -14,11 +14,12 @@ namespace PlateImpact
 
 
 
-    /// How long a first contact may last. [s]
+    /// How long an impact may last.
     struct ContactTime
     {
-      double shortest; ///< expected
-      double longest;  ///< that is waited for
+      double shortest; ///< expected [s]
+      double longest;  ///< that is waited for [s]
+      bool   is_held;  ///< whether the plate throws the impactor back
     };
 
     ContactTime
@@ -29,7 +30,7 @@ namespace PlateImpact
       const double of_zener   = 1.5 * expected.contact_time(),
                    half_space = 2. * expected.peak_on_rigid_plate().time;
       if (!std::isfinite(compliance)) // free to move, it is left sooner
-        return {of_zener, 100. * half_space};
+        return {of_zener, 100. * half_space, false};
       const double mass       = expected.impactor.mass,
                    plate_mass = geometry_of(impact.plate)->area() *
         expected.section.mass_per_area,
@@ -38,17 +39,18 @@ namespace PlateImpact
       // heavier than the plate it bends that as a whole, for half a period
       return {mass > plate_mass ? std::max(of_zener, 1.1 * half_period) :
                                   of_zener,
-              2. * half_period};
+              2. * half_period,
+              true};
     }
 
 
 
-    /// A little after the end of the first contact, on the mesh by steps four
-    /// times as long, or as long as anybody waits. [s]
+    /// A little after the end of the impact, on the mesh by steps four times as
+    /// long, or as long as anybody waits. [s]
     double
     end_by_steps(const LoadedPlate &plate,
                  const Parameters  &impact,
-                 const double       longest)
+                 const ContactTime &wait)
     {
       const double dt = impact.time.time_step;
       // few digits are needed, but every step counts
@@ -56,14 +58,15 @@ namespace PlateImpact
       coarse.time_step *= 4.;
       coarse.end_time = dt *
         std::ceil(std::min(most_steps_of_contact,
-                           std::max(impact.time.end_time, longest) / dt));
+                           std::max(impact.time.end_time, wait.longest) / dt));
       TimeStepper stepper     = plate.steps_on_the_mesh(coarse);
       bool        is_touching = false;
       for (unsigned int step = 0; step < stepper.n_steps(); ++step)
         {
           stepper.advance();
           const ContactState &state = stepper.state();
-          if (is_touching && state.force == 0.)
+          if (is_touching && state.force == 0. &&
+              (!wait.is_held || state.impactor_velocity <= 0.))
             return dt * std::ceil(1.01 * state.time / dt);
           is_touching = is_touching || state.force > 0.;
         }
@@ -96,11 +99,11 @@ namespace PlateImpact
           {
             // more steps take more vectors
             result.time.integrator = IntegratorType::Newmark;
-            result.time.end_time   = end_by_steps(loaded, result, wait.longest);
+            result.time.end_time   = end_by_steps(loaded, result, wait);
             return result;
           }
         const std::optional<double> end =
-          loaded.strike().history.first_contact_end();
+          loaded.strike().history.end_of_impact(wait.is_held);
         if (end)
           result.time.end_time = dt * std::ceil(*end / dt);
         if (end || n >= most_steps_of_contact || n * dt >= wait.longest)

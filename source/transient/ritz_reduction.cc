@@ -406,7 +406,9 @@ namespace PlateImpact
   {
     const auto entry = entries.section("Time");
     entry("End time", "80e-6", number_from(0), end_time)
-      .means("0: to the end of the first contact. [s]");
+      .means(
+        "0: to the end of the first contact after which the impactor moves "
+        "away from the plate. [s]");
     entry("Time step", "1e-7", number_from(0), time_step)
       .means("Shortened if End time is not a multiple of it. 0: the program "
              "halves the step until Zener's equation meets Step tolerance. "

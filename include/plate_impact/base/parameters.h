@@ -228,7 +228,7 @@ namespace PlateImpact
 
   struct TimeParameters
   {
-    double         end_time; ///< 0: that of the first contact
+    double         end_time; ///< 0: that of the impact
     double         time_step;
     double         step_tolerance;
     IntegratorType integrator;
@@ -241,7 +241,7 @@ namespace PlateImpact
 
     // what follows from the entries
     bool   step_is_chosen = false; ///< by the program
-    bool   end_is_chosen  = false; ///< that of the first contact
+    bool   end_is_chosen  = false; ///< that of the impact
     double end_of_vectors = 0.;    ///< of Ritz vectors, if after end_time
 
     /// The scheme of Newmark that conserves energy.

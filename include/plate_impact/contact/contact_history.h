@@ -92,6 +92,14 @@ namespace PlateImpact
     std::optional<double>
     first_contact_end() const;
 
+    /// The same of the first contact after which the impactor moves away: waves
+    /// may interrupt the contact of a heavy one that still moves towards the
+    /// plate. [s]
+    /// @param is_held  whether the plate throws it back at last; if not, the
+    ///                 impact ends with the first contact
+    std::optional<double>
+    end_of_impact(bool is_held) const;
+
     unsigned int
     n_contacts() const;
 

@@ -104,9 +104,9 @@ namespace PlateImpact
 
 
   /// The scene with an end time: its own or, where that is 0, the end of the
-  /// first contact on this plate. It ends by the time that an impactor takes to
-  /// be thrown back by a massless plate and the contact, twice over; beyond it,
-  /// or 2^18 steps, the end is not looked for.
+  /// impact on this plate (ContactHistory::end_of_impact). It ends by the time
+  /// that an impactor takes to be thrown back by a massless plate and the
+  /// contact, twice over; beyond it, or 2^18 steps, the end is not looked for.
   /// @param needs_states  as for under()
   /// @throws ComputationError naming step and quantity
   Parameters
