@@ -43,8 +43,8 @@ namespace PlateImpact
 
     ZenerImpact zener; ///< on the infinite plate
 
-    ContactHistory        history; ///< up to the scene's end at most
-    std::optional<double> contact_end; ///< of the impact [s]
+    ContactHistory        history;          ///< up to the scene's end at most
+    std::optional<double> contact_end;      ///< of the impact [s]
     double                until = 0.;       ///< when what is known ends [s]
     std::string           source;           ///< where it comes from
     bool                  is_bound = false; ///< whether the force is larger
