@@ -4,6 +4,8 @@
 #include <deal.II/grid/grid_generator.h>
 
 #include "plate_impact/analysis/impact_analysis.h"
+#include "plate_impact/analysis/time_control.h"
+#include "plate_impact/contact/make_contact.h"
 #include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/scene/scene.h"
 #include "plate_impact/transient/plate_model.h"
@@ -285,6 +287,35 @@ namespace PlateImpact
       EXPECT_FALSE(analysis.last_cycle().result.error);
       EXPECT_EQ(analysis.last_cycle().plate.work().factorizations, 0u);
       EXPECT_TRUE(analysis.all_warnings().all().empty());
+    }
+
+
+
+    TEST(ImpactAnalysis, AChosenStepLeavesTheErrorOfALatePeakKnown)
+    {
+      // However large the error of the step is: with too many steps to the peak
+      // nothing is known, and on the next mesh it may come at twice the time.
+      const Parameters parameters = parameters_with(
+        {"Time/End time=0", "Time/Time step=0", "Adaptivity/Goal=peak force"});
+      const TimeControl control(parameters, make_zener_impact(parameters));
+      CycleResult       seen;
+      seen.history.emplace();
+      seen.time_error = 0.2;
+      for (const double force : {0., 1., 0.})
+        {
+          ContactState state;
+          state.time  = seen.history->states().size() * 0.01;
+          state.force = force;
+          seen.history->add(state);
+        }
+      Window window{Extent::whole, parameters.time.time_step};
+      while (const auto next = control.next(window, seen))
+        {
+          EXPECT_LT(next->step, window.step);
+          window = *next;
+        }
+      EXPECT_LT(window.step, parameters.time.time_step);
+      EXPECT_LE(2. * 0.01 / window.step, most_steps_to_peak * (1. + 1e-9));
     }
   } // namespace
 } // namespace PlateImpact

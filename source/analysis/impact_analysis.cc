@@ -187,9 +187,10 @@ namespace PlateImpact
       throw ComputationError("cycle " + std::to_string(result.cycle) +
                              ": the error of the peak force cannot be "
                              "estimated, because there is no force or its peak "
-                             "comes after more than 60000 steps; choose a "
-                             "larger Time/Time step, or Adaptivity/Goal = "
-                             "energy norm");
+                             "comes after more than " +
+                             std::to_string(int(most_steps_to_peak)) +
+                             " steps; choose a larger Time/Time step, or "
+                             "Adaptivity/Goal = energy norm");
     Judgement worth;
     worth.peak_is_late = time_control->is_late(*result.history);
     if (const auto space = mesh_part_of_bar(); space && result.time_error)

@@ -73,10 +73,13 @@ namespace PlateImpact
     std::vector<std::string>
     warn_of_end(const TimeParameters &time, const ContactHistory &history)
     {
-      const ContactState &last = history.states().back();
-      const std::string   end  = time.end_is_chosen ?
-           "the end of the first contact, " + about(last.time, "s") :
-           "Time/End time = " + about(time.end_time) + " s";
+      const ContactState &last        = history.states().back();
+      const auto          contact_end = history.first_contact_end();
+      const std::string   end         = !time.end_is_chosen ?
+                  "Time/End time = " + about(time.end_time) + " s" :
+                  contact_end && *contact_end > 0.98 * last.time ?
+                  "the end of the first contact, " + about(last.time, "s") :
+                  about(last.time, "s") + ", the latest time that is looked at";
       if (history.peak().time == last.time)
         return {"the force still grows at " + end +
                 ": the true peak force is larger; choose a later Time/End "
@@ -85,10 +88,7 @@ namespace PlateImpact
         return {"another contact is under way at " + end +
                 "; its force may be larger; choose a later Time/End time"};
       if (last.force > 0.)
-        return {"the contact has not ended at " +
-                (time.end_is_chosen ? about(last.time, "s") +
-                     ", the latest time that is looked at" :
-                                      end)};
+        return {"the contact has not ended at " + end};
       if (last.impactor_velocity > 0.)
         return {"the impactor still moves towards the plate at " + end +
                 ": another contact follows, and its force may be larger; "

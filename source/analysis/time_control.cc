@@ -19,6 +19,10 @@ namespace PlateImpact
     /// Of the step chosen at first: below, the error is not the step's.
     constexpr double smallest_step = 1. / 64.;
 
+    /// Of those with which the error of the peak can be estimated: on the next
+    /// mesh the peak may come later.
+    constexpr double most_steps = 0.5 * most_steps_to_peak;
+
     /// A peak that comes later in the window may not be the last.
     constexpr double latest_peak = 0.7;
 
@@ -79,8 +83,10 @@ namespace PlateImpact
     // waves that return may bring a larger force as long as the contact lasts
     if (scene.time.end_time == 0.)
       next.extent = Extent::whole;
-    else if (const auto end = history.first_contact_end())
-      next.to_peak = std::max(next.to_peak, past_contact * *end);
+    else
+      for (const bool is_held : {false, true})
+        if (const auto end = history.end_of_impact(is_held))
+          next.to_peak = std::max(next.to_peak, past_contact * *end);
     return next;
   }
 
@@ -178,7 +184,9 @@ namespace PlateImpact
       return window.step;
     const double halvings = std::ceil(std::log2(error / most)) /
       NewmarkScheme(scene.time, scene.contact.integration).order();
-    return window.step * std::exp2(-std::min(halvings, 2.));
+    const double shortest = seen.history->peak().time / most_steps;
+    return std::max(window.step * std::exp2(-std::min(halvings, 2.)),
+                    std::min(shortest, window.step));
   }
 
 

@@ -12,10 +12,6 @@ namespace PlateImpact
 {
   namespace
   {
-    /// Steps to the peak with which its error is estimated: the weights take
-    /// their square.
-    constexpr double most_steps_to_peak = 60000.;
-
     /// Until when steps of another length are taken, over the time of a peak on
     /// ripples.
     constexpr double past_ripples = 1.1;

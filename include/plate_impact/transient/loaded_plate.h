@@ -11,6 +11,11 @@
 
 namespace PlateImpact
 {
+  /// Steps to the peak with which its error is estimated: the weights take
+  /// their square.
+  constexpr double most_steps_to_peak = 120000.;
+
+
   /// What impacts share that load a plate in the same way and take the same
   /// steps.
   struct Load
@@ -91,7 +96,7 @@ namespace PlateImpact
 
     /// In Ritz vectors wherever they are fewer than the steps, even if the mesh
     /// itself was stepped. Empty for schemes that do not conserve energy,
-    /// without a force, and with more than 60000 steps to the peak.
+    /// without a force, and with more than most_steps_to_peak.
     std::optional<PeakForceProblem>
     peak_force_problem(const ContactHistory &history) const;
 
