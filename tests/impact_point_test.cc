@@ -55,8 +55,8 @@ namespace PlateImpact
           const PlateElement    element(ElementType::MITC9);
           PlateDiscretization   model(*mesh, element, plate);
           EXPECT_EQ(model.n_parts(), c.parts);
-          EXPECT_EQ(geometry_of(plate)->is_symmetric(0) +
-                      geometry_of(plate)->is_symmetric(1),
+          EXPECT_EQ(geometry_of(plate).is_symmetric[0] +
+                      geometry_of(plate).is_symmetric[1],
                     c.n_symmetric);
           double area                 = 0.;
           bool   has_vertex_at_impact = false;

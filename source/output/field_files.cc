@@ -170,7 +170,7 @@ namespace PlateImpact
                                2,
                                DataOut<2>::CurvedCellRegion::curved_boundary);
         for (const unsigned int d : {0, 1})
-          if (geometry_of(cycle.parameters.plate)->is_symmetric(d))
+          if (geometry_of(cycle.parameters.plate).is_symmetric[d])
             data_out.mirror(d, odd[d]);
         const std::string name =
           "fields_" + std::to_string(record.size()) + ".vtu";

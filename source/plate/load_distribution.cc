@@ -66,15 +66,12 @@ namespace PlateImpact
           const unsigned int                            n_intervals,
           const std::vector<std::pair<double, double>> &across)
     {
-      const QGauss<1>        rule(2);
-      const double           interval = half_length / n_intervals;
+      const QIterated<1>     along(QGauss<1>(2), n_intervals);
       std::vector<LoadPoint> points;
-      points.reserve(n_intervals * rule.size() * across.size());
-      for (unsigned int i = 0; i < n_intervals; ++i)
-        for (unsigned int q = 0; q < rule.size(); ++q)
-          for (const auto &[y, weight] : across)
-            points.push_back({Point<2>((i + rule.point(q)[0]) * interval, y),
-                              rule.weight(q) / n_intervals * weight});
+      for (unsigned int q = 0; q < along.size(); ++q)
+        for (const auto &[y, weight] : across)
+          points.push_back({Point<2>(half_length * along.point(q)[0], y),
+                            along.weight(q) * weight});
       return points;
     }
 
@@ -142,10 +139,10 @@ namespace PlateImpact
   on_meshed_part(const std::vector<LoadPoint> &of_quadrant,
                  const PlateParameters        &plate)
   {
-    const auto             geometry = geometry_of(plate);
-    std::vector<LoadPoint> points   = of_quadrant;
+    const auto             is_symmetric = geometry_of(plate).is_symmetric;
+    std::vector<LoadPoint> points       = of_quadrant;
     for (unsigned int d = 0; d < 2; ++d)
-      if (!geometry->is_symmetric(d))
+      if (!is_symmetric[d])
         for (std::size_t p = 0, n = points.size(); p < n; ++p)
           if (points[p].point[d] != 0.)
             {

@@ -2,7 +2,6 @@
 
 #include "plate_impact/base/entries.h"
 #include "plate_impact/plate/plate_mesh.h"
-#include "plate_impact/plate/slope_squares.h"
 
 #include <string>
 
@@ -62,8 +61,18 @@ namespace PlateImpact
     , scalar_element(2)
     , element(scalar_element, n_components(stretching))
     , quadrature_points(3)
-    , samples(2)
   {}
+
+
+
+  std::vector<unsigned int>
+  PlateElement::dofs_of(const unsigned int component) const
+  {
+    std::vector<unsigned int> dofs;
+    for (unsigned int node = 0; node < scalar_element.n_dofs_per_cell(); ++node)
+      dofs.push_back(element.component_to_system_index(component, node));
+    return dofs;
+  }
 
 
 
@@ -84,14 +93,12 @@ namespace PlateImpact
           if (c == deflection ? row.constrains_deflection :
                                 row.constrains_others)
             {
-              const auto line =
-                dofs[element.component_to_system_index(c, centre)];
-              constraints.add_line(line);
+              const auto of_nodes = dofs_of(c);
+              constraints.add_line(dofs[of_nodes[centre]]);
               for (unsigned int node = 0; node < centre; ++node)
-                constraints.add_entry(
-                  line,
-                  dofs[element.component_to_system_index(c, node)],
-                  node < 4 ? -0.25 : 0.5);
+                constraints.add_entry(dofs[of_nodes[centre]],
+                                      dofs[of_nodes[node]],
+                                      node < 4 ? -0.25 : 0.5);
             }
       }
   }
@@ -99,13 +106,18 @@ namespace PlateImpact
 
 
   CellStrains
-  PlateElement::strains(const Triangulation<2>::active_cell_iterator &cell,
-                        const FEValues<2> &values) const
+  PlateElement::strains_at(const Triangulation<2>::active_cell_iterator &cell,
+                           const Quadrature<2> &unit_points) const
   {
+    FEValues<2> values(mapping_of(cell),
+                       scalar_element,
+                       unit_points,
+                       update_gradients | update_inverse_jacobians);
     FEValues<2> tying(mapping_of(cell),
                       scalar_element,
                       assumed_shear.tying_points,
                       update_values | update_gradients | update_jacobians);
+    values.reinit(cell);
     tying.reinit(cell);
     const unsigned int n_tying = tying.n_quadrature_points,
                        n       = values.n_quadrature_points;
@@ -155,21 +167,6 @@ namespace PlateImpact
 
 
 
-  CellStrains
-  PlateElement::strains_at(const Triangulation<2>::active_cell_iterator &cell,
-                           const std::vector<Point<2>> &unit_points) const
-  {
-    FEValues<2> values(mapping_of(cell),
-                       scalar_element,
-                       Quadrature<2>(unit_points),
-                       update_values | update_gradients |
-                         update_inverse_jacobians);
-    values.reinit(cell);
-    return strains(cell, values);
-  }
-
-
-
   Eigen::MatrixXd
   PlateElement::evaluate(const CellStrains     &strains,
                          const Eigen::MatrixXd &nodal_values) const
@@ -177,12 +174,8 @@ namespace PlateImpact
     Eigen::MatrixXd result = strains.linear * nodal_values;
     if (how_it_stretches != Stretching::large)
       return result;
-    Eigen::MatrixXd deflections(scalar_element.n_dofs_per_cell(),
-                                nodal_values.cols());
-    for (Eigen::Index node = 0; node < deflections.rows(); ++node)
-      deflections.row(node) =
-        nodal_values.row(element.component_to_system_index(deflection, node));
-    const Eigen::MatrixXd slopes = SlopeSquares::slopes() * deflections;
+    const Eigen::MatrixXd slopes =
+      SlopeSquares::slopes() * nodal_values(dofs_of(deflection), Eigen::all);
     for (Eigen::Index state = 0; state < result.cols(); ++state)
       {
         const Eigen::VectorXd of_squares =
@@ -199,38 +192,28 @@ namespace PlateImpact
   CellShape
   PlateElement::shape(const Triangulation<2>::active_cell_iterator &cell) const
   {
-    const UpdateFlags flags = update_values | update_gradients |
-      update_inverse_jacobians | update_JxW_values;
-    const Mapping<2> &mapping = mapping_of(cell);
-    FEValues<2>       values(mapping, scalar_element, quadrature_points, flags);
-    FEValues<2>       sample_values(mapping, scalar_element, samples, flags);
+    FEValues<2> values(mapping_of(cell),
+                       scalar_element,
+                       quadrature_points,
+                       update_JxW_values);
     values.reinit(cell);
-    sample_values.reinit(cell);
-
-    CellShape shape;
-    shape.at_quadrature = strains(cell, values);
-    shape.at_samples    = strains(cell, sample_values);
-    shape.weights       = values.get_JxW_values();
-    shape.shape_values.resize(quadrature_points.size(),
-                              scalar_element.n_dofs_per_cell());
-    for (unsigned int q = 0; q < quadrature_points.size(); ++q)
-      for (unsigned int node = 0; node < scalar_element.n_dofs_per_cell();
-           ++node)
-        shape.shape_values(q, node) = values.shape_value(node, q);
-    return shape;
+    return {strains_at(cell, quadrature_points),
+            strains_at(cell, QGauss<2>(2)),
+            Eigen::Map<const Eigen::VectorXd>(values.get_JxW_values().data(),
+                                              quadrature_points.size())};
   }
 
 
 
-  CellMatrix
+  Eigen::MatrixXd
   PlateElement::stiffness(const CellShape    &shape,
                           const PlateSection &section) const
   {
     const int n_dofs                 = element.n_dofs_per_cell(),
               n_strains              = section.n_resultants();
     const Eigen::MatrixXd by_strains = section.stiffness();
-    CellMatrix            K          = CellMatrix::Zero(n_dofs, n_dofs);
-    for (unsigned int q = 0; q < shape.weights.size(); ++q)
+    Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n_dofs, n_dofs);
+    for (Eigen::Index q = 0; q < shape.weights.size(); ++q)
       {
         const auto B =
           shape.at_quadrature.linear.middleRows(n_strains * q, n_strains);
@@ -243,22 +226,23 @@ namespace PlateImpact
 
 
 
-  CellMatrix
+  Eigen::MatrixXd
   PlateElement::mass(const CellShape &shape, const PlateSection &section) const
   {
-    const Eigen::Map<const Eigen::VectorXd> weights(shape.weights.data(),
-                                                    shape.weights.size());
-    const Eigen::MatrixXd scalar_mass = shape.shape_values.transpose() *
-      weights.asDiagonal() * shape.shape_values;
+    Eigen::MatrixXd N(quadrature_points.size(),
+                      scalar_element.n_dofs_per_cell());
+    for (Eigen::Index q = 0; q < N.rows(); ++q)
+      for (Eigen::Index node = 0; node < N.cols(); ++node)
+        N(q, node) =
+          scalar_element.shape_value(node, quadrature_points.point(q));
+    const Eigen::MatrixXd of_component =
+      N.transpose() * shape.weights.asDiagonal() * N;
     const unsigned int n_dofs = element.n_dofs_per_cell();
-    CellMatrix         M      = CellMatrix::Zero(n_dofs, n_dofs);
+    Eigen::MatrixXd    M      = Eigen::MatrixXd::Zero(n_dofs, n_dofs);
     for (unsigned int c = 0; c < element.n_components(); ++c)
-      for (unsigned int i = 0; i < scalar_element.n_dofs_per_cell(); ++i)
-        for (unsigned int j = 0; j < scalar_element.n_dofs_per_cell(); ++j)
-          M(element.component_to_system_index(c, i),
-            element.component_to_system_index(c, j)) = scalar_mass(i, j) *
-            (c == rotation_x || c == rotation_y ? section.rotary_inertia :
-                                                  section.mass_per_area);
+      M(dofs_of(c), dofs_of(c)) = of_component *
+        (c == rotation_x || c == rotation_y ? section.rotary_inertia :
+                                              section.mass_per_area);
     return M;
   }
 

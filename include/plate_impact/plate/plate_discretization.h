@@ -135,11 +135,11 @@ namespace PlateImpact
     }
 
     /// Adds symmetric matrices of cells, over the parts of the plate.
-    /// @param set_matrix  sets that of a cell, by active index
-    /// @param sum         with the entries of K
+    /// @param matrix_of  that of a cell, by active index
+    /// @param sum        with the entries of K
     void
-    add_cells(const std::function<void(unsigned int, CellMatrix &)> &set_matrix,
-              Epetra_CrsMatrix                                      &sum) const;
+    add_cells(const std::function<Eigen::MatrixXd(unsigned int)> &matrix_of,
+              Epetra_CrsMatrix                                   &sum) const;
 
     const PlateElement &
     element() const
