@@ -71,7 +71,7 @@ namespace PlateImpact
           const PlateParameters plate = unsymmetric_plate(angles, in_plane);
           const PlateSection    section(plate);
           const bool is_cross_ply = in_plane == InPlaneSupport::held_along;
-          EXPECT_EQ(section.stretching(), Stretching::linear);
+          EXPECT_EQ(section.stretching, Stretching::linear);
           EXPECT_EQ(plate.is_skew, !is_cross_ply);
           const double a = numbers::PI / plate.side_lengths[0],
                        b = numbers::PI / plate.side_lengths[1];

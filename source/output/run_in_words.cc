@@ -52,7 +52,7 @@ namespace PlateImpact
     std::string
     stretching_in_words(const PlateParameters &plate)
     {
-      if (PlateSection(plate).stretching() == Stretching::none)
+      if (PlateSection(plate).stretching == Stretching::none)
         return "";
       return ", " + supports_in_words(plate.in_plane_supports) +
         " in its plane" +

@@ -20,7 +20,7 @@ namespace PlateImpact
       }
     for (unsigned int cell = 0; cell < plate.mesh().n_active_cells(); ++cell)
       {
-        const CellShape &shape = plate.shape(cell);
+        const CellShape &shape     = plate.shape(cell);
         const auto [known, is_new] = by_shape.insert({&shape, {}});
         if (!is_new)
           continue;
@@ -29,8 +29,7 @@ namespace PlateImpact
         const Eigen::MatrixXd strains =
           shape.at_quadrature.linear(Eigen::all, causes);
         for (Eigen::Index q = 0; q < shape.weights.size(); ++q)
-          forces.middleRows<3>(3 * q) = shape.weights[q] *
-            of_strains *
+          forces.middleRows<3>(3 * q) = shape.weights[q] * of_strains *
             strains.middleRows(of_strains.cols() * q, of_strains.cols());
       }
   }
@@ -43,7 +42,7 @@ namespace PlateImpact
     const Eigen::Ref<const Eigen::VectorXd> &strains) const
   {
     const Eigen::VectorXd &weights = plate.shape(cell).weights;
-    Eigen::VectorXd result(strains.size());
+    Eigen::VectorXd        result(strains.size());
     for (Eigen::Index q = 0; q < weights.size(); ++q)
       result.segment<3>(3 * q).noalias() =
         weights[q] * (membrane_stiffness * strains.segment<3>(3 * q));
@@ -70,8 +69,7 @@ namespace PlateImpact
         strains.noalias() = plate.shape(cell).at_quadrature.of_squares *
           SlopeSquares::squares(result.slopes.col(cell));
         forces.noalias() = forces_of_unknowns(cell) * causing.col(cell);
-        result.energy +=
-          strains.dot(forces + 0.5 * forces_of(cell, strains));
+        result.energy += strains.dot(forces + 0.5 * forces_of(cell, strains));
       }
     result.energy *= plate.n_parts();
     return result;

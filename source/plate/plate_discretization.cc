@@ -192,7 +192,7 @@ namespace PlateImpact
                                        geometry_of(plate).n_parts())
     , dofs(mesh)
   {
-    if (element.stretching() != plate_section.stretching())
+    if (element.stretching != plate_section.stretching)
       throw std::logic_error("the element has not the unknowns of the section");
     dofs.distribute_dofs(element.finite_element());
     DoFTools::make_hanging_node_constraints(dofs, constraints);
@@ -268,8 +268,7 @@ namespace PlateImpact
     for (unsigned int cell = 0; cell < shape_of_cell.size(); ++cell)
       {
         const auto            of_cell = unknowns.of_cell(cell);
-        const Eigen::MatrixXd A =
-          multiplicity *
+        const Eigen::MatrixXd A       = multiplicity *
           unknowns.resolve_constraints(cell, of_cell, matrix_of(cell));
         // symmetric, so that a column is a row
         for (Eigen::Index j = 0; j < A.cols(); ++j)
@@ -336,7 +335,9 @@ namespace PlateImpact
         Vector<double> values(dofs.n_dofs());
         VectorTools::interpolate(mapping_of(mesh()),
                                  dofs,
-                                 RigidMotion(k, dofs.get_fe().n_components(), size),
+                                 RigidMotion(k,
+                                             dofs.get_fe().n_components(),
+                                             size),
                                  values);
         Vector<double> held = values;
         constraints.distribute(held);

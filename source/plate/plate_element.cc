@@ -56,7 +56,7 @@ namespace PlateImpact
   PlateElement::PlateElement(const ElementType type,
                              const Stretching  stretching)
     : type(type)
-    , how_it_stretches(stretching)
+    , stretching(stretching)
     , assumed_shear(row_of(type, elements).assumed_shear)
     , scalar_element(2)
     , element(scalar_element, n_components(stretching))
@@ -123,7 +123,7 @@ namespace PlateImpact
                        n       = values.n_quadrature_points;
 
     const int n_dofs    = element.n_dofs_per_cell(),
-              n_strains = how_it_stretches == Stretching::none ? 5 : 8;
+              n_strains = stretching == Stretching::none ? 5 : 8;
     CellStrains  result;
     CellOperator tied = CellOperator::Zero(2 * n_tying, n_dofs);
     result.linear     = CellOperator::Zero(n_strains * n, n_dofs);
@@ -160,7 +160,7 @@ namespace PlateImpact
     for (unsigned int q = 0; q < n; ++q)
       result.linear.middleRows<2>(n_strains * q + 3) =
         shear.middleRows<2>(2 * q);
-    if (how_it_stretches == Stretching::large)
+    if (stretching == Stretching::large)
       result.of_squares = SlopeSquares::strains(values);
     return result;
   }
@@ -172,7 +172,7 @@ namespace PlateImpact
                          const Eigen::MatrixXd &nodal_values) const
   {
     Eigen::MatrixXd result = strains.linear * nodal_values;
-    if (how_it_stretches != Stretching::large)
+    if (stretching != Stretching::large)
       return result;
     const Eigen::MatrixXd slopes =
       SlopeSquares::slopes() * nodal_values(dofs_of(deflection), Eigen::all);
@@ -212,7 +212,7 @@ namespace PlateImpact
     const int n_dofs                 = element.n_dofs_per_cell(),
               n_strains              = section.n_resultants();
     const Eigen::MatrixXd by_strains = section.stiffness();
-    Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n_dofs, n_dofs);
+    Eigen::MatrixXd       K          = Eigen::MatrixXd::Zero(n_dofs, n_dofs);
     for (Eigen::Index q = 0; q < shape.weights.size(); ++q)
       {
         const auto B =

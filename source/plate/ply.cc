@@ -1,12 +1,12 @@
 #include "plate_impact/plate/ply.h"
 
+#include <deal.II/base/quadrature_lib.h>
+
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <Eigen/QR>
 
-#include <array>
 #include <cmath>
-#include <utility>
 
 namespace PlateImpact
 {
@@ -133,13 +133,9 @@ namespace PlateImpact
     const std::vector<Eigen::Matrix3d> &plane_stiffness,
     const std::vector<Eigen::Matrix2d> &shear_moduli)
   {
-    // exact: tau is a parabola in every ply
-    const std::array<std::pair<double, double>, 3> gauss = {
-      {{0.5 - std::sqrt(0.15), 5. / 18.},
-       {0.5, 8. / 18.},
-       {0.5 + std::sqrt(0.15), 5. / 18.}}};
-    const unsigned int           n_directions = 24;
-    const std::size_t            n_plies      = plane_stiffness.size();
+    const dealii::QGauss<1> gauss(3); // exact: tau is a parabola in every ply
+    const unsigned int      n_directions = 24;
+    const std::size_t       n_plies      = plane_stiffness.size();
     Eigen::Matrix<double, -1, 3> products(n_directions, 3);
     Eigen::VectorXd              energies = Eigen::VectorXd::Zero(n_directions);
     std::vector<Eigen::Matrix2d> shear_compliances;
@@ -162,12 +158,13 @@ namespace PlateImpact
             const auto            tau   = [&](const double z) {
               return (at_far_face + 0.5 * (far * far - z * z) * slope).eval();
             };
-            for (const auto &[point, weight] : gauss)
+            for (unsigned int q = 0; q < gauss.size(); ++q)
               {
-                const Eigen::Vector2d stress = tau(near + point * t);
-                force += weight * t * stress;
-                energies(i) +=
-                  weight * t * stress.dot(shear_compliances[k] * stress);
+                const Eigen::Vector2d stress =
+                  tau(near + gauss.point(q)[0] * t);
+                force += gauss.weight(q) * t * stress;
+                energies(i) += gauss.weight(q) * t *
+                  stress.dot(shear_compliances[k] * stress);
               }
             at_far_face = tau(near);
           }

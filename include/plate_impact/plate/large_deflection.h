@@ -83,7 +83,7 @@ namespace PlateImpact
     const PlateDiscretization &plate;
     const Eigen::Matrix3d      membrane_stiffness;
     /// Among the dofs of a cell: of the deflection, and that cause forces.
-    std::vector<unsigned int> deflections, causes;
+    std::vector<unsigned int>                    deflections, causes;
     std::map<const CellShape *, Eigen::MatrixXd> by_shape;
   };
 } // namespace PlateImpact

@@ -124,14 +124,14 @@ namespace PlateImpact
     bool
     stretches() const
     {
-      return plate_section.stretching() != Stretching::none;
+      return plate_section.stretching != Stretching::none;
     }
 
     /// Whether its strains are no linear function of the unknowns.
     bool
     is_nonlinear() const
     {
-      return plate_section.stretching() == Stretching::large;
+      return plate_section.stretching == Stretching::large;
     }
 
     /// Adds symmetric matrices of cells, over the parts of the plate.

@@ -75,6 +75,9 @@ namespace PlateImpact
   class PlateElement
   {
   public:
+    const ElementType type;
+    const Stretching  stretching;
+
     explicit PlateElement(ElementType type,
                           Stretching  stretching = Stretching::none);
 
@@ -82,13 +85,6 @@ namespace PlateImpact
     finite_element() const
     {
       return element;
-    }
-
-    /// Whether and how the plate stretches.
-    Stretching
-    stretching() const
-    {
-      return how_it_stretches;
     }
 
     const dealii::Quadrature<2> &
@@ -130,8 +126,6 @@ namespace PlateImpact
     mass(const CellShape &shape, const PlateSection &section) const;
 
   private:
-    const ElementType         type;
-    const Stretching          how_it_stretches;
     const AssumedShear        assumed_shear;
     const dealii::FE_Q<2>     scalar_element;
     const dealii::FESystem<2> element;
