@@ -54,7 +54,7 @@ namespace PlateImpact
           const auto            mesh  = make_plate_mesh(plate, {{5, 4}});
           const PlateElement    element(ElementType::MITC9);
           PlateDiscretization   model(*mesh, element, plate);
-          EXPECT_EQ(model.n_parts(), c.parts);
+          EXPECT_EQ(model.n_parts, c.parts);
           EXPECT_EQ(geometry_of(plate).is_symmetric[0] +
                       geometry_of(plate).is_symmetric[1],
                     c.n_symmetric);

@@ -12,7 +12,7 @@ namespace PlateImpact
     for (unsigned int c = 0; c < plate.dof_handler().get_fe().n_components();
          ++c)
       {
-        const auto dofs = plate.element().dofs_of(c);
+        const auto dofs = plate.element.dofs_of(c);
         if (c == deflection)
           deflections = dofs;
         else if (c >= displacement_x || section.is_unsymmetric())
@@ -59,7 +59,7 @@ namespace PlateImpact
                           causing = values(causes, Eigen::all);
     StretchedPlate result;
     result.slopes = SlopeSquares::slopes() * values(deflections, Eigen::all);
-    result.strains.resize(3 * plate.element().quadrature().size(),
+    result.strains.resize(3 * plate.element.quadrature().size(),
                           values.cols());
     result.forces.resize(result.strains.rows(), values.cols());
     for (Eigen::Index cell = 0; cell < values.cols(); ++cell)
@@ -71,7 +71,7 @@ namespace PlateImpact
         forces.noalias() = forces_of_unknowns(cell) * causing.col(cell);
         result.energy += strains.dot(forces + 0.5 * forces_of(cell, strains));
       }
-    result.energy *= plate.n_parts();
+    result.energy *= plate.n_parts;
     return result;
   }
 
@@ -88,7 +88,7 @@ namespace PlateImpact
       (0.5 + damping) * end.forces,
                           slopes = 0.5 * (begin.slopes + end.slopes);
     Eigen::MatrixXd of_cells =
-      Eigen::MatrixXd::Zero(plate.element().finite_element().n_dofs_per_cell(),
+      Eigen::MatrixXd::Zero(plate.element.finite_element().n_dofs_per_cell(),
                             strains.cols());
     for (Eigen::Index cell = 0; cell < of_cells.cols(); ++cell)
       {
@@ -100,7 +100,7 @@ namespace PlateImpact
         of_cells(deflections, cell) =
           SlopeSquares::derivative(slopes.col(cell)).transpose() * of_squares;
       }
-    return plate.n_parts() * plate.free_unknowns().forces(of_cells);
+    return plate.n_parts * plate.free_unknowns().forces(of_cells);
   }
 
 
@@ -116,7 +116,7 @@ namespace PlateImpact
     for (Eigen::Index cell = 0; cell < strains.cols(); ++cell)
       sum += strains.col(cell).dot(2. * forces.col(cell) +
                                    forces_of(cell, strains.col(cell)));
-    return damping * plate.n_parts() * sum;
+    return damping * plate.n_parts * sum;
   }
 
 
@@ -142,7 +142,7 @@ namespace PlateImpact
         const Eigen::MatrixXd of_causes =
           forces_of_unknowns(cell).transpose() * strains;
         const unsigned int n_dofs =
-          plate.element().finite_element().n_dofs_per_cell();
+          plate.element.finite_element().n_dofs_per_cell();
         Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n_dofs, n_dofs);
         K(deflections, deflections) =
           strains.transpose() * forces / (1. + 2. * damping);

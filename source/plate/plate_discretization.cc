@@ -145,39 +145,6 @@ namespace PlateImpact
       matrix->FillComplete();
       return matrix;
     }
-
-
-
-    /// Motions as a rigid body: along z, about y and x, and of plates that
-    /// stretch along x and y and about z. The size makes all alike.
-    class RigidMotion : public Function<2>
-    {
-    public:
-      RigidMotion(const unsigned int number,
-                  const unsigned int n_components,
-                  const double       size)
-        : Function<2>(n_components)
-        , number(number)
-        , size(size)
-      {}
-
-      double
-      value(const Point<2> &p, const unsigned int component) const override
-      {
-        const double x = p[0] / size, y = p[1] / size, slope = 1. / size;
-        const double motions[6][5] = {{1., 0., 0., 0., 0.},
-                                      {x, slope, 0., 0., 0.},
-                                      {y, 0., slope, 0., 0.},
-                                      {0., 0., 0., 1., 0.},
-                                      {0., 0., 0., 0., 1.},
-                                      {0., 0., 0., -y, x}};
-        return motions[number][component];
-      }
-
-    private:
-      const unsigned int number;
-      const double       size;
-    };
   } // namespace
 
 
@@ -185,18 +152,17 @@ namespace PlateImpact
   PlateDiscretization::PlateDiscretization(const Triangulation<2> &mesh,
                                            const PlateElement     &element,
                                            const PlateParameters  &plate,
-                                           const double            multiplicity)
-    : plate_element(element)
+                                           const double n_parts)
+    : element(element)
+    , n_parts(n_parts > 0. ? n_parts : geometry_of(plate).n_parts())
     , plate_section(plate)
-    , multiplicity(multiplicity > 0. ? multiplicity :
-                                       geometry_of(plate).n_parts())
     , dofs(mesh)
   {
     if (element.stretching != plate_section.stretching)
       throw std::logic_error("the element has not the unknowns of the section");
     dofs.distribute_dofs(element.finite_element());
     DoFTools::make_hanging_node_constraints(dofs, constraints);
-    plate_element.add_internal_constraints(dofs, constraints);
+    element.add_internal_constraints(dofs, constraints);
     holds_deflection = hold_edges(dofs, plate, constraints);
     constraints.close();
     unknowns.reinit(dofs, constraints);
@@ -211,7 +177,7 @@ namespace PlateImpact
           shape = known.insert({congruence_key(cell, tolerance), shape})
                     .first->second;
         if (shape == shapes.size())
-          shapes.push_back(plate_element.shape(cell));
+          shapes.push_back(element.shape(cell));
         shape_of_cell.push_back(shape);
       }
   }
@@ -245,8 +211,8 @@ namespace PlateImpact
     std::vector<Eigen::MatrixXd> K_of_shape, M_of_shape;
     for (const CellShape &shape : shapes)
       {
-        K_of_shape.push_back(plate_element.stiffness(shape, plate_section));
-        M_of_shape.push_back(plate_element.mass(shape, plate_section));
+        K_of_shape.push_back(element.stiffness(shape, plate_section));
+        M_of_shape.push_back(element.mass(shape, plate_section));
       }
     add_cells(
       [&](const unsigned int cell) { return K_of_shape[shape_of_cell[cell]]; },
@@ -268,7 +234,7 @@ namespace PlateImpact
     for (unsigned int cell = 0; cell < shape_of_cell.size(); ++cell)
       {
         const auto            of_cell = unknowns.of_cell(cell);
-        const Eigen::MatrixXd A       = multiplicity *
+        const Eigen::MatrixXd A       = n_parts *
           unknowns.resolve_constraints(cell, of_cell, matrix_of(cell));
         // symmetric, so that a column is a row
         for (Eigen::Index j = 0; j < A.cols(); ++j)
@@ -295,7 +261,7 @@ namespace PlateImpact
   PlateDiscretization::load(const std::vector<LoadPoint> &points,
                             const double                  rotation_factor) const
   {
-    const FESystem<2>      &fe     = plate_element.finite_element();
+    const FESystem<2>      &fe     = element.finite_element();
     const FiniteElement<2> &scalar = fe.base_element(0);
     Eigen::MatrixXd         on_cells =
       Eigen::MatrixXd::Zero(fe.n_dofs_per_cell(), mesh().n_active_cells());
@@ -325,19 +291,36 @@ namespace PlateImpact
   unsigned int
   PlateDiscretization::n_rigid_motions() const
   {
-    const double       size      = GridTools::diameter(mesh());
-    const unsigned int n_motions = stretches() ? 6 : 3;
+    // Along z, about y and x, and of plates that stretch along x and y and
+    // about z. The size makes all alike.
+    const double size   = GridTools::diameter(mesh());
+    const auto   motion = [size](const unsigned int k,
+                               const unsigned int component,
+                               const Point<2>    &p) {
+      const double x = p[0] / size, y = p[1] / size, slope = 1. / size;
+      const double motions[6][5] = {{1., 0., 0., 0., 0.},
+                                    {x, slope, 0., 0., 0.},
+                                    {y, 0., slope, 0., 0.},
+                                    {0., 0., 0., 1., 0.},
+                                    {0., 0., 0., 0., 1.},
+                                    {0., 0., 0., -y, x}};
+      return motions[k][component];
+    };
+    const unsigned int n_motions =
+      plate_section.stretching != Stretching::none ? 6 : 3;
     // by how much each fails what is held, all of which is at the boundary
     const IndexSet  boundary = DoFTools::extract_boundary_dofs(dofs);
     Eigen::MatrixXd misfit(boundary.n_elements(), n_motions);
     for (unsigned int k = 0; k < n_motions; ++k)
       {
+        std::vector<std::function<double(const Point<2> &)>> components;
+        for (unsigned int c = 0; c < dofs.get_fe().n_components(); ++c)
+          components.push_back(
+            [=](const Point<2> &p) { return motion(k, c, p); });
         Vector<double> values(dofs.n_dofs());
         VectorTools::interpolate(mapping_of(mesh()),
                                  dofs,
-                                 RigidMotion(k,
-                                             dofs.get_fe().n_components(),
-                                             size),
+                                 FunctionFromFunctionObjects<2>(components),
                                  values);
         Vector<double> held = values;
         constraints.distribute(held);

@@ -2,6 +2,7 @@
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_values_extractors.h>
 #include <deal.II/grid/manifold.h>
 #include <deal.II/numerics/vector_tools_constraints.h>
 
@@ -65,22 +66,6 @@ namespace PlateImpact
     using Edges = std::set<types::boundary_id>;
 
 
-    void
-    hold_component(const DoFHandler<2>       &dof_handler,
-                   const types::boundary_id   edge,
-                   const unsigned int         component,
-                   AffineConstraints<double> &constraints)
-    {
-      ComponentMask mask(dof_handler.get_fe().n_components(), false);
-      mask.set(component, true);
-      DoFTools::make_zero_boundary_constraints(dof_handler,
-                                               edge,
-                                               constraints,
-                                               mask);
-    }
-
-
-
     /// Both components where edges, or sides of one, meet that hold two
     /// directions.
     void
@@ -134,17 +119,15 @@ namespace PlateImpact
       for (const auto &[edge, held] : on_edges)
         if (edge < edge_round || held.normal == held.tangential)
           {
-            const bool is_across_y = edge == symmetry_y || edge == edge_y;
-            if (held.normal)
-              hold_component(dof_handler,
-                             edge,
-                             first + is_across_y,
-                             constraints);
-            if (held.tangential)
-              hold_component(dof_handler,
-                             edge,
-                             first + !is_across_y,
-                             constraints);
+            const bool    is_across_y = edge == symmetry_y || edge == edge_y;
+            ComponentMask mask(dof_handler.get_fe().n_components(), false);
+            mask.set(first + is_across_y, held.normal);
+            mask.set(first + !is_across_y, held.tangential);
+            if (held.normal || held.tangential)
+              DoFTools::make_zero_boundary_constraints(dof_handler,
+                                                       edge,
+                                                       constraints,
+                                                       mask);
           }
         else
           (held.normal ? across : along).insert(edge);
@@ -186,7 +169,9 @@ namespace PlateImpact
     std::map<types::boundary_id, Held> rotations     = {{symmetry_x, mirrored},
                                                         {symmetry_y, mirrored}},
                                        displacements = rotations;
-    bool holds_deflection                            = false;
+    const ComponentMask of_deflection = dof_handler.get_fe().component_mask(
+      FEValuesExtractors::Scalar(deflection));
+    bool holds_deflection = false;
     for (const auto &[edge, support] : geometry.by_edge(plate.supports))
       {
         const SupportRow &row = row_of(support, support_rows);
@@ -194,7 +179,8 @@ namespace PlateImpact
         if (!row.deflection)
           continue;
         holds_deflection = true;
-        hold_component(dof_handler, edge, deflection, constraints);
+        DoFTools::make_zero_boundary_constraints(
+          dof_handler, edge, constraints, of_deflection);
         displacements[edge] =
           row_of(in_plane.at(edge), in_plane_rows).displacements;
       }
