@@ -341,8 +341,8 @@ namespace PlateImpact
       EffectiveStiffness matrices(model, SolverType::CHOLMOD);
       const double       period = 1. / natural_frequencies(matrices, 1)[0];
       // struck in the shape of its first mode, which it then keeps
-      const Eigen::VectorXd load = model.n_parts *
-        model.load(pressure_load(*mesh, [](const Point<2> &p) {
+      const Eigen::VectorXd load =
+        model.n_parts * model.load(pressure_load(*mesh, [](const Point<2> &p) {
           return std::cos(numbers::PI * p[0]) * std::cos(numbers::PI * p[1]);
         }));
       const Eigen::VectorXd at_centre = model.load({{Point<2>(), 1.}});

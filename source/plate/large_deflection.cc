@@ -59,8 +59,7 @@ namespace PlateImpact
                           causing = values(causes, Eigen::all);
     StretchedPlate result;
     result.slopes = SlopeSquares::slopes() * values(deflections, Eigen::all);
-    result.strains.resize(3 * plate.element.quadrature().size(),
-                          values.cols());
+    result.strains.resize(3 * plate.element.quadrature().size(), values.cols());
     result.forces.resize(result.strains.rows(), values.cols());
     for (Eigen::Index cell = 0; cell < values.cols(); ++cell)
       {

@@ -152,7 +152,7 @@ namespace PlateImpact
   PlateDiscretization::PlateDiscretization(const Triangulation<2> &mesh,
                                            const PlateElement     &element,
                                            const PlateParameters  &plate,
-                                           const double n_parts)
+                                           const double            n_parts)
     : element(element)
     , n_parts(n_parts > 0. ? n_parts : geometry_of(plate).n_parts())
     , plate_section(plate)

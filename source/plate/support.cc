@@ -179,8 +179,10 @@ namespace PlateImpact
         if (!row.deflection)
           continue;
         holds_deflection = true;
-        DoFTools::make_zero_boundary_constraints(
-          dof_handler, edge, constraints, of_deflection);
+        DoFTools::make_zero_boundary_constraints(dof_handler,
+                                                 edge,
+                                                 constraints,
+                                                 of_deflection);
         displacements[edge] =
           row_of(in_plane.at(edge), in_plane_rows).displacements;
       }
