@@ -126,10 +126,10 @@ namespace PlateImpact
                    const PlateDiscretization &fine,
                    const Eigen::VectorXd     &z_fine)
     {
-      std::vector<double> squares(model.mesh().n_active_cells(), 0.);
-      const auto         &points    = fine.element.quadrature().get_points();
-      const auto          stiffness = model.section().stiffness();
-      const int           level     = model.mesh().n_levels() - 1;
+      std::vector<double>        squares(model.mesh().n_active_cells(), 0.);
+      const auto                &points = fine.element.quadrature.get_points();
+      const auto                 stiffness = model.section().stiffness();
+      const int                  level     = model.mesh().n_levels() - 1;
       const dealii::MappingQ1<2> mapping;
       for (const auto &cell : fine.mesh().active_cell_iterators())
         {

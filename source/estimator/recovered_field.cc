@@ -140,7 +140,7 @@ namespace PlateImpact
                                shape.at_quadrature,
                                fields);
     recovered.evaluate(cell,
-                       discretization.element.quadrature().get_points(),
+                       discretization.element.quadrature.get_points(),
                        errors);
     errors -= resultants;
     for (unsigned int q = 0; q < shape.weights.size(); ++q)

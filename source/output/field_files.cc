@@ -91,7 +91,7 @@ namespace PlateImpact
   {
     const CycleResult         &result        = cycle.result;
     const PlateDiscretization &plate         = cycle.discretization();
-    const FESystem<2>         &plate_element = plate.element.finite_element();
+    const FESystem<2>         &plate_element = plate.element.finite_element;
     const unsigned int         n_unknowns    = plate_element.n_components();
     std::vector<std::string>   field_names   = {"deflection",
                                                 "rotation_x",

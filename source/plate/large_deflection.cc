@@ -59,7 +59,7 @@ namespace PlateImpact
                           causing = values(causes, Eigen::all);
     StretchedPlate result;
     result.slopes = SlopeSquares::slopes() * values(deflections, Eigen::all);
-    result.strains.resize(3 * plate.element.quadrature().size(), values.cols());
+    result.strains.resize(3 * plate.element.quadrature.size(), values.cols());
     result.forces.resize(result.strains.rows(), values.cols());
     for (Eigen::Index cell = 0; cell < values.cols(); ++cell)
       {
@@ -87,7 +87,7 @@ namespace PlateImpact
       (0.5 + damping) * end.forces,
                           slopes = 0.5 * (begin.slopes + end.slopes);
     Eigen::MatrixXd of_cells =
-      Eigen::MatrixXd::Zero(plate.element.finite_element().n_dofs_per_cell(),
+      Eigen::MatrixXd::Zero(plate.element.finite_element.n_dofs_per_cell(),
                             strains.cols());
     for (Eigen::Index cell = 0; cell < of_cells.cols(); ++cell)
       {
@@ -141,7 +141,7 @@ namespace PlateImpact
         const Eigen::MatrixXd of_causes =
           forces_of_unknowns(cell).transpose() * strains;
         const unsigned int n_dofs =
-          plate.element.finite_element().n_dofs_per_cell();
+          plate.element.finite_element.n_dofs_per_cell();
         Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n_dofs, n_dofs);
         K(deflections, deflections) =
           strains.transpose() * forces / (1. + 2. * damping);

@@ -160,7 +160,7 @@ namespace PlateImpact
   {
     if (element.stretching != plate_section.stretching)
       throw std::logic_error("the element has not the unknowns of the section");
-    dofs.distribute_dofs(element.finite_element());
+    dofs.distribute_dofs(element.finite_element);
     DoFTools::make_hanging_node_constraints(dofs, constraints);
     element.add_internal_constraints(dofs, constraints);
     holds_deflection = hold_edges(dofs, plate, constraints);
@@ -261,7 +261,7 @@ namespace PlateImpact
   PlateDiscretization::load(const std::vector<LoadPoint> &points,
                             const double                  rotation_factor) const
   {
-    const FESystem<2>      &fe     = element.finite_element();
+    const FESystem<2>      &fe     = element.finite_element;
     const FiniteElement<2> &scalar = fe.base_element(0);
     Eigen::MatrixXd         on_cells =
       Eigen::MatrixXd::Zero(fe.n_dofs_per_cell(), mesh().n_active_cells());

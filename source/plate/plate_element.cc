@@ -57,10 +57,10 @@ namespace PlateImpact
                              const Stretching  stretching)
     : type(type)
     , stretching(stretching)
-    , assumed_shear(row_of(type, elements).assumed_shear)
     , scalar_element(2)
-    , element(scalar_element, n_components(stretching))
-    , quadrature_points(3)
+    , finite_element(scalar_element, n_components(stretching))
+    , quadrature(3)
+    , assumed_shear(row_of(type, elements).assumed_shear)
   {}
 
 
@@ -70,7 +70,7 @@ namespace PlateImpact
   {
     std::vector<unsigned int> dofs;
     for (unsigned int node = 0; node < scalar_element.n_dofs_per_cell(); ++node)
-      dofs.push_back(element.component_to_system_index(component, node));
+      dofs.push_back(finite_element.component_to_system_index(component, node));
     return dofs;
   }
 
@@ -85,11 +85,11 @@ namespace PlateImpact
     // FE_Q(2) numbers the four corners first, then the midsides, then the
     // centre
     const unsigned int                   centre = 8;
-    std::vector<types::global_dof_index> dofs(element.n_dofs_per_cell());
+    std::vector<types::global_dof_index> dofs(finite_element.n_dofs_per_cell());
     for (const auto &cell : dof_handler.active_cell_iterators())
       {
         cell->get_dof_indices(dofs);
-        for (unsigned int c = 0; c < element.n_components(); ++c)
+        for (unsigned int c = 0; c < finite_element.n_components(); ++c)
           if (c == deflection ? row.constrains_deflection :
                                 row.constrains_others)
             {
@@ -122,14 +122,15 @@ namespace PlateImpact
     const unsigned int n_tying = tying.n_quadrature_points,
                        n       = values.n_quadrature_points;
 
-    const int n_dofs    = element.n_dofs_per_cell(),
+    const int n_dofs    = finite_element.n_dofs_per_cell(),
               n_strains = stretching == Stretching::none ? 5 : 8;
     CellStrains  result;
     CellOperator tied = CellOperator::Zero(2 * n_tying, n_dofs);
     result.linear     = CellOperator::Zero(n_strains * n, n_dofs);
     for (int i = 0; i < n_dofs; ++i)
       {
-        const auto [component, node] = element.system_to_component_index(i);
+        const auto [component, node] =
+          finite_element.system_to_component_index(i);
         // curvatures, and strains of the middle surface
         const unsigned int row = component < displacement_x ? 0 : 5;
         for (unsigned int q = 0; q < n; ++q)
@@ -194,13 +195,13 @@ namespace PlateImpact
   {
     FEValues<2> values(mapping_of(cell),
                        scalar_element,
-                       quadrature_points,
+                       quadrature,
                        update_JxW_values);
     values.reinit(cell);
-    return {strains_at(cell, quadrature_points),
+    return {strains_at(cell, quadrature),
             strains_at(cell, QGauss<2>(2)),
             Eigen::Map<const Eigen::VectorXd>(values.get_JxW_values().data(),
-                                              quadrature_points.size())};
+                                              quadrature.size())};
   }
 
 
@@ -209,7 +210,7 @@ namespace PlateImpact
   PlateElement::stiffness(const CellShape    &shape,
                           const PlateSection &section) const
   {
-    const int n_dofs                 = element.n_dofs_per_cell(),
+    const int n_dofs                 = finite_element.n_dofs_per_cell(),
               n_strains              = section.n_resultants();
     const Eigen::MatrixXd by_strains = section.stiffness();
     Eigen::MatrixXd       K          = Eigen::MatrixXd::Zero(n_dofs, n_dofs);
@@ -229,17 +230,15 @@ namespace PlateImpact
   Eigen::MatrixXd
   PlateElement::mass(const CellShape &shape, const PlateSection &section) const
   {
-    Eigen::MatrixXd N(quadrature_points.size(),
-                      scalar_element.n_dofs_per_cell());
+    Eigen::MatrixXd N(quadrature.size(), scalar_element.n_dofs_per_cell());
     for (Eigen::Index q = 0; q < N.rows(); ++q)
       for (Eigen::Index node = 0; node < N.cols(); ++node)
-        N(q, node) =
-          scalar_element.shape_value(node, quadrature_points.point(q));
+        N(q, node) = scalar_element.shape_value(node, quadrature.point(q));
     const Eigen::MatrixXd of_component =
       N.transpose() * shape.weights.asDiagonal() * N;
-    const unsigned int n_dofs = element.n_dofs_per_cell();
+    const unsigned int n_dofs = finite_element.n_dofs_per_cell();
     Eigen::MatrixXd    M      = Eigen::MatrixXd::Zero(n_dofs, n_dofs);
-    for (unsigned int c = 0; c < element.n_components(); ++c)
+    for (unsigned int c = 0; c < finite_element.n_components(); ++c)
       M(dofs_of(c), dofs_of(c)) = of_component *
         (c == rotation_x || c == rotation_y ? section.rotary_inertia :
                                               section.mass_per_area);

@@ -101,8 +101,7 @@ namespace PlateImpact
   void
   PlateSection::set_plies(const PlateParameters &plate)
   {
-    const Ply            ply(ply_of(plate));
-    const PlyParameters &constants = ply.constants();
+    const Ply ply(ply_of(plate));
     // an isotropic plate is a laminate of one ply
     const auto angles =
       is_laminate ? plate.layup.angles : std::vector<double>{0.};
@@ -132,8 +131,8 @@ namespace PlateImpact
         turn << c, s, -s, c;
         shear_moduli.push_back(
           turn.transpose() *
-          Eigen::Vector2d(constants.longitudinal_shear_modulus,
-                          constants.transverse_shear_modulus)
+          Eigen::Vector2d(ply.constants.longitudinal_shear_modulus,
+                          ply.constants.transverse_shear_modulus)
             .asDiagonal() *
           turn);
         shear_stiffness += shear_correction_factor * t * shear_moduli.back();
@@ -146,7 +145,7 @@ namespace PlateImpact
     half_space_compliance = 1. / ply.half_space_modulus();
     poissons_ratio        = ply.layer_poissons_ratio();
     shear_modulus   = 0.5 * (1. - poissons_ratio) * ply.half_space_modulus();
-    contact_modulus = constants.transverse_modulus;
+    contact_modulus = ply.constants.transverse_modulus;
   }
 
 

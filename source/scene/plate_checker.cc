@@ -86,7 +86,7 @@ namespace PlateImpact
   SceneChecker::check_ply()
   {
     const Ply    ply(plate.ply);
-    const double derived = ply.constants().transverse_poissons_ratio;
+    const double derived = ply.constants.transverse_poissons_ratio;
     if (plate.ply.transverse_poissons_ratio == 0. &&
         !(derived >= 0. && derived <= 0.6))
       return refuse({"Ply/Transverse Poisson's ratio",

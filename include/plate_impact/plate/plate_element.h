@@ -75,23 +75,14 @@ namespace PlateImpact
   class PlateElement
   {
   public:
-    const ElementType type;
-    const Stretching  stretching;
+    const ElementType         type;
+    const Stretching          stretching;
+    const dealii::FE_Q<2>     scalar_element; ///< of each component
+    const dealii::FESystem<2> finite_element;
+    const dealii::QGauss<2>   quadrature;
 
     explicit PlateElement(ElementType type,
                           Stretching  stretching = Stretching::none);
-
-    const dealii::FESystem<2> &
-    finite_element() const
-    {
-      return element;
-    }
-
-    const dealii::Quadrature<2> &
-    quadrature() const
-    {
-      return quadrature_points;
-    }
 
     /// The dofs of a cell that are values of a component, node by node.
     std::vector<unsigned int>
@@ -126,9 +117,6 @@ namespace PlateImpact
     mass(const CellShape &shape, const PlateSection &section) const;
 
   private:
-    const AssumedShear        assumed_shear;
-    const dealii::FE_Q<2>     scalar_element;
-    const dealii::FESystem<2> element;
-    const dealii::QGauss<2>   quadrature_points;
+    const AssumedShear assumed_shear;
   };
 } // namespace PlateImpact
