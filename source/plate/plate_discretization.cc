@@ -25,7 +25,6 @@
 #include <cmath>
 #include <iterator>
 #include <map>
-#include <optional>
 #include <stdexcept>
 
 namespace PlateImpact
@@ -50,41 +49,11 @@ namespace PlateImpact
 
 
 
-    /// Unit coordinates of a point within a cell; empty when it lies outside.
-    std::optional<Point<2>>
-    position_in(const Triangulation<2>::active_cell_iterator &cell,
-                const Point<2>                               &point)
-    {
-      try
-        {
-          const Point<2> unit =
-            mapping_of(cell).transform_real_to_unit_cell(cell, point);
-          if (GeometryInfo<2>::is_inside_unit_cell(unit, 1e-9))
-            return unit;
-        }
-      catch (const Mapping<2>::ExcTransformationFailed &)
-        {
-          // far outside of a distorted cell
-        }
-      return {};
-    }
-
-
-
-    /// A point of a load.
-    struct PointInCell
-    {
-      Triangulation<2>::active_cell_iterator cell;
-      Point<2>                               unit;
-      double                                 weight;
-    };
-
-
-
-    /// Points of a load, cell by cell, in each from left to right.
+    /// The points of a load in each cell that has some, from left to right.
     /// @throws ComputationError when a point lies outside of the mesh
-    std::vector<PointInCell>
-    find_cells(const Triangulation<2> &mesh, std::vector<LoadPoint> points)
+    std::vector<
+      std::pair<Triangulation<2>::active_cell_iterator, Quadrature<2>>>
+    load_on_cells(const Triangulation<2> &mesh, std::vector<LoadPoint> points)
     {
       std::sort(points.begin(),
                 points.end(),
@@ -94,9 +63,11 @@ namespace PlateImpact
       std::vector<Point<2>> positions;
       for (const LoadPoint &point : points)
         positions.push_back(point.point);
-      const auto               tree = pack_rtree_of_indices(positions);
-      std::vector<bool>        is_found(points.size(), false);
-      std::vector<PointInCell> found;
+      const auto tree = pack_rtree_of_indices(positions);
+      std::vector<
+        std::pair<Triangulation<2>::active_cell_iterator, Quadrature<2>>>
+                        result;
+      std::vector<bool> is_found(points.size(), false);
       for (const auto &cell : mesh.active_cell_iterators())
         {
           BoundingBox<2> box = cell->bounding_box();
@@ -107,18 +78,28 @@ namespace PlateImpact
           std::vector<std::size_t> near;
           tree.query(boost::geometry::index::intersects(box),
                      std::back_inserter(near));
+          if (near.empty())
+            continue;
           std::sort(near.begin(), near.end());
+          std::vector<Point<2>> real, unit(near.size()), within;
           for (const std::size_t p : near)
-            if (!is_found[p])
-              if (const auto unit = position_in(cell, positions[p]))
-                {
-                  is_found[p] = true;
-                  found.push_back({cell, *unit, points[p].weight});
-                }
+            real.push_back(positions[p]);
+          mapping_of(cell).transform_points_real_to_unit_cell(cell, real, unit);
+          std::vector<double> weights;
+          for (std::size_t i = 0; i < near.size(); ++i)
+            if (!is_found[near[i]] &&
+                GeometryInfo<2>::is_inside_unit_cell(unit[i], 1e-9))
+              {
+                is_found[near[i]] = true;
+                within.push_back(unit[i]);
+                weights.push_back(points[near[i]].weight);
+              }
+          if (!within.empty())
+            result.emplace_back(cell, Quadrature<2>(within, weights));
         }
-      if (found.size() < points.size())
+      if (std::count(is_found.begin(), is_found.end(), false) > 0)
         throw ComputationError("the load distribution reaches beyond the mesh");
-      return found;
+      return result;
     }
 
 
@@ -265,23 +246,24 @@ namespace PlateImpact
     const FiniteElement<2> &scalar = fe.base_element(0);
     Eigen::MatrixXd         on_cells =
       Eigen::MatrixXd::Zero(fe.n_dofs_per_cell(), mesh().n_active_cells());
-    for (const auto &[cell, unit, force] : find_cells(mesh(), points))
+    for (const auto &[cell, forces] : load_on_cells(mesh(), points))
       {
-        auto on_cell = on_cells.col(cell->active_cell_index());
-        for (unsigned int i = 0; i < scalar.n_dofs_per_cell(); ++i)
-          on_cell[fe.component_to_system_index(deflection, i)] +=
-            force * scalar.shape_value(i, unit);
-        if (rotation_factor == 0.)
-          continue;
         FEValues<2> values(mapping_of(cell),
                            scalar,
-                           Quadrature<2>(unit),
-                           update_gradients);
+                           forces,
+                           update_values | update_gradients);
         values.reinit(cell);
-        for (unsigned int i = 0; i < scalar.n_dofs_per_cell(); ++i)
-          for (const unsigned int d : {0, 1})
-            on_cell[fe.component_to_system_index(rotation_x + d, i)] +=
-              force * rotation_factor * values.shape_grad(i, 0)[d];
+        auto on_cell = on_cells.col(cell->active_cell_index());
+        for (unsigned int p = 0; p < forces.size(); ++p)
+          for (unsigned int i = 0; i < scalar.n_dofs_per_cell(); ++i)
+            {
+              on_cell[fe.component_to_system_index(deflection, i)] +=
+                forces.weight(p) * values.shape_value(i, p);
+              for (const unsigned int d : {0, 1})
+                on_cell[fe.component_to_system_index(rotation_x + d, i)] +=
+                  forces.weight(p) * rotation_factor *
+                  values.shape_grad(i, p)[d];
+            }
       }
     return unknowns.forces(on_cells);
   }
