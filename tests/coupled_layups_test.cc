@@ -71,7 +71,7 @@ namespace PlateImpact
           const PlateParameters plate = unsymmetric_plate(angles, in_plane);
           const PlateSection    section(plate);
           const bool is_cross_ply = in_plane == InPlaneSupport::held_along;
-          EXPECT_EQ(section.stretching(), Stretching::linear);
+          EXPECT_EQ(section.stretching, Stretching::linear);
           EXPECT_EQ(plate.is_skew, !is_cross_ply);
           const double a = numbers::PI / plate.side_lengths[0],
                        b = numbers::PI / plate.side_lengths[1];
@@ -100,14 +100,14 @@ namespace PlateImpact
           EXPECT_NEAR(natural_frequencies(matrices, 1)[0] / frequency,
                       1.,
                       1e-3);
-          const Eigen::VectorXd load = model.n_parts() *
+          const Eigen::VectorXd load = model.n_parts *
             model.load(pressure_load(*mesh, [&](const Point<2> &p) {
               return std::cos(a * p[0]) * std::cos(b * p[1]);
             }));
           const Eigen::VectorXd z = solve_static(model, load);
           const Eigen::VectorXd at_centre =
-            model.load({{Point<2>(), 1. / model.n_parts()}});
-          EXPECT_NEAR(model.n_parts() * at_centre.dot(z) / deflection, 1., 1e-3)
+            model.load({{Point<2>(), 1. / model.n_parts}});
+          EXPECT_NEAR(model.n_parts * at_centre.dot(z) / deflection, 1., 1e-3)
             << angles.size();
         }
     }

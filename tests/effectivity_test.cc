@@ -94,7 +94,7 @@ namespace PlateImpact
 
       const NavierPlate     exact(model.section());
       const MappingQ1<2>    mapping;
-      const Quadrature<2>  &quadrature = element.quadrature();
+      const Quadrature<2>  &quadrature = element.quadrature;
       const StressRecovery  recovery(mesh);
       const Eigen::MatrixXd recovered =
         recovered_resultants(model, recovery, z, quadrature.get_points())

@@ -234,7 +234,7 @@ namespace PlateImpact
                 double w = 0.;
                 for (unsigned int node = 0; node < 9; ++node)
                   w += scalar.shape_value(node, unit) *
-                    values(element.finite_element()
+                    values(element.finite_element
                              .component_to_system_index(deflection, node),
                            0);
                 const double   h = cell->extent_in_direction(0);

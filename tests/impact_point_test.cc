@@ -54,9 +54,9 @@ namespace PlateImpact
           const auto            mesh  = make_plate_mesh(plate, {{5, 4}});
           const PlateElement    element(ElementType::MITC9);
           PlateDiscretization   model(*mesh, element, plate);
-          EXPECT_EQ(model.n_parts(), c.parts);
-          EXPECT_EQ(geometry_of(plate)->is_symmetric(0) +
-                      geometry_of(plate)->is_symmetric(1),
+          EXPECT_EQ(model.n_parts, c.parts);
+          EXPECT_EQ(geometry_of(plate).is_symmetric[0] +
+                      geometry_of(plate).is_symmetric[1],
                     c.n_symmetric);
           double area                 = 0.;
           bool   has_vertex_at_impact = false;

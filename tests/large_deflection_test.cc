@@ -67,7 +67,7 @@ namespace PlateImpact
       const PlateElement  element(type, Stretching::large);
       PlateDiscretization model(*mesh, element, plate);
       model.assemble();
-      const Eigen::VectorXd of_unit = model.n_parts() *
+      const Eigen::VectorXd of_unit = model.n_parts *
         model.load(pressure_load(*mesh, [](const Point<2> &) { return 1.; }));
       const Eigen::VectorXd at_centre = model.load({{Point<2>(), 1.}});
       Eigen::VectorXd       z         = Eigen::VectorXd::Zero(of_unit.size());
@@ -341,8 +341,8 @@ namespace PlateImpact
       EffectiveStiffness matrices(model, SolverType::CHOLMOD);
       const double       period = 1. / natural_frequencies(matrices, 1)[0];
       // struck in the shape of its first mode, which it then keeps
-      const Eigen::VectorXd load = model.n_parts() *
-        model.load(pressure_load(*mesh, [](const Point<2> &p) {
+      const Eigen::VectorXd load =
+        model.n_parts * model.load(pressure_load(*mesh, [](const Point<2> &p) {
           return std::cos(numbers::PI * p[0]) * std::cos(numbers::PI * p[1]);
         }));
       const Eigen::VectorXd at_centre = model.load({{Point<2>(), 1.}});

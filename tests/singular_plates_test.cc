@@ -126,10 +126,10 @@ namespace PlateImpact
                    const PlateDiscretization &fine,
                    const Eigen::VectorXd     &z_fine)
     {
-      std::vector<double> squares(model.mesh().n_active_cells(), 0.);
-      const auto         &points    = fine.element().quadrature().get_points();
-      const auto          stiffness = model.section().stiffness();
-      const int           level     = model.mesh().n_levels() - 1;
+      std::vector<double>        squares(model.mesh().n_active_cells(), 0.);
+      const auto                &points = fine.element.quadrature.get_points();
+      const auto                 stiffness = model.section().stiffness();
+      const int                  level     = model.mesh().n_levels() - 1;
       const dealii::MappingQ1<2> mapping;
       for (const auto &cell : fine.mesh().active_cell_iterators())
         {
@@ -154,7 +154,7 @@ namespace PlateImpact
             resultants_at(model,
                           c,
                           stiffness,
-                          model.element().strains_at(coarse, unit_points),
+                          model.element.strains_at(coarse, unit_points),
                           z);
           const auto &weights = fine.shape(cell->active_cell_index()).weights;
           for (unsigned int q = 0; q < points.size(); ++q)

@@ -222,7 +222,7 @@ namespace PlateImpact
     const double slow = std::acos(-1.) *
       std::sqrt(32. / 3. * expected.section.mean_bending_stiffness() *
                 plate.ply.mode_2_toughness);
-    const double there_and_back = 2. * geometry_of(plate)->distance_to_edge() /
+    const double there_and_back = 2. * geometry_of(plate).distance_to_edge /
       expected.wave_of(2. * peak.time).group_speed;
     const bool is_of_small_mass = peak.time < there_and_back;
     return Delamination{is_of_small_mass ? 1.213 * slow : slow,

@@ -39,7 +39,7 @@ namespace PlateImpact
     : scene(scene)
     , is_for_peak(scene.adaptivity.is_for_peak_force())
     , length_of_rise(2.5 * expected.peak.time)
-    , return_of_waves(2. * geometry_of(scene.plate)->distance_to_edge() /
+    , return_of_waves(2. * geometry_of(scene.plate).distance_to_edge /
                       expected.wave().group_speed)
   {}
 

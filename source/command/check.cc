@@ -162,9 +162,9 @@ namespace PlateImpact
              const Expectation &expected)
     try
       {
-        const Expectation::Cost cost = expected.cost(parameters);
-        const Stretching stretching  = expected.zener.section.stretching();
-        const double     n_fields    = stretching == Stretching::none ? 3. : 5.;
+        const Expectation::Cost cost       = expected.cost(parameters);
+        const Stretching        stretching = expected.zener.section.stretching;
+        const double n_fields = stretching == Stretching::none ? 3. : 5.;
         text.line(
           "cost",
           format("of the order of {} cells, {} unknowns, {} steps{} a mesh",

@@ -44,10 +44,11 @@ namespace PlateImpact
       // Zener's equation, which gives short waves, is of no help for a cylinder
       for (unsigned int d = 0; d < 2; ++d)
         if (scene.impactor.is_cylinder())
-          n_cells[d] = static_cast<unsigned int>(std::clamp(
-            2. * (geometry->end(d) - geometry->begin(d)) / wavelength + 1.,
-            8.,
-            32.));
+          n_cells[d] = static_cast<unsigned int>(
+            std::clamp(2. * (geometry.end[d] - geometry.begin[d]) / wavelength +
+                         1.,
+                       8.,
+                       32.));
       Parameters parameters      = scene;
       parameters.time.integrator = IntegratorType::Ritz_vectors;
       parameters.time.end_time   = 1.5 * expected_contact_time;
@@ -131,8 +132,8 @@ namespace PlateImpact
        0.5 * parameters.impactor.length :
        patch;
     return std::max(0.,
-                    std::min(geometry->distance_to_edge(0) - along_x,
-                             geometry->distance_to_edge(1) -
+                    std::min(geometry.distance_along[0] - along_x,
+                             geometry.distance_along[1] -
                                (parameters.contact.load_is_line() ? 0. :
                                                                     patch)));
   }
@@ -195,8 +196,6 @@ namespace PlateImpact
     const TimeParameters &time = parameters.time;
     const double          end =
       time.end_time > 0. ? time.end_time : contact_end.value_or(until);
-    return {geometry_of(parameters.plate)
-              ->n_initial_cells(parameters.discretization.initial_cells),
-            end / time.time_step};
+    return {n_initial_cells(parameters), end / time.time_step};
   }
 } // namespace PlateImpact

@@ -38,7 +38,7 @@ namespace PlateImpact
     // jumps of slopes and of rotations as energies
     const PlateSection &section = discretization.section();
     std::vector<double> roots(
-      discretization.element().finite_element().n_components(),
+      discretization.element.finite_element.n_components(),
       std::sqrt(section.membrane_stiffness.topLeftCorner<2, 2>().trace() / 2.));
     roots[deflection] = std::sqrt(section.mean_shear_stiffness());
     roots[rotation_x] = roots[rotation_y] =

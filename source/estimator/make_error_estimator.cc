@@ -60,9 +60,8 @@ namespace PlateImpact
       -1.;
     const bool   is_interior =
       parameters.adaptivity.recovery_patches == RecoveryPatches::interior;
-    const auto                geometry = geometry_of(parameters.plate);
-    const std::array<bool, 2> mirrors  = {
-       {geometry->is_symmetric(0), geometry->is_symmetric(1)}};
+    const std::array<bool, 2> mirrors =
+      geometry_of(parameters.plate).is_symmetric;
     return StressRecovery(mesh, [=](const Point<2> &point) {
       const bool is_on_plane =
         (mirrors[0] && point[0] == 0.) || (mirrors[1] && point[1] == 0.);

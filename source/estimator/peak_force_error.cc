@@ -114,7 +114,7 @@ namespace PlateImpact
     const Products products = products_of(system, motions);
     EnergyRoots    roots(discretization, recovery, products.fields);
     // integrals are over one of the parts of the plate
-    const double   factor = discretization.n_parts() / peak;
+    const double   factor = discretization.n_parts / peak;
     PeakForceError result;
     result.cells.resize(discretization.mesh().n_active_cells());
     for (const auto &cell : discretization.mesh().active_cell_iterators())

@@ -140,7 +140,7 @@ namespace PlateImpact
                                shape.at_quadrature,
                                fields);
     recovered.evaluate(cell,
-                       discretization.element().quadrature().get_points(),
+                       discretization.element.quadrature.get_points(),
                        errors);
     errors -= resultants;
     for (unsigned int q = 0; q < shape.weights.size(); ++q)
@@ -185,7 +185,7 @@ namespace PlateImpact
         return result;
       }
     const Eigen::MatrixXd all =
-      discretization.element().evaluate(strains, nodal_values);
+      discretization.element.evaluate(strains, nodal_values);
     for (Eigen::Index row = 0; row < linear.rows(); row += m)
       by_row.middleRows(row, m).noalias() = factor * all.middleRows(row, m);
     return result;

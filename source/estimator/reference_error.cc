@@ -56,7 +56,7 @@ namespace PlateImpact
       times.push_back(snapshot.time);
     const Eigen::MatrixXd        states = columns(snapshots);
     const std::vector<Point<2>> &unit_points =
-      fine.element().quadrature().get_points();
+      fine.element.quadrature.get_points();
     const unsigned int m = fine.section().n_resultants();
     exact.resize(m * unit_points.size() * fine.mesh().n_active_cells(),
                  times.size());
@@ -86,7 +86,7 @@ namespace PlateImpact
     const Eigen::MatrixXd        states  = columns(snapshots);
     std::vector<Eigen::MatrixXd> of_cell(
       discretization.mesh().n_active_cells());
-    const Quadrature<2> &quadrature = discretization.element().quadrature();
+    const Quadrature<2> &quadrature = discretization.element.quadrature;
     // between the points of a tensor-product Gauss rule
     const FE_DGQArbitraryNodes<2> interpolation(
       QGauss<1>(std::lround(std::sqrt(quadrature.size()))));

@@ -47,7 +47,7 @@ namespace PlateImpact
                 const std::vector<const Snapshot *> &frames,
                 const std::vector<Point<2>>         &unit_points)
     {
-      const FESystem<2> &element = discretization.element().finite_element();
+      const FESystem<2> &element = discretization.element.finite_element;
       Eigen::MatrixXd    shapes(unit_points.size(), element.n_dofs_per_cell());
       for (std::size_t p = 0; p < unit_points.size(); ++p)
         for (unsigned int i = 0; i < element.n_dofs_per_cell(); ++i)

@@ -91,7 +91,7 @@ namespace PlateImpact
   {
     const CycleResult         &result        = cycle.result;
     const PlateDiscretization &plate         = cycle.discretization();
-    const FESystem<2>         &plate_element = plate.element().finite_element();
+    const FESystem<2>         &plate_element = plate.element.finite_element;
     const unsigned int         n_unknowns    = plate_element.n_components();
     std::vector<std::string>   field_names   = {"deflection",
                                                 "rotation_x",
@@ -170,7 +170,7 @@ namespace PlateImpact
                                2,
                                DataOut<2>::CurvedCellRegion::curved_boundary);
         for (const unsigned int d : {0, 1})
-          if (geometry_of(cycle.parameters.plate)->is_symmetric(d))
+          if (geometry_of(cycle.parameters.plate).is_symmetric[d])
             data_out.mirror(d, odd[d]);
         const std::string name =
           "fields_" + std::to_string(record.size()) + ".vtu";

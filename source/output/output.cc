@@ -235,7 +235,7 @@ namespace PlateImpact
           out,
           mesh,
           caption_of(result,
-                     geometry_of(scene.parameters.plate)->n_parts() == 4.),
+                     geometry_of(scene.parameters.plate).n_parts() == 4.),
           result.element_errors());
       });
     if (scene.parameters.output.write_report)

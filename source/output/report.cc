@@ -170,7 +170,7 @@ namespace PlateImpact
               resultants_at(plate,
                             cell->active_cell_index(),
                             stiffness,
-                            plate.element().strains_at(cell, unit_points),
+                            plate.element.strains_at(cell, unit_points),
                             state.unknowns));
           RowMajorMatrix smooth;
           field.evaluate(cell, unit_points, smooth);

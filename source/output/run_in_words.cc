@@ -52,7 +52,7 @@ namespace PlateImpact
     std::string
     stretching_in_words(const PlateParameters &plate)
     {
-      if (PlateSection(plate).stretching() == Stretching::none)
+      if (PlateSection(plate).stretching == Stretching::none)
         return "";
       return ", " + supports_in_words(plate.in_plane_supports) +
         " in its plane" +
@@ -67,8 +67,8 @@ namespace PlateImpact
   {
     const PlateParameters &plate = parameters.plate;
     const PrefixedUnit     side("m",
-                            std::max(geometry_of(plate)->side_length(0),
-                                     geometry_of(plate)->side_length(1))),
+                            std::max(geometry_of(plate).side_lengths[0],
+                                     geometry_of(plate).side_lengths[1])),
       thickness("m", plate.thickness);
     const std::string extent = plate.is_circle() ?
       "round plate of " + side.text(plate.side_lengths[0]) + " diameter, " :
@@ -76,8 +76,8 @@ namespace PlateImpact
            std::filesystem::path(plate.outline.file).filename().string() +
            ") of " :
                               "plate of ") +
-        number(side(geometry_of(plate)->side_length(0))) + " × " +
-        side.text(geometry_of(plate)->side_length(1)) + ", ";
+        number(side(geometry_of(plate).side_lengths[0])) + " × " +
+        side.text(geometry_of(plate).side_lengths[1]) + ", ";
     const std::string target = extent + thickness.text(plate.thickness) +
       " thick, " +
       (plate.is_laminate() ? "plies " + plate.layup.text + ", " : "") +

@@ -152,7 +152,7 @@ namespace PlateImpact
              {{"radius", radius},
               {"isDisc", radius > 0. && !contact.load_has_length()}}},
             {"symmetric",
-             {geometry_of(plate)->is_symmetric(0),
-              geometry_of(plate)->is_symmetric(1)}}};
+             {geometry_of(plate).is_symmetric[0],
+              geometry_of(plate).is_symmetric[1]}}};
   }
 } // namespace PlateImpact

@@ -1,8 +1,9 @@
-#include "plate_impact/plate/boundary_arcs.h"
-
+// Round edges of a plate from a file.
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/numbers.h>
 #include <deal.II/grid/manifold_lib.h>
+
+#include "plate_impact/plate/plate_file.h"
 
 #include <Eigen/Dense>
 

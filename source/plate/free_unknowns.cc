@@ -59,35 +59,26 @@ namespace PlateImpact
 
 
 
-  void
+  Eigen::MatrixXd
   FreeUnknowns::resolve_constraints(
     const unsigned int                          cell,
     const std::vector<types::global_dof_index> &unknowns,
-    const CellMatrix                           &matrix,
-    Eigen::MatrixXd                            &result) const
+    const Eigen::MatrixXd                      &matrix) const
   {
-    struct Weight
-    {
-      int    row, position; ///< of a nodal value, of an unknown
-      double value;
-    };
-    std::vector<Weight> weights;
+    using Weights = decltype(nodal_values_of_cells);
+    Weights weights(n_cell_dofs, unknowns.size());
     for (int i = 0; i < n_cell_dofs; ++i)
-      for (decltype(nodal_values_of_cells)::InnerIterator
-             entry(nodal_values_of_cells, n_cell_dofs * cell + i);
+      for (Weights::InnerIterator entry(nodal_values_of_cells,
+                                        n_cell_dofs * cell + i);
            entry;
            ++entry)
-        weights.push_back(
-          {i,
-           static_cast<int>(
-             std::lower_bound(unknowns.begin(), unknowns.end(), entry.col()) -
-             unknowns.begin()),
-           entry.value()});
-    result.setZero(unknowns.size(), unknowns.size());
-    for (const Weight &l : weights)
-      for (const Weight &k : weights)
-        result(k.position, l.position) +=
-          k.value * l.value * matrix(k.row, l.row);
+        weights.insert(i,
+                       std::lower_bound(unknowns.begin(),
+                                        unknowns.end(),
+                                        entry.col()) -
+                         unknowns.begin()) = entry.value();
+    const Eigen::MatrixXd of_rows = matrix * weights;
+    return weights.transpose() * of_rows;
   }
 
 

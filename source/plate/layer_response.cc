@@ -4,6 +4,7 @@
 
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/quadrature/gauss.hpp>
+#include <boost/math/special_functions/bessel.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -36,30 +37,40 @@ namespace PlateImpact
 
 
 
-    /// Hankel transform of a hemispherical pressure on a disc of radius 1,
-    /// normalized: 3 (sin x - x cos x) / x^3.
+    /// Transforms of the pressure on a patch of radius or half-width 1,
+    /// normalized, at x > 0: of Hankel, of a hemispherical one on a disc, 3
+    /// (sin x - x cos x) / x^3, and a constant one, 2 J_1(x) / x; of Fourier,
+    /// of a hemispherical one on a strip, the same.
     double
-    transform_of_hertz_disc(const double x)
+    transform_of_pressure(const LoadShape load, const double x)
     {
-      if (x > 1.)
-        return 3. * (std::sin(x) - x * std::cos(x)) / (x * x * x);
-      double sum = 0., term = 1.;
-      for (unsigned int n = 1; std::abs(term) > 1e-18; ++n)
-        {
-          sum += term;
-          term *= -x * x / (2 * n * (2 * n + 3));
-        }
-      return sum;
+      return load == LoadShape::Hertz_disc ?
+        3. * boost::math::sph_bessel(1, x) / x :
+        2. * ::j1(x) / x;
     }
 
 
 
-    /// Hankel transform of a constant pressure on that disc, and Fourier
-    /// transform of a hemispherical one on a strip, at x > 0: 2 J_1(x) / x.
+    /// The integral of a function of y like LayerResponse::excess() over all
+    /// wavenumbers.
+    template <typename Function>
     double
-    transform_of_uniform_disc(const double x)
+    integral(const Function &function, const double radius)
     {
-      return 2. * ::j1(x) / x;
+      // The layer decays within y of 40, the plate over some oscillations of
+      // the transform. Gauss points do not come close to 0, where terms cancel.
+      using Gauss                 = boost::math::quadrature::gauss<double, 20>;
+      const double oscillation    = constants::pi / radius;
+      const double n_oscillations = 64.;
+      double       sum = 0., begin = 0.;
+      while (begin < std::max(40., n_oscillations * oscillation))
+        {
+          const double end =
+            begin + (begin < 40. ? std::min(2., oscillation) : oscillation);
+          sum += Gauss::integrate(function, begin, end);
+          begin = end;
+        }
+      return sum;
     }
   } // namespace
 
@@ -98,36 +109,12 @@ namespace PlateImpact
   double
   LayerResponse::excess(const double y, const double radius) const
   {
-    const double P       = load == LoadShape::Hertz_disc ?
-            transform_of_hertz_disc(radius * y) :
-            transform_of_uniform_disc(radius * y);
+    const double P       = transform_of_pressure(load, radius * y);
     const double bending = 1. - rotation_factor(radius) * y * y;
     return 0.5 * (1. - poissons_ratio) * (compliance_of_layer(y) - 2.) -
       P * P *
       (6. * (1. - poissons_ratio) * bending * bending / (y * y * y) +
        1. / (shear_correction * y));
-  }
-
-
-
-  template <typename Function>
-  double
-  LayerResponse::integral(const Function &function, const double radius) const
-  {
-    // The layer decays within y of 40, the plate over some oscillations of the
-    // transform. Gauss points do not come close to 0, where terms cancel.
-    using Gauss                 = boost::math::quadrature::gauss<double, 20>;
-    const double oscillation    = constants::pi / radius;
-    const double n_oscillations = 64.;
-    double       sum = 0., begin = 0.;
-    while (begin < std::max(40., n_oscillations * oscillation))
-      {
-        const double end =
-          begin + (begin < 40. ? std::min(2., oscillation) : oscillation);
-        sum += Gauss::integrate(function, begin, end);
-        begin = end;
-      }
-    return sum;
   }
 
 

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <stdexcept>
 #include <utility>
 
@@ -32,69 +31,62 @@ namespace PlateImpact
 
 
 
-    /// Quadrature of a load on a disc. Gauss points s in [0,1] for the radius,
-    /// whose radius and density (of the force, integrating to one) are given;
-    /// equidistant angles, which integrate smooth functions with the mirror
-    /// symmetries of the plate to high order.
-    std::vector<LoadPoint>
-    disc(const unsigned int                   n,
-         const std::function<double(double)> &radius,
-         const std::function<double(double)> &density)
+    /// Distances from the centre or the axis of a load, with weights that sum
+    /// to one.
+    using Radial = std::vector<std::pair<double, double>>;
+
+
+    /// Gauss points s in [0, 1].
+    /// @param at  distance and density of the force at s
+    template <typename Function>
+    Radial
+    gauss_points(const unsigned int n, const Function &at)
     {
-      // Shape functions have kinks at cell sides: many points, not a high order
-      const QGauss<1>        radial(n);
-      std::vector<LoadPoint> points;
-      points.reserve(n * n);
+      const QGauss<1> rule(n);
+      Radial          points;
       for (unsigned int i = 0; i < n; ++i)
-        for (unsigned int j = 0; j < n; ++j)
+        {
+          const auto [distance, density] = at(rule.point(i)[0]);
+          points.emplace_back(distance, rule.weight(i) * density);
+        }
+      return points;
+    }
+
+
+
+    /// Quadrature of a load on a disc, with as many equidistant angles as
+    /// radii: these integrate smooth functions with the mirror symmetries of
+    /// the plate to high order.
+    std::vector<LoadPoint>
+    disc(const Radial &radii)
+    {
+      std::vector<LoadPoint> points;
+      const std::size_t      n = radii.size();
+      for (const auto &[r, weight] : radii)
+        for (std::size_t j = 0; j < n; ++j)
           {
-            const double s     = radial.point(i)[0];
             const double angle = (j + 0.5) / n * numbers::PI_2;
             points.push_back(
-              {radius(s) * Point<2>(std::cos(angle), std::sin(angle)),
-               radial.weight(i) * density(s) / n});
+              {r * Point<2>(std::cos(angle), std::sin(angle)), weight / n});
           }
       return points;
     }
 
 
 
-    /// Quadrature of a load along 0 <= x <= l, at distances y from the axis
-    /// with weights that sum to one.
+    /// Quadrature of a load along 0 <= x <= l, at distances y from the axis.
     std::vector<LoadPoint>
-    strip(const double                                  half_length,
-          const unsigned int                            n_intervals,
-          const std::vector<std::pair<double, double>> &across)
+    strip(const double       half_length,
+          const unsigned int n_intervals,
+          const Radial      &across)
     {
-      const QGauss<1>        rule(2);
-      const double           interval = half_length / n_intervals;
+      const QIterated<1>     along(QGauss<1>(2), n_intervals);
       std::vector<LoadPoint> points;
-      points.reserve(n_intervals * rule.size() * across.size());
-      for (unsigned int i = 0; i < n_intervals; ++i)
-        for (unsigned int q = 0; q < rule.size(); ++q)
-          for (const auto &[y, weight] : across)
-            points.push_back({Point<2>((i + rule.point(q)[0]) * interval, y),
-                              rule.weight(q) / n_intervals * weight});
+      for (unsigned int q = 0; q < along.size(); ++q)
+        for (const auto &[y, weight] : across)
+          points.push_back({Point<2>(half_length * along.point(q)[0], y),
+                            along.weight(q) * weight});
       return points;
-    }
-
-
-
-    /// Half of the Hertz pressure of a line contact: y = c sin(phi), so that p
-    /// dy is cos^2(phi) dphi 4 / pi for phi in [0, pi/2].
-    std::vector<std::pair<double, double>>
-    hertz_pressure_across(const double half_width, const unsigned int n)
-    {
-      const QGauss<1>                        rule(n);
-      std::vector<std::pair<double, double>> across;
-      for (unsigned int i = 0; i < rule.size(); ++i)
-        {
-          const double phi = rule.point(i)[0] * numbers::PI_2;
-          across.emplace_back(half_width * std::sin(phi),
-                              rule.weight(i) * numbers::PI_2 * 4. /
-                                numbers::PI * std::cos(phi) * std::cos(phi));
-        }
-      return across;
     }
   } // namespace
 
@@ -108,6 +100,7 @@ namespace PlateImpact
     const double       c = contact.patch_radius;
     const unsigned int n_along =
       n_points(0.5 * length, finest_cell, 400, 4e5) / 2;
+    // Shape functions have kinks at cell sides: many points, not a high order
     const unsigned int n_on_disc = n_points(c, finest_cell, 40, 400);
     switch (contact.load_distribution)
       {
@@ -115,23 +108,27 @@ namespace PlateImpact
           return {{Point<2>(), 1.}};
         case LoadShape::Hertz_disc:
           // s = sqrt(1 - (r/c)^2): p r dr is 3 s^2 ds
-          return disc(
-            n_on_disc,
-            [c](const double s) { return c * std::sqrt(1. - s * s); },
-            [](const double s) { return 3. * s * s; });
+          return disc(gauss_points(n_on_disc, [c](const double s) {
+            return std::pair(c * std::sqrt(1. - s * s), 3. * s * s);
+          }));
         case LoadShape::uniform_disc:
           // s = (r/c)^2: p r dr is ds
-          return disc(
-            n_on_disc,
-            [c](const double s) { return c * std::sqrt(s); },
-            [](const double) { return 1.; });
+          return disc(gauss_points(n_on_disc, [c](const double s) {
+            return std::pair(c * std::sqrt(s), 1.);
+          }));
         case LoadShape::line:
           return strip(0.5 * length, n_along, {{0., 1.}});
         case LoadShape::strip:
-          return strip(
-            0.5 * length,
-            n_along,
-            hertz_pressure_across(c, n_points(c, finest_cell, 24, 400)));
+          // y = c sin(phi), phi = pi s / 2: p dy is 2 cos^2(phi) ds
+          return strip(0.5 * length,
+                       n_along,
+                       gauss_points(n_points(c, finest_cell, 24, 400),
+                                    [c](const double s) {
+                                      const double phi = numbers::PI_2 * s;
+                                      return std::pair(c * std::sin(phi),
+                                                       2. * std::cos(phi) *
+                                                         std::cos(phi));
+                                    }));
       }
     throw std::logic_error("no such load distribution");
   }
@@ -142,10 +139,10 @@ namespace PlateImpact
   on_meshed_part(const std::vector<LoadPoint> &of_quadrant,
                  const PlateParameters        &plate)
   {
-    const auto             geometry = geometry_of(plate);
-    std::vector<LoadPoint> points   = of_quadrant;
+    const auto             is_symmetric = geometry_of(plate).is_symmetric;
+    std::vector<LoadPoint> points       = of_quadrant;
     for (unsigned int d = 0; d < 2; ++d)
-      if (!geometry->is_symmetric(d))
+      if (!is_symmetric[d])
         for (std::size_t p = 0, n = points.size(); p < n; ++p)
           if (points[p].point[d] != 0.)
             {

@@ -129,9 +129,9 @@ namespace PlateImpact
             return false; // of what follows, surfaces, nothing is needed
           }
         else if (section == "$Nodes")
-          version < 4. ? read_nodes() : read_blocks_of_nodes();
+          read_nodes();
         else
-          version < 4. ? read_elements() : read_blocks_of_elements();
+          read_elements();
         return true;
       }
 
@@ -193,27 +193,24 @@ namespace PlateImpact
       void
       read_nodes()
       {
-        for (Count n = next<Count>(); n > 0; --n)
-          add_node(next<Count>());
-      }
-
-      void
-      read_blocks_of_nodes()
-      {
-        for (Count n_blocks = blocks(); n_blocks > 0; --n_blocks)
-          {
-            next<int>(); // dimension
-            next<int>(); // entity
-            if (next<int>() != 0)
-              refuse_format("a mesh with the parameters of nodes");
-            // first all numbers, then all coordinates
-            const Count        n = next<Count>();
-            std::vector<Count> tags;
-            while (tags.size() < n)
-              tags.push_back(next<Count>());
-            for (const Count tag : tags)
-              add_node(tag);
-          }
+        if (version < 4.)
+          for (Count n = next<Count>(); n > 0; --n)
+            add_node(next<Count>());
+        else
+          for (Count n_blocks = blocks(); n_blocks > 0; --n_blocks)
+            {
+              next<int>(); // dimension
+              next<int>(); // entity
+              if (next<int>() != 0)
+                refuse_format("a mesh with the parameters of nodes");
+              // first all numbers, then all coordinates
+              const Count        n = next<Count>();
+              std::vector<Count> tags;
+              while (tags.size() < n)
+                tags.push_back(next<Count>());
+              for (const Count tag : tags)
+                add_node(tag);
+            }
       }
 
       void
@@ -230,36 +227,29 @@ namespace PlateImpact
       void
       read_elements()
       {
-        for (Count n = next<Count>(); n > 0; --n)
-          {
-            next<Count>(); // its number
-            const int                 type   = next<int>();
-            const int                 n_tags = next<int>();
-            std::vector<unsigned int> groups; // the first tag
-            for (int t = 0; t < n_tags; ++t)
-              if (const int tag = next<int>(); t == 0 && tag != 0)
-                groups = {group_number(tag)};
-            add_element(type, groups);
-          }
-      }
-
-      void
-      read_blocks_of_elements()
-      {
-        for (Count n_blocks = blocks(); n_blocks > 0; --n_blocks)
-          {
-            next<int>(); // dimension
-            const int                       entity = next<int>();
-            const int                       type   = next<int>();
-            const std::vector<unsigned int> groups = type == line_type ?
-              groups_of_curve[entity] :
-              std::vector<unsigned int>();
-            for (Count n = next<Count>(); n > 0; --n)
-              {
-                next<Count>(); // its number
-                add_element(type, groups);
-              }
-          }
+        if (version < 4.)
+          for (Count n = next<Count>(); n > 0; --n)
+            {
+              next<Count>(); // its number
+              const int                 type   = next<int>();
+              const int                 n_tags = next<int>();
+              std::vector<unsigned int> groups; // the first tag
+              for (int t = 0; t < n_tags; ++t)
+                if (const int tag = next<int>(); t == 0 && tag != 0)
+                  groups = {group_number(tag)};
+              add_element(type, groups);
+            }
+        else
+          for (Count n_blocks = blocks(); n_blocks > 0; --n_blocks)
+            {
+              next<int>(); // dimension
+              const int entity = next<int>(), type = next<int>();
+              for (Count n = next<Count>(); n > 0; --n)
+                {
+                  next<Count>(); // its number
+                  add_element(type, groups_of_curve[entity]);
+                }
+            }
       }
 
       void

@@ -25,7 +25,6 @@
 #include <cmath>
 #include <iterator>
 #include <map>
-#include <optional>
 #include <stdexcept>
 
 namespace PlateImpact
@@ -50,111 +49,75 @@ namespace PlateImpact
 
 
 
-    /// Unit coordinates of a point within a cell; empty when it lies outside.
-    std::optional<Point<2>>
-    position_in(const Triangulation<2>::active_cell_iterator &cell,
-                const Point<2>                               &point)
-    {
-      try
-        {
-          const Point<2> unit =
-            mapping_of(cell).transform_real_to_unit_cell(cell, point);
-          if (GeometryInfo<2>::is_inside_unit_cell(unit, 1e-9))
-            return unit;
-        }
-      catch (const Mapping<2>::ExcTransformationFailed &)
-        {
-          // far outside of a distorted cell
-        }
-      return {};
-    }
-
-
-
-    /// A point of a load.
-    struct PointInCell
-    {
-      Triangulation<2>::active_cell_iterator cell;
-      Point<2>                               unit;
-      double                                 weight;
-    };
-
-
-
-    /// Points of a load, cell by cell, in each from left to right.
+    /// The points of a load in each cell that has some, from left to right.
     /// @throws ComputationError when a point lies outside of the mesh
-    std::vector<PointInCell>
-    find_cells(const Triangulation<2> &mesh, std::vector<LoadPoint> points)
+    std::vector<
+      std::pair<Triangulation<2>::active_cell_iterator, Quadrature<2>>>
+    load_on_cells(const Triangulation<2> &mesh, std::vector<LoadPoint> points)
     {
       std::sort(points.begin(),
                 points.end(),
                 [](const LoadPoint &p, const LoadPoint &q) {
                   return p.point[0] < q.point[0];
                 });
-      std::vector<Triangulation<2>::active_cell_iterator> cells;
-      std::vector<BoundingBox<2>>                         boxes;
+      std::vector<Point<2>> positions;
+      for (const LoadPoint &point : points)
+        positions.push_back(point.point);
+      const auto tree = pack_rtree_of_indices(positions);
+      std::vector<
+        std::pair<Triangulation<2>::active_cell_iterator, Quadrature<2>>>
+                        result;
+      std::vector<bool> is_found(points.size(), false);
       for (const auto &cell : mesh.active_cell_iterators())
         {
-          cells.push_back(cell);
-          boxes.push_back(cell->bounding_box());
+          BoundingBox<2> box = cell->bounding_box();
           // a curved cell reaches beyond the box of its corners, by a part of
           // it
-          boxes.back().extend(
-            (&mapping_of(cell) == &curved_mapping() ? 0.25 : 1e-9) *
-            std::max(boxes.back().side_length(0), boxes.back().side_length(1)));
-        }
-      std::vector<PointInCell> found;
-      const auto               tree = pack_rtree_of_indices(boxes);
-      for (const auto &[point, weight] : points)
-        {
+          box.extend((&mapping_of(cell) == &curved_mapping() ? 0.25 : 1e-9) *
+                     std::max(box.side_length(0), box.side_length(1)));
           std::vector<std::size_t> near;
-          tree.query(boost::geometry::index::intersects(point),
+          tree.query(boost::geometry::index::intersects(box),
                      std::back_inserter(near));
+          if (near.empty())
+            continue;
           std::sort(near.begin(), near.end());
-          std::optional<Point<2>> unit;
-          for (std::size_t i = 0; i < near.size() && !unit; ++i)
-            if ((unit = position_in(cells[near[i]], point)))
-              found.push_back({cells[near[i]], *unit, weight});
-          if (!unit)
-            throw ComputationError(
-              "the load distribution reaches beyond the mesh");
+          std::vector<Point<2>> real, unit(near.size()), within;
+          for (const std::size_t p : near)
+            real.push_back(positions[p]);
+          mapping_of(cell).transform_points_real_to_unit_cell(cell, real, unit);
+          std::vector<double> weights;
+          for (std::size_t i = 0; i < near.size(); ++i)
+            if (!is_found[near[i]] &&
+                GeometryInfo<2>::is_inside_unit_cell(unit[i], 1e-9))
+              {
+                is_found[near[i]] = true;
+                within.push_back(unit[i]);
+                weights.push_back(points[near[i]].weight);
+              }
+          if (!within.empty())
+            result.emplace_back(cell, Quadrature<2>(within, weights));
         }
-      std::stable_sort(found.begin(),
-                       found.end(),
-                       [](const PointInCell &p, const PointInCell &q) {
-                         return p.cell->active_cell_index() <
-                           q.cell->active_cell_index();
-                       });
-      return found;
+      if (std::count(is_found.begin(), is_found.end(), false) > 0)
+        throw ComputationError("the load distribution reaches beyond the mesh");
+      return result;
     }
 
 
 
-    /// A matrix, all zero, with those entries of a sparsity pattern that are
-    /// not excluded.
-    /// @param is_entry  whether a row and column of the pattern have one
-    template <typename IsEntry>
+    /// A matrix, all zero, with the entries of a sparsity pattern.
     std::unique_ptr<Epetra_CrsMatrix>
-    make_matrix(const DynamicSparsityPattern &pattern, const IsEntry &is_entry)
+    make_matrix(const DynamicSparsityPattern &pattern)
     {
-      const int               n = pattern.n_rows();
       const Epetra_SerialComm communicator;
-      const Epetra_Map        map(n, 0, communicator);
-      std::vector<int>        row_lengths(n), columns;
-      for (int row = 0; row < n; ++row)
-        for (unsigned int i = 0; i < pattern.row_length(row); ++i)
-          row_lengths[row] += is_entry(row, pattern.column_number(row, i));
-
+      const Epetra_Map map(static_cast<int>(pattern.n_rows()), 0, communicator);
       // local indices of a known column map need no search, and a matrix whose
       // graph is complete takes its values at once
-      Epetra_CrsGraph graph(Copy, map, map, row_lengths.data(), true);
-      for (int row = 0; row < n; ++row)
+      Epetra_CrsGraph graph(Copy, map, map, 0);
+      for (unsigned int row = 0; row < pattern.n_rows(); ++row)
         {
-          columns.clear();
+          std::vector<int> columns;
           for (unsigned int i = 0; i < pattern.row_length(row); ++i)
-            if (const int column = pattern.column_number(row, i);
-                is_entry(row, column))
-              columns.push_back(column);
+            columns.push_back(pattern.column_number(row, i));
           graph.InsertMyIndices(row, columns.size(), columns.data());
         }
       graph.FillComplete();
@@ -170,19 +133,18 @@ namespace PlateImpact
   PlateDiscretization::PlateDiscretization(const Triangulation<2> &mesh,
                                            const PlateElement     &element,
                                            const PlateParameters  &plate,
-                                           const double            multiplicity)
-    : plate_element(element)
+                                           const double            n_parts)
+    : element(element)
+    , n_parts(n_parts > 0. ? n_parts : geometry_of(plate).n_parts())
     , plate_section(plate)
-    , multiplicity(multiplicity > 0. ? multiplicity :
-                                       geometry_of(plate)->n_parts())
     , dofs(mesh)
   {
-    if (element.stretching() != plate_section.stretching())
+    if (element.stretching != plate_section.stretching)
       throw std::logic_error("the element has not the unknowns of the section");
-    dofs.distribute_dofs(element.finite_element());
+    dofs.distribute_dofs(element.finite_element);
     DoFTools::make_hanging_node_constraints(dofs, constraints);
-    plate_element.add_internal_constraints(dofs, constraints);
-    holds_deflection = hold_edges(dofs, *geometry_of(plate), constraints);
+    element.add_internal_constraints(dofs, constraints);
+    holds_deflection = hold_edges(dofs, plate, constraints);
     constraints.close();
     unknowns.reinit(dofs, constraints);
 
@@ -196,7 +158,7 @@ namespace PlateImpact
           shape = known.insert({congruence_key(cell, tolerance), shape})
                     .first->second;
         if (shape == shapes.size())
-          shapes.push_back(plate_element.shape(cell));
+          shapes.push_back(element.shape(cell));
         shape_of_cell.push_back(shape);
       }
   }
@@ -206,38 +168,38 @@ namespace PlateImpact
   void
   PlateDiscretization::assemble()
   {
-    DynamicSparsityPattern pattern(n_unknowns(), n_unknowns());
+    DynamicSparsityPattern of_K(n_unknowns(), n_unknowns()),
+      of_M(n_unknowns(), n_unknowns());
     for (unsigned int cell = 0; cell < shape_of_cell.size(); ++cell)
       {
         const auto of_cell = unknowns.of_cell(cell);
         for (const types::global_dof_index row : of_cell)
-          pattern.add_entries(row,
-                              of_cell.begin(),
-                              of_cell.end(),
-                              /*indices_are_sorted=*/true);
+          {
+            of_K.add_entries(row,
+                             of_cell.begin(),
+                             of_cell.end(),
+                             /*indices_are_sorted=*/true);
+            // inertia couples no component with another
+            for (const types::global_dof_index column : of_cell)
+              if (unknowns.component(row) == unknowns.component(column))
+                of_M.add(row, column);
+          }
       }
-    K = make_matrix(pattern, [](int, int) { return true; });
-    // inertia couples no component with another
-    M = make_matrix(pattern, [this](const int row, const int column) {
-      return unknowns.component(row) == unknowns.component(column);
-    });
+    K = make_matrix(of_K);
+    M = make_matrix(of_M);
 
     // congruent cells share their matrices
-    std::vector<CellMatrix> K_of_shape, M_of_shape;
+    std::vector<Eigen::MatrixXd> K_of_shape, M_of_shape;
     for (const CellShape &shape : shapes)
       {
-        K_of_shape.push_back(plate_element.stiffness(shape, plate_section));
-        M_of_shape.push_back(plate_element.mass(shape, plate_section));
+        K_of_shape.push_back(element.stiffness(shape, plate_section));
+        M_of_shape.push_back(element.mass(shape, plate_section));
       }
     add_cells(
-      [&](const unsigned int cell, CellMatrix &matrix) {
-        matrix = K_of_shape[shape_of_cell[cell]];
-      },
+      [&](const unsigned int cell) { return K_of_shape[shape_of_cell[cell]]; },
       *K);
     add_cells(
-      [&](const unsigned int cell, CellMatrix &matrix) {
-        matrix = M_of_shape[shape_of_cell[cell]];
-      },
+      [&](const unsigned int cell) { return M_of_shape[shape_of_cell[cell]]; },
       *M);
   }
 
@@ -245,18 +207,16 @@ namespace PlateImpact
 
   void
   PlateDiscretization::add_cells(
-    const std::function<void(unsigned int, CellMatrix &)> &set_matrix,
-    Epetra_CrsMatrix                                      &sum) const
+    const std::function<Eigen::MatrixXd(unsigned int)> &matrix_of,
+    Epetra_CrsMatrix                                   &sum) const
   {
-    CellMatrix          matrix;
-    Eigen::MatrixXd     A;
     std::vector<int>    columns;
     std::vector<double> values;
     for (unsigned int cell = 0; cell < shape_of_cell.size(); ++cell)
       {
-        set_matrix(cell, matrix);
-        const auto of_cell = unknowns.of_cell(cell);
-        unknowns.resolve_constraints(cell, of_cell, multiplicity * matrix, A);
+        const auto            of_cell = unknowns.of_cell(cell);
+        const Eigen::MatrixXd A       = n_parts *
+          unknowns.resolve_constraints(cell, of_cell, matrix_of(cell));
         // symmetric, so that a column is a row
         for (Eigen::Index j = 0; j < A.cols(); ++j)
           {
@@ -282,33 +242,30 @@ namespace PlateImpact
   PlateDiscretization::load(const std::vector<LoadPoint> &points,
                             const double                  rotation_factor) const
   {
-    const FESystem<2>      &fe     = plate_element.finite_element();
+    const FESystem<2>      &fe     = element.finite_element;
     const FiniteElement<2> &scalar = fe.base_element(0);
-    Eigen::VectorXd         u      = Eigen::VectorXd::Zero(n_unknowns());
-    for (const auto &[cell, unit, force] : find_cells(mesh(), points))
+    Eigen::MatrixXd         on_cells =
+      Eigen::MatrixXd::Zero(fe.n_dofs_per_cell(), mesh().n_active_cells());
+    for (const auto &[cell, forces] : load_on_cells(mesh(), points))
       {
-        const unsigned int c = cell->active_cell_index();
-        for (unsigned int i = 0; i < scalar.n_dofs_per_cell(); ++i)
-          unknowns.add_force(c,
-                             fe.component_to_system_index(deflection, i),
-                             force * scalar.shape_value(i, unit),
-                             u);
-        if (rotation_factor == 0.)
-          continue;
         FEValues<2> values(mapping_of(cell),
                            scalar,
-                           Quadrature<2>(unit),
-                           update_gradients);
+                           forces,
+                           update_values | update_gradients);
         values.reinit(cell);
-        for (unsigned int i = 0; i < scalar.n_dofs_per_cell(); ++i)
-          for (const unsigned int d : {0, 1})
-            unknowns.add_force(c,
-                               fe.component_to_system_index(rotation_x + d, i),
-                               force * rotation_factor *
-                                 values.shape_grad(i, 0)[d],
-                               u);
+        auto on_cell = on_cells.col(cell->active_cell_index());
+        for (unsigned int p = 0; p < forces.size(); ++p)
+          for (unsigned int i = 0; i < scalar.n_dofs_per_cell(); ++i)
+            {
+              on_cell[fe.component_to_system_index(deflection, i)] +=
+                forces.weight(p) * values.shape_value(i, p);
+              for (const unsigned int d : {0, 1})
+                on_cell[fe.component_to_system_index(rotation_x + d, i)] +=
+                  forces.weight(p) * rotation_factor *
+                  values.shape_grad(i, p)[d];
+            }
       }
-    return u;
+    return unknowns.forces(on_cells);
   }
 
 
@@ -317,37 +274,35 @@ namespace PlateImpact
   PlateDiscretization::n_rigid_motions() const
   {
     // Along z, about y and x, and of plates that stretch along x and y and
-    // about z. The size makes all columns alike.
-    using Component         = std::function<double(const Point<2> &)>;
-    const double    size    = GridTools::diameter(mesh());
-    const Component zero    = [](const Point<2> &) { return 0.; },
-                    one     = [](const Point<2> &) { return 1.; },
-                    slope   = [=](const Point<2> &) { return 1. / size; },
-                    x       = [=](const Point<2> &p) { return p[0] / size; },
-                    y       = [=](const Point<2> &p) { return p[1] / size; },
-                    minus_y = [=](const Point<2> &p) { return -p[1] / size; };
-    std::vector<std::vector<Component>> motions = {
-      {one, zero, zero, zero, zero},
-      {x, slope, zero, zero, zero},
-      {y, zero, slope, zero, zero},
-      {zero, zero, zero, one, zero},
-      {zero, zero, zero, zero, one},
-      {zero, zero, zero, minus_y, x}};
-    if (!stretches())
-      {
-        motions.resize(3);
-        for (auto &motion : motions)
-          motion.resize(3);
-      }
+    // about z. The size makes all alike.
+    const double size   = GridTools::diameter(mesh());
+    const auto   motion = [size](const unsigned int k,
+                               const unsigned int component,
+                               const Point<2>    &p) {
+      const double x = p[0] / size, y = p[1] / size, slope = 1. / size;
+      const double motions[6][5] = {{1., 0., 0., 0., 0.},
+                                    {x, slope, 0., 0., 0.},
+                                    {y, 0., slope, 0., 0.},
+                                    {0., 0., 0., 1., 0.},
+                                    {0., 0., 0., 0., 1.},
+                                    {0., 0., 0., -y, x}};
+      return motions[k][component];
+    };
+    const unsigned int n_motions =
+      plate_section.stretching != Stretching::none ? 6 : 3;
     // by how much each fails what is held, all of which is at the boundary
     const IndexSet  boundary = DoFTools::extract_boundary_dofs(dofs);
-    Eigen::MatrixXd misfit(boundary.n_elements(), motions.size());
-    for (std::size_t k = 0; k < motions.size(); ++k)
+    Eigen::MatrixXd misfit(boundary.n_elements(), n_motions);
+    for (unsigned int k = 0; k < n_motions; ++k)
       {
+        std::vector<std::function<double(const Point<2> &)>> components;
+        for (unsigned int c = 0; c < dofs.get_fe().n_components(); ++c)
+          components.push_back(
+            [=](const Point<2> &p) { return motion(k, c, p); });
         Vector<double> values(dofs.n_dofs());
         VectorTools::interpolate(mapping_of(mesh()),
                                  dofs,
-                                 FunctionFromFunctionObjects<2>(motions[k]),
+                                 FunctionFromFunctionObjects<2>(components),
                                  values);
         Vector<double> held = values;
         constraints.distribute(held);

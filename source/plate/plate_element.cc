@@ -2,7 +2,6 @@
 
 #include "plate_impact/base/entries.h"
 #include "plate_impact/plate/plate_mesh.h"
-#include "plate_impact/plate/slope_squares.h"
 
 #include <string>
 
@@ -57,13 +56,23 @@ namespace PlateImpact
   PlateElement::PlateElement(const ElementType type,
                              const Stretching  stretching)
     : type(type)
-    , how_it_stretches(stretching)
-    , assumed_shear(row_of(type, elements).assumed_shear)
+    , stretching(stretching)
     , scalar_element(2)
-    , element(scalar_element, n_components(stretching))
-    , quadrature_points(3)
-    , samples(2)
+    , finite_element(scalar_element, n_components(stretching))
+    , quadrature(3)
+    , assumed_shear(row_of(type, elements).assumed_shear)
   {}
+
+
+
+  std::vector<unsigned int>
+  PlateElement::dofs_of(const unsigned int component) const
+  {
+    std::vector<unsigned int> dofs;
+    for (unsigned int node = 0; node < scalar_element.n_dofs_per_cell(); ++node)
+      dofs.push_back(finite_element.component_to_system_index(component, node));
+    return dofs;
+  }
 
 
 
@@ -76,22 +85,20 @@ namespace PlateImpact
     // FE_Q(2) numbers the four corners first, then the midsides, then the
     // centre
     const unsigned int                   centre = 8;
-    std::vector<types::global_dof_index> dofs(element.n_dofs_per_cell());
+    std::vector<types::global_dof_index> dofs(finite_element.n_dofs_per_cell());
     for (const auto &cell : dof_handler.active_cell_iterators())
       {
         cell->get_dof_indices(dofs);
-        for (unsigned int c = 0; c < element.n_components(); ++c)
+        for (unsigned int c = 0; c < finite_element.n_components(); ++c)
           if (c == deflection ? row.constrains_deflection :
                                 row.constrains_others)
             {
-              const auto line =
-                dofs[element.component_to_system_index(c, centre)];
-              constraints.add_line(line);
+              const auto of_nodes = dofs_of(c);
+              constraints.add_line(dofs[of_nodes[centre]]);
               for (unsigned int node = 0; node < centre; ++node)
-                constraints.add_entry(
-                  line,
-                  dofs[element.component_to_system_index(c, node)],
-                  node < 4 ? -0.25 : 0.5);
+                constraints.add_entry(dofs[of_nodes[centre]],
+                                      dofs[of_nodes[node]],
+                                      node < 4 ? -0.25 : 0.5);
             }
       }
   }
@@ -99,25 +106,31 @@ namespace PlateImpact
 
 
   CellStrains
-  PlateElement::strains(const Triangulation<2>::active_cell_iterator &cell,
-                        const FEValues<2> &values) const
+  PlateElement::strains_at(const Triangulation<2>::active_cell_iterator &cell,
+                           const Quadrature<2> &unit_points) const
   {
+    FEValues<2> values(mapping_of(cell),
+                       scalar_element,
+                       unit_points,
+                       update_gradients | update_inverse_jacobians);
     FEValues<2> tying(mapping_of(cell),
                       scalar_element,
                       assumed_shear.tying_points,
                       update_values | update_gradients | update_jacobians);
+    values.reinit(cell);
     tying.reinit(cell);
     const unsigned int n_tying = tying.n_quadrature_points,
                        n       = values.n_quadrature_points;
 
-    const int n_dofs    = element.n_dofs_per_cell(),
-              n_strains = how_it_stretches == Stretching::none ? 5 : 8;
+    const int n_dofs    = finite_element.n_dofs_per_cell(),
+              n_strains = stretching == Stretching::none ? 5 : 8;
     CellStrains  result;
     CellOperator tied = CellOperator::Zero(2 * n_tying, n_dofs);
     result.linear     = CellOperator::Zero(n_strains * n, n_dofs);
     for (int i = 0; i < n_dofs; ++i)
       {
-        const auto [component, node] = element.system_to_component_index(i);
+        const auto [component, node] =
+          finite_element.system_to_component_index(i);
         // curvatures, and strains of the middle surface
         const unsigned int row = component < displacement_x ? 0 : 5;
         for (unsigned int q = 0; q < n; ++q)
@@ -148,24 +161,9 @@ namespace PlateImpact
     for (unsigned int q = 0; q < n; ++q)
       result.linear.middleRows<2>(n_strains * q + 3) =
         shear.middleRows<2>(2 * q);
-    if (how_it_stretches == Stretching::large)
+    if (stretching == Stretching::large)
       result.of_squares = SlopeSquares::strains(values);
     return result;
-  }
-
-
-
-  CellStrains
-  PlateElement::strains_at(const Triangulation<2>::active_cell_iterator &cell,
-                           const std::vector<Point<2>> &unit_points) const
-  {
-    FEValues<2> values(mapping_of(cell),
-                       scalar_element,
-                       Quadrature<2>(unit_points),
-                       update_values | update_gradients |
-                         update_inverse_jacobians);
-    values.reinit(cell);
-    return strains(cell, values);
   }
 
 
@@ -175,14 +173,10 @@ namespace PlateImpact
                          const Eigen::MatrixXd &nodal_values) const
   {
     Eigen::MatrixXd result = strains.linear * nodal_values;
-    if (how_it_stretches != Stretching::large)
+    if (stretching != Stretching::large)
       return result;
-    Eigen::MatrixXd deflections(scalar_element.n_dofs_per_cell(),
-                                nodal_values.cols());
-    for (Eigen::Index node = 0; node < deflections.rows(); ++node)
-      deflections.row(node) =
-        nodal_values.row(element.component_to_system_index(deflection, node));
-    const Eigen::MatrixXd slopes = SlopeSquares::slopes() * deflections;
+    const Eigen::MatrixXd slopes =
+      SlopeSquares::slopes() * nodal_values(dofs_of(deflection), Eigen::all);
     for (Eigen::Index state = 0; state < result.cols(); ++state)
       {
         const Eigen::VectorXd of_squares =
@@ -199,38 +193,28 @@ namespace PlateImpact
   CellShape
   PlateElement::shape(const Triangulation<2>::active_cell_iterator &cell) const
   {
-    const UpdateFlags flags = update_values | update_gradients |
-      update_inverse_jacobians | update_JxW_values;
-    const Mapping<2> &mapping = mapping_of(cell);
-    FEValues<2>       values(mapping, scalar_element, quadrature_points, flags);
-    FEValues<2>       sample_values(mapping, scalar_element, samples, flags);
+    FEValues<2> values(mapping_of(cell),
+                       scalar_element,
+                       quadrature,
+                       update_JxW_values);
     values.reinit(cell);
-    sample_values.reinit(cell);
-
-    CellShape shape;
-    shape.at_quadrature = strains(cell, values);
-    shape.at_samples    = strains(cell, sample_values);
-    shape.weights       = values.get_JxW_values();
-    shape.shape_values.resize(quadrature_points.size(),
-                              scalar_element.n_dofs_per_cell());
-    for (unsigned int q = 0; q < quadrature_points.size(); ++q)
-      for (unsigned int node = 0; node < scalar_element.n_dofs_per_cell();
-           ++node)
-        shape.shape_values(q, node) = values.shape_value(node, q);
-    return shape;
+    return {strains_at(cell, quadrature),
+            strains_at(cell, QGauss<2>(2)),
+            Eigen::Map<const Eigen::VectorXd>(values.get_JxW_values().data(),
+                                              quadrature.size())};
   }
 
 
 
-  CellMatrix
+  Eigen::MatrixXd
   PlateElement::stiffness(const CellShape    &shape,
                           const PlateSection &section) const
   {
-    const int n_dofs                 = element.n_dofs_per_cell(),
+    const int n_dofs                 = finite_element.n_dofs_per_cell(),
               n_strains              = section.n_resultants();
     const Eigen::MatrixXd by_strains = section.stiffness();
-    CellMatrix            K          = CellMatrix::Zero(n_dofs, n_dofs);
-    for (unsigned int q = 0; q < shape.weights.size(); ++q)
+    Eigen::MatrixXd       K          = Eigen::MatrixXd::Zero(n_dofs, n_dofs);
+    for (Eigen::Index q = 0; q < shape.weights.size(); ++q)
       {
         const auto B =
           shape.at_quadrature.linear.middleRows(n_strains * q, n_strains);
@@ -243,22 +227,21 @@ namespace PlateImpact
 
 
 
-  CellMatrix
+  Eigen::MatrixXd
   PlateElement::mass(const CellShape &shape, const PlateSection &section) const
   {
-    const Eigen::Map<const Eigen::VectorXd> weights(shape.weights.data(),
-                                                    shape.weights.size());
-    const Eigen::MatrixXd scalar_mass = shape.shape_values.transpose() *
-      weights.asDiagonal() * shape.shape_values;
-    const unsigned int n_dofs = element.n_dofs_per_cell();
-    CellMatrix         M      = CellMatrix::Zero(n_dofs, n_dofs);
-    for (unsigned int c = 0; c < element.n_components(); ++c)
-      for (unsigned int i = 0; i < scalar_element.n_dofs_per_cell(); ++i)
-        for (unsigned int j = 0; j < scalar_element.n_dofs_per_cell(); ++j)
-          M(element.component_to_system_index(c, i),
-            element.component_to_system_index(c, j)) = scalar_mass(i, j) *
-            (c == rotation_x || c == rotation_y ? section.rotary_inertia :
-                                                  section.mass_per_area);
+    Eigen::MatrixXd N(quadrature.size(), scalar_element.n_dofs_per_cell());
+    for (Eigen::Index q = 0; q < N.rows(); ++q)
+      for (Eigen::Index node = 0; node < N.cols(); ++node)
+        N(q, node) = scalar_element.shape_value(node, quadrature.point(q));
+    const Eigen::MatrixXd of_component =
+      N.transpose() * shape.weights.asDiagonal() * N;
+    const unsigned int n_dofs = finite_element.n_dofs_per_cell();
+    Eigen::MatrixXd    M      = Eigen::MatrixXd::Zero(n_dofs, n_dofs);
+    for (unsigned int c = 0; c < finite_element.n_components(); ++c)
+      M(dofs_of(c), dofs_of(c)) = of_component *
+        (c == rotation_x || c == rotation_y ? section.rotary_inertia :
+                                              section.mass_per_area);
     return M;
   }
 

@@ -9,6 +9,8 @@
 #include "plate_impact/plate/msh_file.h"
 #include "plate_impact/plate/plate_mesh.h"
 
+#include <boost/geometry/algorithms/distance.hpp>
+#include <boost/geometry/geometries/segment.hpp>
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
@@ -18,6 +20,7 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace PlateImpact
@@ -122,8 +125,7 @@ namespace PlateImpact
       Cells                     result{{}, file.cells, {}, 0.};
       std::vector<unsigned int> vertex_of_node(file.nodes.size(),
                                                numbers::invalid_unsigned_int);
-      double                    lowest = std::numeric_limits<double>::max(),
-             highest                   = std::numeric_limits<double>::lowest();
+      std::vector<Point<3>>     used;
       for (auto &cell : result.cells)
         for (unsigned int &node : cell.vertices)
           {
@@ -131,18 +133,17 @@ namespace PlateImpact
             if (vertex == numbers::invalid_unsigned_int)
               {
                 const Point<3> &p = file.nodes[node];
-                lowest            = std::min(lowest, p[2]);
-                highest           = std::max(highest, p[2]);
                 if (!(std::isfinite(p[0]) && std::isfinite(p[1])))
                   refuse_file("has a vertex whose coordinates are no numbers");
-                vertex = result.vertices.size();
+                vertex = used.size();
+                used.push_back(p);
                 result.vertices.emplace_back(p[0], p[1]);
               }
             node = vertex;
           }
-      const BoundingBox<2> box(result.vertices);
+      const BoundingBox<3> box(used);
       const double size = std::max(box.side_length(0), box.side_length(1));
-      if (!(highest - lowest <= 1e-6 * size))
+      if (!(box.side_length(2) <= 1e-6 * size))
         refuse_file("does not lie in a plane of constant z; expected a flat "
                     "plate along x and y");
       result.tolerance = 1e-9 * size;
@@ -338,13 +339,19 @@ namespace PlateImpact
 
 
 
-    double
-    distance_to(const std::array<Point<2>, 2> &chord, const Point<2> &p)
+    /// Where a chord meets the line through a point along an axis, if it does.
+    std::optional<double>
+    crossing(const std::array<Point<2>, 2> &chord,
+             const Point<2>                &point,
+             const unsigned int             axis)
     {
-      const Tensor<1, 2> along = chord[1] - chord[0];
-      const double       nearest =
-        std::clamp((p - chord[0]) * along / along.norm_square(), 0., 1.);
-      return p.distance(chord[0] + nearest * along);
+      const auto &[a, b]        = chord;
+      const unsigned int across = 1 - axis;
+      if ((a[across] > point[across]) == (b[across] > point[across]))
+        return {};
+      return a[axis] +
+        (point[across] - a[across]) / (b[across] - a[across]) *
+        (b[axis] - a[axis]);
     }
   } // namespace
 
@@ -353,16 +360,18 @@ namespace PlateImpact
   double
   PlateFile::distance_to_edge(const Point<2> &point) const
   {
+    using Segment    = boost::geometry::model::segment<Point<2>>;
     double nearest   = std::numeric_limits<double>::max();
     bool   is_inside = false;
     for (const auto &chord : outline)
       {
-        const auto &[a, b] = chord;
-        nearest            = std::min(nearest, distance_to(chord, point));
+        nearest =
+          std::min(nearest,
+                   boost::geometry::distance(point,
+                                             Segment(chord[0], chord[1])));
         // a ray along x leaves the plate an odd number of times
-        if ((a[1] > point[1]) != (b[1] > point[1]) &&
-            point[0] < a[0] + (point[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]))
-          is_inside = !is_inside;
+        const auto x = crossing(chord, point, 0);
+        is_inside ^= x && point[0] < *x;
       }
     return is_inside ? nearest : -nearest;
   }
@@ -373,16 +382,10 @@ namespace PlateImpact
   PlateFile::distance_to_edge(const Point<2>    &point,
                               const unsigned int axis) const
   {
-    const unsigned int across  = 1 - axis;
-    double             nearest = std::numeric_limits<double>::max();
-    for (const auto &[a, b] : outline)
-      if ((a[across] > point[across]) != (b[across] > point[across]))
-        nearest =
-          std::min(nearest,
-                   std::abs(a[axis] +
-                            (point[across] - a[across]) /
-                              (b[across] - a[across]) * (b[axis] - a[axis]) -
-                            point[axis]));
+    double nearest = std::numeric_limits<double>::max();
+    for (const auto &chord : outline)
+      if (const auto there = crossing(chord, point, axis))
+        nearest = std::min(nearest, std::abs(*there - point[axis]));
     return distance_to_edge(point) < 0. ? -nearest : nearest;
   }
 

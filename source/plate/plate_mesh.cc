@@ -67,10 +67,10 @@ namespace PlateImpact
   double
   smallest_cell_size(const Triangulation<2> &mesh)
   {
-    double smallest = std::numeric_limits<double>::max();
-    for (const auto &cell : mesh.active_cell_iterators())
-      smallest = std::min(smallest, cell_size(cell));
-    return smallest;
+    return cell_sizes_near_load(mesh,
+                                0.,
+                                std::numeric_limits<double>::infinity())
+      .first;
   }
 
 

@@ -74,12 +74,13 @@ namespace PlateImpact
                                 plate.shear_correction_factor :
                                 5. / 6.)
     , thickness(plate.thickness)
+    , is_laminate(plate.is_laminate())
   {
     const double t = thickness;
     mass_per_area  = plate.density * t;
     rotary_inertia = plate.density * t * t * t / 12.;
     set_plies(plate);
-    if (!plate.is_laminate())
+    if (!is_laminate)
       {
         // From the ply, which inverts its compliance, they would lose digits
         // near nu = 1/2.
@@ -89,9 +90,9 @@ namespace PlateImpact
         shear_modulus         = E / (2. * (1. + nu));
       }
     if (plate.has_large_deflection())
-      how_it_stretches = Stretching::large;
+      stretching = Stretching::large;
     else if (is_unsymmetric())
-      how_it_stretches = Stretching::linear;
+      stretching = Stretching::linear;
     compliance = stiffness().inverse();
   }
 
@@ -100,11 +101,10 @@ namespace PlateImpact
   void
   PlateSection::set_plies(const PlateParameters &plate)
   {
-    const Ply            ply(ply_of(plate));
-    const PlyParameters &constants = ply.constants();
+    const Ply ply(ply_of(plate));
     // an isotropic plate is a laminate of one ply
     const auto angles =
-      plate.is_laminate() ? plate.layup.angles : std::vector<double>{0.};
+      is_laminate ? plate.layup.angles : std::vector<double>{0.};
     const Eigen::Matrix3d Q = ply.plane_stiffness();
     const double          t = thickness / angles.size();
 
@@ -131,33 +131,21 @@ namespace PlateImpact
         turn << c, s, -s, c;
         shear_moduli.push_back(
           turn.transpose() *
-          Eigen::Vector2d(constants.longitudinal_shear_modulus,
-                          constants.transverse_shear_modulus)
+          Eigen::Vector2d(ply.constants.longitudinal_shear_modulus,
+                          ply.constants.transverse_shear_modulus)
             .asDiagonal() *
           turn);
         shear_stiffness += shear_correction_factor * t * shear_moduli.back();
-        if (plate.is_laminate())
-          plies.push_back({near, far, Q * T});
+        plies.push_back({near, far, Q * T});
       }
-    if (plate.is_laminate() && plate.shear_correction_factor == 0.)
+    if (is_laminate && plate.shear_correction_factor == 0.)
       shear_stiffness = thickness *
         shear_stiffness_of_equilibrium(plane_stiffness, shear_moduli);
 
     half_space_compliance = 1. / ply.half_space_modulus();
     poissons_ratio        = ply.layer_poissons_ratio();
     shear_modulus   = 0.5 * (1. - poissons_ratio) * ply.half_space_modulus();
-    contact_modulus = constants.transverse_modulus;
-  }
-
-
-
-  Eigen::Matrix3d
-  PlateSection::relaxed_stiffness() const
-  {
-    if (!is_unsymmetric())
-      return bending_stiffness;
-    return bending_stiffness -
-      coupling_stiffness * membrane_stiffness.inverse() * coupling_stiffness;
+    contact_modulus = ply.constants.transverse_modulus;
   }
 
 
@@ -165,7 +153,8 @@ namespace PlateImpact
   double
   PlateSection::mean_bending_stiffness() const
   {
-    const Eigen::Matrix3d D = relaxed_stiffness();
+    const Eigen::Matrix3d D = bending_stiffness -
+      coupling_stiffness * membrane_stiffness.inverse() * coupling_stiffness;
     if (twists(D))
       {
         // Olsson's formula holds in the axes of an orthotropic plate; this is
@@ -201,16 +190,15 @@ namespace PlateImpact
         const auto along = [&](const Eigen::Matrix3d &stiffness) {
           return stiffness_along(stiffness, std::acos(-1.) * i / n);
         };
-        const double bending    = along(bending_stiffness) / rotary_inertia,
-                     stretching = how_it_stretches == Stretching::none ?
+        const double bending  = along(bending_stiffness) / rotary_inertia,
+                     membrane = stretching == Stretching::none ?
           0. :
           along(membrane_stiffness) / mass_per_area,
-                     coupling   = along(coupling_stiffness) /
+                     coupling = along(coupling_stiffness) /
           std::sqrt(rotary_inertia * mass_per_area);
-        largest =
-          std::max(largest,
-                   0.5 * (bending + stretching) +
-                     std::hypot(0.5 * (bending - stretching), coupling));
+        largest = std::max(largest,
+                           0.5 * (bending + membrane) +
+                             std::hypot(0.5 * (bending - membrane), coupling));
       }
     return std::sqrt(largest);
   }
@@ -222,7 +210,7 @@ namespace PlateImpact
   {
     return twists(bending_stiffness) ||
       std::abs(shear_stiffness(0, 1)) > negligible * shear_stiffness.norm() ||
-      (how_it_stretches != Stretching::none &&
+      (stretching != Stretching::none &&
        (twists(membrane_stiffness) ||
         coupling_stiffness.topRightCorner<2, 1>().cwiseAbs().maxCoeff() *
             thickness >
@@ -256,7 +244,7 @@ namespace PlateImpact
     Eigen::MatrixXd matrix       = Eigen::MatrixXd::Zero(n, n);
     matrix.topLeftCorner<3, 3>() = bending_stiffness;
     matrix.block<2, 2>(3, 3)     = shear_stiffness;
-    if (how_it_stretches != Stretching::none)
+    if (stretching != Stretching::none)
       {
         matrix.topRightCorner<3, 3>()    = coupling_stiffness;
         matrix.bottomLeftCorner<3, 3>()  = coupling_stiffness;
@@ -282,7 +270,7 @@ namespace PlateImpact
                                           of_plies  = {"fibre_stress",
                                                        "transverse_stress",
                                                        "ply_shear_stress"};
-    return plies.empty() ? isotropic : of_plies;
+    return is_laminate ? of_plies : isotropic;
   }
 
 
@@ -291,40 +279,27 @@ namespace PlateImpact
   PlateSection::stresses(
     const Eigen::Ref<const Eigen::VectorXd> &resultants) const
   {
-    const bool            stretches = how_it_stretches != Stretching::none;
-    const Eigen::Vector3d moments   = resultants.head<3>();
-    if (plies.empty())
-      {
-        const auto von_mises = [](const Eigen::Vector3d &s) {
-          return std::sqrt(s[0] * s[0] - s[0] * s[1] + s[1] * s[1] +
-                           3. * s[2] * s[2]);
-        };
-        // sigma = N / t -+ 6 M / t^2
-        const Eigen::Vector3d bending = 6. / (thickness * thickness) * moments;
-        double                largest = von_mises(bending);
-        if (stretches)
-          {
-            const Eigen::Vector3d mean = resultants.segment<3>(5) / thickness;
-            largest =
-              std::max(von_mises(mean + bending), von_mises(mean - bending));
-          }
-        return Eigen::MatrixXd::Constant(1, 1, largest);
-      }
+    const auto von_mises = [](const Eigen::Vector3d &s) {
+      return std::sqrt(s[0] * s[0] - s[0] * s[1] + s[1] * s[1] +
+                       3. * s[2] * s[2]);
+    };
     const unsigned int    n = n_for_stresses();
     const Eigen::VectorXd strains =
       compliance.topLeftCorner(n, n) * resultants.head(n);
-    Eigen::MatrixXd result(plies.size(), 3);
+    Eigen::MatrixXd result(plies.size(), stress_names().size());
     for (std::size_t k = 0; k < plies.size(); ++k)
       {
         const PlyStresses    &ply   = plies[k];
         const Eigen::Vector3d per_z = ply.stress_per_strain * strains.head<3>();
         Eigen::Vector3d       middle = Eigen::Vector3d::Zero();
-        if (stretches)
+        if (stretching != Stretching::none)
           middle = ply.stress_per_strain * strains.tail<3>();
-        result.row(k) = (middle - ply.near * per_z)
-                          .cwiseAbs()
-                          .cwiseMax((middle - ply.far * per_z).cwiseAbs())
-                          .transpose();
+        const Eigen::Vector3d at_near = middle - ply.near * per_z,
+                              at_far  = middle - ply.far * per_z;
+        if (is_laminate)
+          result.row(k) = at_near.cwiseAbs().cwiseMax(at_far.cwiseAbs());
+        else
+          result(k, 0) = std::max(von_mises(at_near), von_mises(at_far));
       }
     return result;
   }

@@ -1,12 +1,12 @@
 #include "plate_impact/plate/ply.h"
 
+#include <deal.II/base/quadrature_lib.h>
+
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <Eigen/QR>
 
-#include <array>
 #include <cmath>
-#include <utility>
 
 namespace PlateImpact
 {
@@ -64,8 +64,8 @@ namespace PlateImpact
 
 
   Ply::Ply(const PlyParameters &given)
-    : ply(without_zeros(given))
-    , stiffness(normal_compliance(ply).inverse())
+    : constants(without_zeros(given))
+    , stiffness(normal_compliance(constants).inverse())
   {}
 
 
@@ -74,7 +74,7 @@ namespace PlateImpact
   Ply::is_elastic() const
   {
     // without units, so that stiff and soft directions count alike
-    const Eigen::Matrix3d compliance = normal_compliance(ply);
+    const Eigen::Matrix3d compliance = normal_compliance(constants);
     const Eigen::Vector3d scale =
       compliance.diagonal().cwiseSqrt().cwiseInverse();
     return (scale.asDiagonal() * compliance * scale.asDiagonal())
@@ -88,12 +88,13 @@ namespace PlateImpact
   Eigen::Matrix3d
   Ply::plane_stiffness() const
   {
-    const double E1 = ply.longitudinal_modulus, E2 = ply.transverse_modulus,
-                 nu12 = ply.poissons_ratio, nu21 = nu12 * E2 / E1;
+    const double E1   = constants.longitudinal_modulus,
+                 E2   = constants.transverse_modulus,
+                 nu12 = constants.poissons_ratio, nu21 = nu12 * E2 / E1;
     Eigen::Matrix3d Q;
     Q << E1, nu12 * E2, 0., //
       nu21 * E1, E2, 0.,    //
-      0., 0., ply.in_plane_shear_modulus * (1. - nu12 * nu21);
+      0., 0., constants.in_plane_shear_modulus * (1. - nu12 * nu21);
     return Q / (1. - nu12 * nu21);
   }
 
@@ -103,9 +104,9 @@ namespace PlateImpact
   Ply::half_space_modulus() const
   {
     const Eigen::Matrix3d &C   = stiffness;
-    const double           G12 = ply.in_plane_shear_modulus,
-                 G13           = ply.longitudinal_shear_modulus,
-                 G23           = ply.transverse_shear_modulus;
+    const double           G12 = constants.in_plane_shear_modulus,
+                 G13           = constants.longitudinal_shear_modulus,
+                 G23           = constants.transverse_shear_modulus;
     const double bulk          = modulus_of_half_space(
       (3. * C(0, 0) + 3. * C(1, 1) + 2. * C(0, 1) + 4. * G12) / 8.,
       C(2, 2),
@@ -133,13 +134,9 @@ namespace PlateImpact
     const std::vector<Eigen::Matrix3d> &plane_stiffness,
     const std::vector<Eigen::Matrix2d> &shear_moduli)
   {
-    // exact: tau is a parabola in every ply
-    const std::array<std::pair<double, double>, 3> gauss = {
-      {{0.5 - std::sqrt(0.15), 5. / 18.},
-       {0.5, 8. / 18.},
-       {0.5 + std::sqrt(0.15), 5. / 18.}}};
-    const unsigned int           n_directions = 24;
-    const std::size_t            n_plies      = plane_stiffness.size();
+    const dealii::QGauss<1> gauss(3); // exact: tau is a parabola in every ply
+    const unsigned int      n_directions = 24;
+    const std::size_t       n_plies      = plane_stiffness.size();
     Eigen::Matrix<double, -1, 3> products(n_directions, 3);
     Eigen::VectorXd              energies = Eigen::VectorXd::Zero(n_directions);
     std::vector<Eigen::Matrix2d> shear_compliances;
@@ -162,12 +159,13 @@ namespace PlateImpact
             const auto            tau   = [&](const double z) {
               return (at_far_face + 0.5 * (far * far - z * z) * slope).eval();
             };
-            for (const auto &[point, weight] : gauss)
+            for (unsigned int q = 0; q < gauss.size(); ++q)
               {
-                const Eigen::Vector2d stress = tau(near + point * t);
-                force += weight * t * stress;
-                energies(i) +=
-                  weight * t * stress.dot(shear_compliances[k] * stress);
+                const Eigen::Vector2d stress =
+                  tau(near + gauss.point(q)[0] * t);
+                force += gauss.weight(q) * t * stress;
+                energies(i) += gauss.weight(q) * t *
+                  stress.dot(shear_compliances[k] * stress);
               }
             at_far_face = tau(near);
           }

@@ -21,7 +21,7 @@ namespace PlateImpact
     using Exponent = std::complex<double>;
 
     /// What an edge does to the rotations.
-    enum class Side
+    enum class WedgeSide
     {
       held,
       rollers, ///< theta_s and M_n are 0
@@ -30,17 +30,17 @@ namespace PlateImpact
 
 
 
-    Side
+    WedgeSide
     side_of(const EdgeSupport support)
     {
       switch (support)
         {
           case EdgeSupport::clamped:
-            return Side::held;
+            return WedgeSide::held;
           case EdgeSupport::simply_supported:
-            return Side::rollers;
+            return WedgeSide::rollers;
           default:
-            return Side::unloaded;
+            return WedgeSide::unloaded;
         }
     }
 
@@ -49,10 +49,10 @@ namespace PlateImpact
     /// Zero at the exponents of a wedge in plane stress. A side on rollers is a
     /// line in which a wedge of twice the angle mirrors with opposite signs.
     Exponent
-    characteristic(const Exponent        x,
-                   const double          angle,
-                   std::pair<Side, Side> sides,
-                   const double          poissons_ratio)
+    characteristic(const Exponent                  x,
+                   const double                    angle,
+                   std::pair<WedgeSide, WedgeSide> sides,
+                   const double                    poissons_ratio)
     {
       const double kappa = (3. - poissons_ratio) / (1. + poissons_ratio);
       if (sides.first > sides.second)
@@ -60,15 +60,15 @@ namespace PlateImpact
       const Exponent square = std::pow(std::sin(x * angle), 2),
                      twice  = std::sin(2. * x * angle),
                      sine   = x * std::sin(angle);
-      if (sides == std::pair(Side::held, Side::held))
+      if (sides == std::pair(WedgeSide::held, WedgeSide::held))
         return square - std::pow(sine / kappa, 2);
-      if (sides == std::pair(Side::held, Side::rollers))
+      if (sides == std::pair(WedgeSide::held, WedgeSide::rollers))
         return twice + x / kappa * std::sin(2. * angle);
-      if (sides == std::pair(Side::held, Side::unloaded))
+      if (sides == std::pair(WedgeSide::held, WedgeSide::unloaded))
         return square - (std::pow(1. + kappa, 2) / 4. - sine * sine) / kappa;
-      if (sides == std::pair(Side::rollers, Side::rollers))
+      if (sides == std::pair(WedgeSide::rollers, WedgeSide::rollers))
         return square - std::pow(std::sin(angle), 2);
-      if (sides == std::pair(Side::rollers, Side::unloaded))
+      if (sides == std::pair(WedgeSide::rollers, WedgeSide::unloaded))
         return twice - x * std::sin(2. * angle);
       return square - sine * sine;
     }
@@ -125,17 +125,14 @@ namespace PlateImpact
                                                         face->vertex(1 - v)));
               corner.edges.push_back(face->boundary_id());
             }
-      const unsigned int neighbours[4][2] = {{1, 2}, {0, 3}, {0, 3}, {1, 2}};
       for (const auto &cell : mesh.active_cell_iterators())
         for (const unsigned int v : cell->vertex_indices())
           if (const auto corner = corners.find(cell->vertex_index(v));
               corner != corners.end())
-            {
-              const auto &[one, other] = neighbours[v];
-              corner->second.cells_angle += Physics::VectorRelations::angle(
-                cell->vertex(one) - cell->vertex(v),
-                cell->vertex(other) - cell->vertex(v));
-            }
+            // the numbers of neighbours differ in one bit
+            corner->second.cells_angle += Physics::VectorRelations::angle(
+              cell->vertex(v ^ 1) - cell->vertex(v),
+              cell->vertex(v ^ 2) - cell->vertex(v));
       return corners;
     }
 
@@ -145,9 +142,8 @@ namespace PlateImpact
     add_corners(const Parameters           &parameters,
                 std::vector<SingularPoint> &points)
     {
-      const PlateParameters &plate    = parameters.plate;
-      const auto             geometry = geometry_of(plate);
-      const auto             supports = geometry->supports();
+      const PlateParameters &plate = parameters.plate;
+      const auto   supports        = geometry_of(plate).by_edge(plate.supports);
       const double nu = plate.is_laminate() ? 0.3 : plate.poissons_ratio;
       const auto   mesh =
         make_plate_mesh(plate, parameters.discretization.initial_cells);
@@ -236,7 +232,7 @@ namespace PlateImpact
       {
         const double end = 0.5 * parameters.impactor.length;
         points.push_back({{{end, 0.}}, 1.});
-        if (!geometry_of(parameters.plate)->is_symmetric(0))
+        if (!geometry_of(parameters.plate).is_symmetric[0])
           points.push_back({{{-end, 0.}}, 1.});
       }
     if (parameters.contact.load_is_singular())

@@ -86,7 +86,7 @@ namespace PlateImpact
   SceneChecker::check_ply()
   {
     const Ply    ply(plate.ply);
-    const double derived = ply.constants().transverse_poissons_ratio;
+    const double derived = ply.constants.transverse_poissons_ratio;
     if (plate.ply.transverse_poissons_ratio == 0. &&
         !(derived >= 0. && derived <= 0.6))
       return refuse({"Ply/Transverse Poisson's ratio",
@@ -186,8 +186,8 @@ namespace PlateImpact
   SceneChecker::check_shape()
   {
     const double half_side = 0.5 *
-      std::min(geometry_of(plate)->side_length(0),
-               geometry_of(plate)->side_length(1));
+      std::min(geometry_of(plate).side_lengths[0],
+               geometry_of(plate).side_lengths[1]);
     if (plate.thickness > half_side)
       refuse({"Plate/Thickness", "Plate/Side lengths"},
              "m is too thick for a plate theory; expected at most half the "
@@ -197,27 +197,27 @@ namespace PlateImpact
     check_edges("Plate/In-plane support", plate.in_plane_supports);
     check_extent();
     const double to_edge = parameters.has_impactor() ?
-      geometry_of(plate)->distance_to_edge() :
+      geometry_of(plate).distance_to_edge :
       half_side;
     if (to_edge <= 0. && plate.is_from_file())
       return refuse({"Plate/Impact point", "Plate/Outline"},
                     "m lies outside of the plate of " + plate.outline.file +
                       ", or on an edge; expected a point from the middle of "
                       "its " +
-                      number(geometry_of(plate)->side_length(0)) + " x " +
-                      number(geometry_of(plate)->side_length(1)) + " m");
+                      number(geometry_of(plate).side_lengths[0]) + " x " +
+                      number(geometry_of(plate).side_lengths[1]) + " m");
     if (to_edge <= 0.)
       return refuse({"Plate/Impact point", "Plate/Side lengths"},
                     plate.is_circle() ?
                       "m lies outside of the plate; expected less than its "
                       "radius, " +
-                        number(0.5 * geometry_of(plate)->side_length(0)) +
+                        number(0.5 * geometry_of(plate).side_lengths[0]) +
                         " m, from the centre" :
                       "m lies outside of the plate; expected less than half of "
                       "the sides, " +
-                        number(0.5 * geometry_of(plate)->side_length(0)) +
+                        number(0.5 * geometry_of(plate).side_lengths[0]) +
                         ", " +
-                        number(0.5 * geometry_of(plate)->side_length(1)) +
+                        number(0.5 * geometry_of(plate).side_lengths[1]) +
                         " m");
     if (contact.has_patch() && contact.patch_radius > to_edge)
       refuse({"Contact/Patch radius",
@@ -252,7 +252,7 @@ namespace PlateImpact
         for (const unsigned int d : {0, 1})
           {
             point.position[d] -= plate.impact_point[d];
-            if (geometry->is_symmetric(d))
+            if (geometry.is_symmetric[d])
               point.position[d] = std::abs(point.position[d]);
           }
         bool is_on_plate = false;

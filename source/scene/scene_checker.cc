@@ -137,7 +137,7 @@ namespace PlateImpact
                  "needs a load patch; expected Load distribution = Hertz disc, "
                  "uniform disc or strip, or Local response = half-space");
       }
-    if (contact.load_is_line() && !geometry_of(plate)->is_symmetric(1))
+    if (contact.load_is_line() && !geometry_of(plate).is_symmetric[1])
       refuse({"Contact/Load distribution",
               "Plate/Impact point",
               "Plate/Outline",
@@ -146,7 +146,7 @@ namespace PlateImpact
              "recovered there only if the line is an axis of symmetry of the "
              "plate; expected Load distribution = strip for this impact point, "
              "outline and lay-up");
-    const double longest = 2. * geometry_of(plate)->distance_to_edge(0);
+    const double longest = 2. * geometry_of(plate).distance_along[0];
     if (is_cylinder && longest > 0. && impactor.length > longest)
       refuse({"Impactor/Length", "Plate/Side lengths", "Plate/Impact point"},
              "m reaches beyond the plate; expected at most twice the distance "

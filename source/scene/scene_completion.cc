@@ -148,7 +148,7 @@ namespace PlateImpact
         return;
       }
     const double thickness = plate.thickness;
-    const double to_edge   = geometry_of(plate)->distance_to_edge();
+    const double to_edge   = geometry_of(plate).distance_to_edge;
     if (is_layer)
       {
         // the functional with div theta stands in for radii that are too small

@@ -32,7 +32,7 @@ namespace PlateImpact
       if (!std::isfinite(compliance)) // free to move, it is left sooner
         return {of_zener, 100. * half_space, false};
       const double mass       = expected.impactor.mass,
-                   plate_mass = geometry_of(impact.plate)->area() *
+                   plate_mass = geometry_of(impact.plate).area *
         expected.section.mass_per_area,
                    half_period =
                      half_space + std::acos(-1.) * std::sqrt(mass * compliance);

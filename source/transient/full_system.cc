@@ -35,7 +35,11 @@ namespace PlateImpact
       {
         // a rigid motion in the plane, which the load does not excite, is kept
         // out by a little of M
-        solve(plate.stretches() ? 1e-6 * plate.square_of_bending() : 0., u, x);
+        solve(plate.section().stretching != Stretching::none ?
+                1e-6 * plate.square_of_bending() :
+                0.,
+              u,
+              x);
       }
     catch (const ComputationError &)
       {

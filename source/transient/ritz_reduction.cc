@@ -193,7 +193,7 @@ namespace PlateImpact
     double
     return_of_waves(const PlateParameters &plate, const ZenerImpact &expected)
     {
-      return 2. * geometry_of(plate)->distance_to_edge() /
+      return 2. * geometry_of(plate).distance_to_edge /
         expected.wave().group_speed;
     }
 

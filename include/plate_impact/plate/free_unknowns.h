@@ -4,8 +4,6 @@
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/vector.h>
 
-#include "plate_impact/plate/plate_element.h"
-
 #include <Eigen/SparseCore>
 
 #include <vector>
@@ -42,12 +40,11 @@ namespace PlateImpact
 
     /// A cell's matrix in terms of its free unknowns.
     /// @param unknowns  of_cell(cell)
-    void
+    Eigen::MatrixXd
     resolve_constraints(
       unsigned int                                        cell,
       const std::vector<dealii::types::global_dof_index> &unknowns,
-      const CellMatrix                                   &matrix,
-      Eigen::MatrixXd                                    &result) const;
+      const Eigen::MatrixXd                              &matrix) const;
 
     /// Values of a cell's nodal quantities, dofs of the cell x n.
     /// @param cell      active cell index
@@ -68,17 +65,6 @@ namespace PlateImpact
     /// a column each.
     Eigen::VectorXd
     forces(const Eigen::MatrixXd &of_cells) const;
-
-    /// Adds a force on nodal value i of a cell to the forces on the unknowns.
-    void
-    add_force(unsigned int     cell,
-              unsigned int     i,
-              double           force,
-              Eigen::VectorXd &forces) const
-    {
-      forces +=
-        force * nodal_values_of_cells.row(n_cell_dofs * cell + i).transpose();
-    }
 
     /// Those of values at all nodes, by degree of freedom.
     Eigen::VectorXd

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <Epetra_CrsMatrix.h>
 
+#include <map>
 #include <vector>
 
 namespace PlateImpact
@@ -66,32 +67,23 @@ namespace PlateImpact
                 Epetra_CrsMatrix     &sum) const;
 
   private:
-    /// Membrane forces per strain, with the weights of the quadrature, for
-    /// cells of one shape.
-    struct OfShape
-    {
-      /// Forces of the linear plate, three a point, by the dofs of a cell that
-      /// cause some.
-      Eigen::MatrixXd forces_of_unknowns;
-      Eigen::VectorXd weights;
-    };
-
-    /// Weighted forces of strains.
+    /// Weighted membrane forces of strains at the quadrature points of a cell.
     Eigen::VectorXd
-    forces_of(const OfShape                           &shape,
+    forces_of(Eigen::Index                             cell,
               const Eigen::Ref<const Eigen::VectorXd> &strains) const;
 
-    const OfShape &
-    shape(const Eigen::Index cell) const
+    /// Weighted forces of the linear plate, three a point, by the dofs of a
+    /// cell that cause some.
+    const Eigen::MatrixXd &
+    forces_of_unknowns(const Eigen::Index cell) const
     {
-      return shapes[shape_of_cell[cell]];
+      return by_shape.at(&plate.shape(cell));
     }
 
     const PlateDiscretization &plate;
     const Eigen::Matrix3d      membrane_stiffness;
     /// Among the dofs of a cell: of the deflection, and that cause forces.
-    std::vector<unsigned int> deflections, causes;
-    std::vector<OfShape>      shapes;
-    std::vector<unsigned int> shape_of_cell;
+    std::vector<unsigned int>                    deflections, causes;
+    std::map<const CellShape *, Eigen::MatrixXd> by_shape;
   };
 } // namespace PlateImpact

@@ -53,11 +53,6 @@ namespace PlateImpact
     double
     excess(double y, double radius) const;
 
-    /// The integral of a function like excess() over all wavenumbers.
-    template <typename Function>
-    double
-    integral(const Function &function, double radius) const;
-
     const double    poissons_ratio;
     const double    shear_correction;
     const LoadShape load;

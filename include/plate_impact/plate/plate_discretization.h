@@ -23,7 +23,7 @@ namespace PlateImpact
   /// supports, symmetry and the centre nodes of the element are resolved within
   /// each cell, so that matrices and vectors carry no dead entries. K, M and
   /// loads are those of the whole plate moving symmetrically, that is
-  /// `multiplicity` times those of the part that is meshed (4 for a quadrant):
+  /// `n_parts` times those of the part that is meshed (4 for a quadrant):
   /// forces and energies need no factor anywhere else.
   ///
   /// K and M are serial Epetra matrices; unlike TrilinosWrappers::SparseMatrix
@@ -31,13 +31,15 @@ namespace PlateImpact
   class PlateDiscretization
   {
   public:
+    const PlateElement &element;
+    const double        n_parts; ///< like the one that is meshed in the plate
+
     /// Numbers the unknowns; the mesh must outlive the discretization.
-    /// @param multiplicity  parts like the mesh in the plate; 0: as many as its
-    ///                      symmetry leaves
+    /// @param n_parts  0: as many as the symmetry of the plate leaves
     PlateDiscretization(const dealii::Triangulation<2> &mesh,
                         const PlateElement             &element,
                         const PlateParameters          &plate,
-                        double                          multiplicity = 0.);
+                        double                          n_parts = 0.);
 
     /// Builds K and M.
     void
@@ -96,13 +98,6 @@ namespace PlateImpact
       return dofs.get_triangulation();
     }
 
-    /// Parts like the one that is meshed in the plate.
-    double
-    n_parts() const
-    {
-      return multiplicity;
-    }
-
     /// Whether no support holds the deflection, so that the plate can move as
     /// a rigid body.
     bool
@@ -121,31 +116,19 @@ namespace PlateImpact
     double
     square_of_bending() const;
 
-    bool
-    stretches() const
-    {
-      return plate_section.stretching() != Stretching::none;
-    }
-
     /// Whether its strains are no linear function of the unknowns.
     bool
     is_nonlinear() const
     {
-      return plate_section.stretching() == Stretching::large;
+      return plate_section.stretching == Stretching::large;
     }
 
     /// Adds symmetric matrices of cells, over the parts of the plate.
-    /// @param set_matrix  sets that of a cell, by active index
-    /// @param sum         with the entries of K
+    /// @param matrix_of  that of a cell, by active index
+    /// @param sum        with the entries of K
     void
-    add_cells(const std::function<void(unsigned int, CellMatrix &)> &set_matrix,
-              Epetra_CrsMatrix                                      &sum) const;
-
-    const PlateElement &
-    element() const
-    {
-      return plate_element;
-    }
+    add_cells(const std::function<Eigen::MatrixXd(unsigned int)> &matrix_of,
+              Epetra_CrsMatrix                                   &sum) const;
 
     const PlateSection &
     section() const
@@ -154,9 +137,7 @@ namespace PlateImpact
     }
 
   private:
-    const PlateElement               &plate_element;
     const PlateSection                plate_section;
-    const double                      multiplicity;
     dealii::DoFHandler<2>             dofs;
     dealii::AffineConstraints<double> constraints;
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <deal.II/base/point.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_q.h>
@@ -9,7 +8,7 @@
 #include <deal.II/grid/tria.h>
 #include <deal.II/lac/affine_constraints.h>
 
-#include "plate_impact/plate/assumed_shear.h"
+#include "plate_impact/plate/assumed_strains.h"
 #include "plate_impact/plate/plate_section.h"
 
 #include <Eigen/Core>
@@ -32,8 +31,6 @@ namespace PlateImpact
     displacement_y = 4
   };
 
-  using CellMatrix = Eigen::MatrixXd;
-
   /// The strains of the section at some points of a cell, PlateSection::
   /// n_resultants() numbers a point.
   struct CellStrains
@@ -51,13 +48,10 @@ namespace PlateImpact
   /// cells share it.
   struct CellShape
   {
-    CellStrains at_quadrature, at_samples;
+    CellStrains at_quadrature, at_samples; ///< these are 2x2, superconvergent
 
     /// Weights of the quadrature points times the Jacobian determinant. [m^2]
-    std::vector<double> weights;
-
-    /// Values of the nine shape functions (columns) at the quadrature points.
-    Eigen::MatrixXd shape_values;
+    Eigen::VectorXd weights;
   };
 
 
@@ -81,27 +75,18 @@ namespace PlateImpact
   class PlateElement
   {
   public:
+    const ElementType         type;
+    const Stretching          stretching;
+    const dealii::FE_Q<2>     scalar_element; ///< of each component
+    const dealii::FESystem<2> finite_element;
+    const dealii::QGauss<2>   quadrature;
+
     explicit PlateElement(ElementType type,
                           Stretching  stretching = Stretching::none);
 
-    const dealii::FESystem<2> &
-    finite_element() const
-    {
-      return element;
-    }
-
-    /// Whether and how the plate stretches.
-    Stretching
-    stretching() const
-    {
-      return how_it_stretches;
-    }
-
-    const dealii::Quadrature<2> &
-    quadrature() const
-    {
-      return quadrature_points;
-    }
+    /// The dofs of a cell that are values of a component, node by node.
+    std::vector<unsigned int>
+    dofs_of(unsigned int component) const;
 
     /// Adds the constraints that make this element of FE_Q(2).
     void
@@ -112,7 +97,7 @@ namespace PlateImpact
     /// Strains at points of the reference cell.
     CellStrains
     strains_at(const dealii::Triangulation<2>::active_cell_iterator &cell,
-               const std::vector<dealii::Point<2>> &unit_points) const;
+               const dealii::Quadrature<2> &unit_points) const;
 
     /// Strains of states of a cell, with the squares of slopes.
     /// @param nodal_values  dofs of the cell, a column per state
@@ -124,24 +109,14 @@ namespace PlateImpact
     shape(const dealii::Triangulation<2>::active_cell_iterator &cell) const;
 
     /// Stiffness of a cell. [N/m, N, N m by the components]
-    CellMatrix
+    Eigen::MatrixXd
     stiffness(const CellShape &shape, const PlateSection &section) const;
 
     /// Consistent mass with rotary inertia. [kg, kg m^2 by the components]
-    CellMatrix
+    Eigen::MatrixXd
     mass(const CellShape &shape, const PlateSection &section) const;
 
   private:
-    CellStrains
-    strains(const dealii::Triangulation<2>::active_cell_iterator &cell,
-            const dealii::FEValues<2>                            &values) const;
-
-    const ElementType         type;
-    const Stretching          how_it_stretches;
-    const AssumedShear        assumed_shear;
-    const dealii::FE_Q<2>     scalar_element;
-    const dealii::FESystem<2> element;
-    const dealii::QGauss<2>   quadrature_points;
-    const dealii::QGauss<2>   samples; ///< 2x2, superconvergent
+    const AssumedShear assumed_shear;
   };
 } // namespace PlateImpact

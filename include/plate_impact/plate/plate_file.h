@@ -3,8 +3,6 @@
 #include <deal.II/base/point.h>
 #include <deal.II/grid/tria.h>
 
-#include "plate_impact/plate/boundary_arcs.h"
-
 #include <array>
 #include <memory>
 #include <string>
@@ -12,6 +10,21 @@
 
 namespace PlateImpact
 {
+  struct Arc
+  {
+    dealii::Point<2> centre;
+    double           radius;
+  };
+
+  /// Finds sides of one edge that are chords of a circle, nine or more to a
+  /// full turn, and makes them parts of arcs: their manifold id is the number
+  /// of an arc, and that manifold is set. On a polygon a simple support is
+  /// another (Babuska's paradox).
+  /// @param mesh  of one level, with boundary ids
+  std::vector<Arc>
+  find_arcs(dealii::Triangulation<2> &mesh);
+
+
   /// The outline and the first mesh of a plate that a file of Gmsh holds.
   /// In metres.
   struct PlateFile
@@ -44,10 +57,8 @@ namespace PlateImpact
 
 
   /// Reads a mesh of quadrilaterals that Gmsh has written (read_msh_file()).
-  /// Physical groups of curves name the edges. A row of sides of
-  /// one edge whose vertices lie on a circle, nine or more to a full turn, is
-  /// taken as the arc that Gmsh has cut into chords: on a polygon a simple
-  /// support is another (Babuska's paradox).
+  /// Physical groups of curves name the edges, and chords into which Gmsh has
+  /// cut an arc become one again (find_arcs()).
   ///
   /// @throws InputError  a sentence that goes on from the name of the file
   std::shared_ptr<const PlateFile>

@@ -5,6 +5,7 @@
 #include "plate_impact/base/parameters.h"
 #include "plate_impact/plate/plate_mesh.h"
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <memory>
@@ -13,108 +14,72 @@
 
 namespace PlateImpact
 {
-  /// What holds each edge of a mesh, by its boundary id.
-  using SupportOfEdge = std::map<dealii::types::boundary_id, EdgeSupport>;
-
-  /// What holds the middle surface of those that hold the deflection.
-  using InPlaneSupportOfEdge =
-    std::map<dealii::types::boundary_id, InPlaneSupport>;
-
-
-  /// What follows from the outline of a plate and the place of the impact:
-  /// lengths, symmetry, edges and the first mesh. One for each word of the
-  /// entry Plate/Outline.
-  class PlateGeometry
+  /// What follows from the outline of a plate and the place of the impact.
+  struct PlateGeometry
   {
-  public:
-    using CellNumbers = std::array<unsigned int, 2>; ///< along x and y
-
-    /// @param plate  must outlive this object
-    explicit PlateGeometry(const PlateParameters &plate)
-      : plate(plate)
-    {}
-
-    virtual ~PlateGeometry() = default;
-
     /// Of the rectangle around the plate. [m]
-    virtual double
-    side_length(unsigned int d) const = 0;
+    std::array<double, 2> side_lengths;
 
-    /// [m^2]
-    virtual double
-    area() const = 0;
+    double area; ///< [m^2]
 
-    /// From the impact to the nearest edge; negative for a point that is not on
-    /// the plate. [m]
-    virtual double
-    distance_to_edge() const = 0;
+    /// From the impact to the nearest edge, and along each axis, either way;
+    /// negative for a point that is not on the plate. [m]
+    double                distance_to_edge;
+    std::array<double, 2> distance_along;
 
-    /// The same along an axis, either way.
-    virtual double
-    distance_to_edge(unsigned int axis) const = 0;
+    /// Boundary ids of the edges and, from a file, their names.
+    std::map<dealii::types::boundary_id, std::string> edges;
 
-    /// Whether the plate mirrors in the line x = 0 (d = 0) or y = 0 (d = 1)
-    /// through the impact: what is meshed is then one side of it. A skew
-    /// section mirrors in no line.
-    virtual bool
-    is_symmetric(unsigned int d) const;
+    /// Whether the plate mirrors in the line x = 0 and in y = 0 through the
+    /// impact: what is meshed is then one side of it. A skew section mirrors in
+    /// no line, and the mesh of a file is whole, whatever it is.
+    std::array<bool, 2> is_symmetric = {};
+
+    /// Where the part that is meshed begins and ends along each axis. [m]
+    std::array<double, 2> begin = {}, end = {};
 
     /// Parts like the one that is meshed in the plate.
     double
-    n_parts() const;
+    n_parts() const
+    {
+      return (is_symmetric[0] ? 2. : 1.) * (is_symmetric[1] ? 2. : 1.);
+    }
 
-    /// Where the part that is meshed begins and ends along an axis. [m]
-    double
-    begin(unsigned int d) const;
-    double
-    end(unsigned int d) const;
-
-    /// Boundary ids of the edges and, from a file, their names.
-    virtual std::map<dealii::types::boundary_id, std::string>
-    edges() const = 0;
-
-    /// What holds each of them.
-    SupportOfEdge
-    supports() const;
-
-    /// What holds the middle surface there, where the deflection is held.
-    InPlaneSupportOfEdge
-    in_plane_supports() const;
-
-    /// The part that symmetry leaves, with boundary and manifold ids.
-    virtual void
-    make_mesh(dealii::Triangulation<2> &mesh,
-              const CellNumbers        &n_cells) const = 0;
-
-    /// Cells of that mesh, about.
-    virtual double
-    n_initial_cells(const CellNumbers &n_cells) const;
-
-    /// Longest side of its cells. [m]
-    virtual double
-    initial_cell_size(const CellNumbers &n_cells) const;
-
-  protected:
-    const PlateParameters &plate;
-
-  private:
+    /// What holds each edge, by its boundary id.
+    /// @param written  as in PlateParameters
     template <typename Support>
     std::map<dealii::types::boundary_id, Support>
-    by_edge(const std::vector<OnEdge<Support>> &written) const;
+    by_edge(const std::vector<OnEdge<Support>> &written) const
+    {
+      std::map<dealii::types::boundary_id, Support> result;
+      for (const auto &[id, name] : edges)
+        {
+          // one word is for all edges, or the first for the first of two
+          const OnEdge<Support> *one =
+            &written[std::min(result.size(), written.size() - 1)];
+          for (const OnEdge<Support> &named : written)
+            if (!named.edge.empty() && named.edge == name)
+              one = &named;
+          result[id] = one->support;
+        }
+      return result;
+    }
   };
 
-
-  /// That of the plate's outline.
-  /// @param plate  must outlive it
-  std::unique_ptr<const PlateGeometry>
+  PlateGeometry
   geometry_of(const PlateParameters &plate);
 
-  /// The first mesh. Refinement keeps neighbours, across vertices too, within
-  /// one level of each other: patches of the stress recovery then mix cells of
+  /// The first mesh, of the part that symmetry leaves, with boundary and
+  /// manifold ids. Refinement keeps neighbours, across vertices too, within one
+  /// level of each other: patches of the stress recovery then mix cells of
   /// similar size only.
   std::unique_ptr<dealii::Triangulation<2>>
   make_plate_mesh(const PlateParameters             &plate,
                   const std::array<unsigned int, 2> &n_cells);
+
+  /// Cells of that mesh, about.
+  double
+  n_initial_cells(const Parameters &parameters);
 
   /// Longest side of its cells. [m]
   double

@@ -73,6 +73,8 @@ namespace PlateImpact
     /// G of that layer, (1 - nu) E* / 2. [Pa]
     double shear_modulus;
 
+    Stretching stretching = Stretching::none;
+
     /// kappa of the scene; 5/6 where it leaves that to equilibrium.
     double shear_correction_factor;
 
@@ -102,17 +104,11 @@ namespace PlateImpact
     bool
     is_unsymmetric() const;
 
-    Stretching
-    stretching() const
-    {
-      return how_it_stretches;
-    }
-
     /// 5, or 8 of plates that stretch.
     unsigned int
     n_resultants() const
     {
-      return how_it_stretches == Stretching::none ? 5 : 8;
+      return stretching == Stretching::none ? 5 : 8;
     }
 
     /// sigma^T D^-1 sigma of resultants, the square of the energy norm in Table
@@ -133,7 +129,7 @@ namespace PlateImpact
     unsigned int
     n_for_stresses() const
     {
-      return how_it_stretches == Stretching::none ? 3 : 8;
+      return stretching == Stretching::none ? 3 : 8;
     }
 
     /// Names of the stresses that they cause at the faces: the paper's
@@ -159,15 +155,10 @@ namespace PlateImpact
       Eigen::Matrix3d stress_per_strain;
     };
 
-    /// Moments per curvature with the middle surface relaxed. [N m]
-    Eigen::Matrix3d
-    relaxed_stiffness() const;
-
-    double          thickness;
-    Stretching      how_it_stretches = Stretching::none;
-    Eigen::MatrixXd compliance; ///< strains per resultants
-
-    std::vector<PlyStresses> plies; ///< of a laminate alone
+    double                   thickness;
+    Eigen::MatrixXd          compliance; ///< strains per resultants
+    bool                     is_laminate;
+    std::vector<PlyStresses> plies; ///< one of a plate that is no laminate
   };
 
 

@@ -18,11 +18,7 @@ namespace PlateImpact
     /// G_23) - 1.
     explicit Ply(const PlyParameters &given);
 
-    const PlyParameters &
-    constants() const
-    {
-      return ply;
-    }
+    const PlyParameters constants;
 
     /// Whether every strain costs energy.
     bool
@@ -49,8 +45,7 @@ namespace PlateImpact
     layer_poissons_ratio() const;
 
   private:
-    PlyParameters   ply;
-    Eigen::Matrix3d stiffness; ///< C_ij of the normal strains
+    const Eigen::Matrix3d stiffness; ///< C_ij of the normal strains
   };
 
 

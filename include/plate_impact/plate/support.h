@@ -3,7 +3,7 @@
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/lac/affine_constraints.h>
 
-#include "plate_impact/plate/plate_geometry.h"
+#include "plate_impact/base/parameters.h"
 
 namespace PlateImpact
 {
@@ -15,6 +15,6 @@ namespace PlateImpact
   /// @return whether any edge has its deflection held
   bool
   hold_edges(const dealii::DoFHandler<2>       &dof_handler,
-             const PlateGeometry               &geometry,
+             const PlateParameters             &plate,
              dealii::AffineConstraints<double> &constraints);
 } // namespace PlateImpact

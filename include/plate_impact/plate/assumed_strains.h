@@ -1,0 +1,102 @@
+#pragma once
+
+#include <deal.II/base/quadrature.h>
+#include <deal.II/fe/fe_values.h>
+
+#include <Eigen/Core>
+
+#include <functional>
+
+/// Strains that an element assumes in place of those that follow from its
+/// unknowns, which lock: they are tied to the latter at some points of the cell
+/// and interpolated between them.
+namespace PlateImpact
+{
+  /// Rows: numbers for each of some points of a cell, point by point. Columns:
+  /// the unknowns of the cell in the order of the finite element.
+  using CellOperator = Eigen::MatrixXd;
+
+
+  /// The transverse shear strain.
+  struct AssumedShear
+  {
+    /// Where the strain is tied, on the reference cell.
+    dealii::Quadrature<2> tying_points;
+
+    /// The assumed strain, two Cartesian components a point.
+    /// @param tied    strains from deflection and rotations at the tying points
+    /// @param tying   FEValues there, with Jacobians
+    /// @param values  FEValues at the points of the result, with inverse
+    /// Jacobians
+    std::function<CellOperator(const CellOperator        &tied,
+                               const dealii::FEValues<2> &tying,
+                               const dealii::FEValues<2> &values)>
+      interpolate;
+  };
+
+
+  /// Tied at n x n Gauss points, Cartesian components interpolated by
+  /// polynomials of degree n - 1 in each direction: the same as integrating the
+  /// shear energy with these points only (Malkus & Hughes, Comput Methods Appl
+  /// Mech Engng 15, 1978, 63-81), since they integrate the square of such a
+  /// strain exactly on parallelograms. As the rest of the element has 3 x 3
+  /// points, nothing is assumed with n = 3.
+  AssumedShear
+  shear_at_gauss_points(unsigned int n);
+
+
+  /// Mixed interpolation of tensorial components with nine nodes, after Bucalem
+  /// & Bathe (Int J Numer Meth Engng 36, 1993, 3729-3754): the covariant
+  /// component along xi is linear in xi and quadratic in eta, tied at xi =
+  /// +-1/sqrt(3), eta = -1, 0, 1, that along eta the other way round.
+  ///
+  /// The outer points lie on the edges, where the edge tying of the plate
+  /// elements of Bathe, Brezzi & Cho (Comput Struct 32, 1989, 797-814) has
+  /// them, and not at eta = +-sqrt(3/5): the strain along an edge is then the
+  /// same in both cells that share it. On squares the two agree; on distorted
+  /// cells the inner points lock (measured, clamped plate with 8x8 cells moved
+  /// by a quarter of their size: 0.94, 0.64 and 0.08 of the thin plate's
+  /// deflection at a/t = 1e4, 1e5, 1e6; on the edges 1.000 at all three).
+  AssumedShear
+  mixed_shear();
+
+
+  /// The strains of the middle surface that slopes of the deflection cause, (
+  /// w_x^2/2, w_y^2/2, w_x w_y ) after von Karman, as a cell assumes them.
+  ///
+  /// Squares of slopes are of higher order than the strains of displacements in
+  /// the plane: taken as they are, these cannot balance them, and the membrane
+  /// locks. So they are tied where those strains have their degree, as the
+  /// transverse shear of MITC9: covariant components as in mixed_shear(), that
+  /// of shear at 2x2 Gauss points. On parallelograms a plate of nine nodes then
+  /// bends without a membrane force where the exact one does.
+  namespace SlopeSquares
+  {
+    constexpr int n_squares = 16;
+
+    /// Slopes of the deflection at the tying points, along xi and eta of the
+    /// reference cell, from its values at nine nodes: 2 n_squares x 9. Strain k
+    /// is the product of slopes k and n_squares + k, the first of which is
+    /// halved where both are the same. The same for every cell.
+    const Eigen::MatrixXd &
+    slopes();
+
+    /// The covariant strains, from slopes.
+    Eigen::VectorXd
+    squares(const Eigen::Ref<const Eigen::VectorXd> &slopes);
+
+    /// Their derivative with respect to the nine deflections.
+    Eigen::MatrixXd
+    derivative(const Eigen::Ref<const Eigen::VectorXd> &slopes);
+
+    /// Second derivative of forces . squares with respect to the deflections.
+    Eigen::MatrixXd
+    second_derivative(const Eigen::Ref<const Eigen::VectorXd> &forces);
+
+    /// Strains at points of a cell, three rows each, from the covariant ones:
+    /// 3 n x n_squares.
+    /// @param values  FEValues there, with inverse Jacobians
+    Eigen::MatrixXd
+    strains(const dealii::FEValues<2> &values);
+  } // namespace SlopeSquares
+} // namespace PlateImpact
