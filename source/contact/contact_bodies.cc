@@ -14,6 +14,31 @@ namespace PlateImpact
 {
   namespace constants = boost::math::double_constants;
 
+  namespace
+  {
+    /// G w_n / R. With u = A grad(r^n P_n) + B (r^2 grad(r^n P_n) + alpha x r^n
+    /// P_n), and for n = 1 the second alone, with the alpha that balances the
+    /// uniform force of inertia.
+    double
+    displacement_of_degree(const unsigned int n, const double nu)
+    {
+      const double lambda = 2. * nu / (1. - 2. * nu); // over G
+      if (n == 0)
+        return 1. / (3. * lambda + 2.);
+      if (n == 1)
+        return 1.2 / (6. * lambda + 4.);
+      const double alpha =
+        -2. * (n * lambda + 3. * n + 1.) / ((n + 3.) * lambda + n + 5.);
+      // no shear traction with B = 1
+      const double A        = -(2. * n + alpha) / (2. * n - 2.);
+      const double pressure = 2. * A * n * (n - 1.) +
+        lambda * (2. * n + alpha * (n + 3.)) + 2. * (n + alpha) * (n + 1.);
+      return (A * n + n + alpha) / pressure;
+    }
+  } // namespace
+
+
+
   double
   hertz_coefficient(const double radius,
                     const double impactor_compliance,
@@ -30,7 +55,6 @@ namespace PlateImpact
     : radius_of_impactor(parameters.impactor.radius)
     , length(parameters.impactor.is_cylinder() ? parameters.impactor.length :
                                                  0.)
-    , least_poissons_ratio(0.5)
   {
     const ImpactorParameters &impactor = parameters.impactor;
     modulus                            = 1. /
@@ -38,8 +62,9 @@ namespace PlateImpact
          impactor.youngs_modulus +
        section.half_space_compliance);
 
-    double     least_pressure = std::numeric_limits<double>::infinity();
-    const auto consider       = [&](const auto &body) {
+    double least_pressure       = std::numeric_limits<double>::infinity(),
+           least_poissons_ratio = 0.5;
+    const auto consider         = [&](const auto &body) {
       const double Y = body.yield_strength, nu = body.poissons_ratio;
       const double first_pressure = Y * yield_pressure_ratio(nu);
       if (Y == 0.)
@@ -58,6 +83,13 @@ namespace PlateImpact
                                        modulus,
                                        weaker->yield_strength,
                                        weaker->poissons_ratio);
+    const auto yield_ratio = [&](const double nu) {
+      return length > 0. ? 1.67 : yield_pressure_ratio(nu);
+    };
+    pressure_over_strength = yield_ratio(least_poissons_ratio);
+    if (weaker)
+      first_yield_pressure =
+        weaker->yield_strength * yield_ratio(weaker->poissons_ratio);
   }
 
 
@@ -99,25 +131,23 @@ namespace PlateImpact
 
 
   double
-  ContactBodies::pressure_over_strength(const double poissons_ratio) const
+  ball_compliance(const double radius,
+                  const double shear_modulus,
+                  const double poissons_ratio,
+                  const double contact_radius)
   {
-    return length > 0. ? 1.67 : yield_pressure_ratio(poissons_ratio);
-  }
-
-
-
-  double
-  ContactBodies::first_yield_pressure() const
-  {
-    return weaker->yield_strength *
-      pressure_over_strength(weaker->poissons_ratio);
-  }
-
-
-
-  double
-  ContactBodies::elastic_strength(const double pressure) const
-  {
-    return pressure / pressure_over_strength(least_poissons_ratio);
+    const double ratio = contact_radius / radius, nu = poissons_ratio;
+    double       sum = 0.;
+    // terms fall as 1 / n up to R / a and as n^-5 beyond
+    for (unsigned int n = 0; n * ratio < 20.; ++n)
+      {
+        const double x         = (n + 0.5) * ratio;
+        const double transform = x > 0.01 ?
+          3. * (std::sin(x) - x * std::cos(x)) / (x * x * x) :
+          1. - 0.1 * x * x;
+        sum += (1. - nu - (n + 0.5) * displacement_of_degree(n, nu)) *
+          transform * transform;
+      }
+    return -sum / (constants::two_pi * shear_modulus * radius);
   }
 } // namespace PlateImpact

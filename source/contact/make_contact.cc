@@ -1,7 +1,6 @@
 #include "plate_impact/contact/make_contact.h"
 
 #include "plate_impact/base/entries.h"
-#include "plate_impact/contact/ball_compliance.h"
 #include "plate_impact/contact/contact_bodies.h"
 #include "plate_impact/contact/hertz_law.h"
 #include "plate_impact/contact/impactor.h"

@@ -5,7 +5,7 @@
 
 #include <limits>
 #include <memory>
-#include <optional>
+#include <utility>
 
 namespace PlateImpact
 {
@@ -111,17 +111,17 @@ namespace PlateImpact
     }
 
   private:
-    /// Calls a function for what the force follows at an indentation: the curve
-    /// of unloading, that of reloading or the law.
-    template <typename Function>
-    double
-    at(double indentation, const Function &function) const;
+    /// What the force follows at an indentation: the curve of unloading, that
+    /// of reloading or the law; and its argument there, an indentation less the
+    /// dent of a curve.
+    std::pair<const ContactLaw &, double>
+    followed(double indentation) const;
 
-    /// Mean over the indentation of what a function gives for one of these and
-    /// two indentations.
-    template <typename Function>
+    using Mean = double (ContactLaw::*)(double, double) const;
+
+    /// The mean between two indentations by those of what is followed.
     double
-    mean(double a, double b, const Function &function) const;
+    mean(double a, double b, Mean mean_of) const;
 
     std::shared_ptr<const ContactLaw> law;
     std::shared_ptr<const Unloading>  unloading;
