@@ -110,24 +110,6 @@ namespace PlateImpact
 
 
   double
-  Contact::force(const double indentation) const
-  {
-    const auto &[branch, argument] = followed(indentation);
-    return branch.force(argument);
-  }
-
-
-
-  double
-  Contact::stiffness(const double indentation) const
-  {
-    const auto &[branch, argument] = followed(indentation);
-    return branch.stiffness(argument);
-  }
-
-
-
-  double
   Contact::mean(const double a, const double b, const Mean mean_of) const
   {
     const double low = std::min(a, b), high = std::max(a, b);
@@ -160,22 +142,6 @@ namespace PlateImpact
     return (over_indentation +
             0.5 * compliance * (force(a) + force(b)) * slope) /
       (1. + compliance * slope);
-  }
-
-
-
-  double
-  Contact::approach(const double indentation) const
-  {
-    return indentation + compliance * force(indentation);
-  }
-
-
-
-  double
-  Contact::approach_derivative(const double indentation) const
-  {
-    return 1. + compliance * stiffness(indentation);
   }
 
 

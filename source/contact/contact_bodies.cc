@@ -4,16 +4,12 @@
 #include "plate_impact/contact/yielding_law.h"
 #include "plate_impact/plate/plate_section.h"
 
-#include <boost/math/constants/constants.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace PlateImpact
 {
-  namespace constants = boost::math::double_constants;
-
   namespace
   {
     /// G w_n / R. With u = A grad(r^n P_n) + B (r^2 grad(r^n P_n) + alpha x r^n
@@ -36,17 +32,6 @@ namespace PlateImpact
       return (A * n + n + alpha) / pressure;
     }
   } // namespace
-
-
-
-  double
-  hertz_coefficient(const double radius,
-                    const double impactor_compliance,
-                    const double target_compliance)
-  {
-    return 4. / 3. * std::sqrt(radius) /
-      (impactor_compliance + target_compliance);
-  }
 
 
 
@@ -99,33 +84,13 @@ namespace PlateImpact
   {
     if (length > 0.)
       return std::sqrt(4. * force * radius_of_impactor /
-                       (constants::pi * modulus * length));
+                       (pi * modulus * length));
     double squared = radius_of_impactor * std::max(0., indentation);
     if (yield_indentation && indentation > 1.9 * *yield_indentation)
       squared *=
         std::pow(indentation / (1.9 * *yield_indentation),
                  0.14 * std::exp(23. * weaker->yield_strength / modulus));
     return std::sqrt(squared);
-  }
-
-
-
-  double
-  ContactBodies::mean_pressure(const double force,
-                               const double indentation) const
-  {
-    const double a = radius(force, indentation);
-    return force / (length > 0. ? 2. * a * length : constants::pi * a * a);
-  }
-
-
-
-  double
-  ContactBodies::elastic_pressure(const double force,
-                                  const double indentation) const
-  {
-    return (length > 0. ? 4. / constants::pi : 1.5) *
-      mean_pressure(force, indentation);
   }
 
 
@@ -148,6 +113,7 @@ namespace PlateImpact
         sum += (1. - nu - (n + 0.5) * displacement_of_degree(n, nu)) *
           transform * transform;
       }
-    return -sum / (constants::two_pi * shear_modulus * radius);
+    return -sum /
+      (boost::math::double_constants::two_pi * shear_modulus * radius);
   }
 } // namespace PlateImpact

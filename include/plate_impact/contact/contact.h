@@ -44,11 +44,19 @@ namespace PlateImpact
 
     /// [N]
     double
-    force(double indentation) const;
+    force(const double indentation) const
+    {
+      const auto &[branch, argument] = followed(indentation);
+      return branch.force(argument);
+    }
 
     /// Derivative of the force with respect to the indentation. [N/m]
     double
-    stiffness(double indentation) const;
+    stiffness(const double indentation) const
+    {
+      const auto &[branch, argument] = followed(indentation);
+      return branch.stiffness(argument);
+    }
 
     /// Mean of the force over the approach between two indentations: this
     /// times the change of the approach is the work of the contact. Does not
@@ -58,11 +66,17 @@ namespace PlateImpact
 
     /// delta. [m]
     double
-    approach(double indentation) const;
+    approach(const double indentation) const
+    {
+      return indentation + compliance * force(indentation);
+    }
 
     /// d delta / d alpha, above 0.
     double
-    approach_derivative(double indentation) const;
+    approach_derivative(const double indentation) const
+    {
+      return 1. + compliance * stiffness(indentation);
+    }
 
     /// Indentation under an approach. [m]
     double

@@ -1,19 +1,13 @@
 #pragma once
 
+#include <boost/math/constants/constants.hpp>
+
 #include <optional>
 
 namespace PlateImpact
 {
   struct Parameters;
   struct PlateSection;
-
-  /// Coefficient of Hertz's law for a sphere and a half-space,
-  /// k = 4/3 sqrt(r) / (compliance of the impactor + compliance of the target),
-  /// both compliances [1/Pa], radius [m]. [N/m^{3/2}]
-  double
-  hertz_coefficient(double radius,
-                    double impactor_compliance,
-                    double target_compliance);
 
   /// A body in contact that may yield.
   struct YieldingBody
@@ -57,12 +51,19 @@ namespace PlateImpact
     /// @param force        [N]
     /// @param indentation  under that force, above 0 [m]
     double
-    mean_pressure(double force, double indentation) const;
+    mean_pressure(const double force, const double indentation) const
+    {
+      const double a = radius(force, indentation);
+      return force / (length > 0. ? 2. * a * length : pi * a * a);
+    }
 
     /// Largest pressure of Hertz's contact, of a sphere 3/2 and of a cylinder 4
     /// / pi of the mean; of one that stays elastic. [Pa]
     double
-    elastic_pressure(double force, double indentation) const;
+    elastic_pressure(const double force, const double indentation) const
+    {
+      return (length > 0. ? 4. / pi : 1.5) * mean_pressure(force, indentation);
+    }
 
     /// Pressure from which on the weaker body yields, where there is one: its
     /// strength times yield_pressure_ratio(), under a cylinder times 1.67
@@ -73,6 +74,8 @@ namespace PlateImpact
     double pressure_over_strength;
 
   private:
+    static constexpr double pi = boost::math::double_constants::pi;
+
     double radius_of_impactor;
     double length; ///< of a cylinder; 0: a sphere [m]
   };

@@ -6,6 +6,19 @@
 
 namespace PlateImpact
 {
+  /// Coefficient of Hertz's law for a sphere and a half-space,
+  /// k = 4/3 sqrt(r) / (compliance of the impactor + compliance of the target),
+  /// both compliances [1/Pa], radius [m]. [N/m^{3/2}]
+  inline double
+  hertz_coefficient(const double radius,
+                    const double impactor_compliance,
+                    const double target_compliance)
+  {
+    return 4. / 3. * std::sqrt(radius) /
+      (impactor_compliance + target_compliance);
+  }
+
+
   /// Hertz's law of two elastic bodies touching at a point, F = k alpha^{3/2}
   /// (eq. 16 of Mahajan & Dutta).
   class HertzLaw : public ContactLaw
