@@ -42,10 +42,10 @@ namespace PlateImpact
                                                  0.)
   {
     const ImpactorParameters &impactor = parameters.impactor;
-    modulus                            = 1. /
-      ((1. - impactor.poissons_ratio * impactor.poissons_ratio) /
-         impactor.youngs_modulus +
-       section.half_space_compliance);
+    impactor_compliance =
+      (1. - impactor.poissons_ratio * impactor.poissons_ratio) /
+      impactor.youngs_modulus;
+    modulus = 1. / (impactor_compliance + section.half_space_compliance);
 
     double least_pressure       = std::numeric_limits<double>::infinity(),
            least_poissons_ratio = 0.5;

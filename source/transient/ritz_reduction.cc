@@ -262,8 +262,8 @@ namespace PlateImpact
   SemidiscreteSystem &
   RitzReduction::system_for(const Parameters &parameters)
   {
-    if (time.integrator == IntegratorType::Newmark || !full.is_linear())
-      return full;
+    if (time.integrator == IntegratorType::Newmark || !mesh->system.is_linear())
+      return mesh->system;
     Parameters rounded = parameters;
     rounded.time       = time;
     rounded.impactor   = nearby(parameters.impactor, parameters.plate);
@@ -274,8 +274,8 @@ namespace PlateImpact
     if (found == settled.end())
       found = settled
                 .emplace(key,
-                         steps_are_fewer(rounded, full.load().size()) ?
-                           &full :
+                         steps_are_fewer(rounded, mesh->system.load().size()) ?
+                           &mesh->system :
                            settle(rounded))
                 .first;
     return *found->second;
@@ -299,14 +299,14 @@ namespace PlateImpact
     // that the end reflects cannot be back before the end time. Fields may
     // follow with the third basis, the first that is judged.
     const double n_first = std::max(12., 0.24 * frequency(octave) * followed),
-                 growth = 1.15, n_unknowns = full.load().size();
+                 growth = 1.15, n_unknowns = mesh->system.load().size();
     // once the vectors have cost as much as the steps would, or fill the
     // memory, the steps are made after all
     const double n_most =
       std::min(vectors_worth(time.end_time / time.time_step),
                most_numbers / n_unknowns);
     if (n_most < std::min(n_first * growth * growth, n_unknowns))
-      return &full;
+      return &mesh->system;
     const NewmarkScheme judging =
       scheme_to_judge(scheme, time, expected.contact_time());
     std::deque<Eigen::ArrayX2d> last_three;
@@ -320,7 +320,7 @@ namespace PlateImpact
         try
           {
             last_three.push_back(judged(
-              impact(reduced, contact, impactor, judging.n_steps, judging)
+              impact(judging, reduced, contact, impactor, judging.n_steps)
                 .history,
               contact));
             // The force is a scalar product of displacements with the load,
@@ -335,13 +335,13 @@ namespace PlateImpact
         catch (const ComputationError &)
           {
             // if it is not the reduction that fails, the mesh will tell
-            return &full;
+            return &mesh->system;
           }
         if (last_three.size() == 3)
           last_three.pop_front();
         n_before = n_wanted;
       }
-    return &full;
+    return &mesh->system;
   }
 
 
@@ -351,7 +351,8 @@ namespace PlateImpact
   {
     const double omega = frequency(half_octave);
     RitzBasis   &basis =
-      mesh.bases.try_emplace(half_octave, full, omega * omega).first->second;
+      mesh->bases.try_emplace(half_octave, mesh->system, omega * omega)
+        .first->second;
     basis.grow(n);
     // a longer terminator changes little
     const unsigned int n_terminator =
@@ -367,15 +368,15 @@ namespace PlateImpact
 
 
   Impact
-  RitzReduction::impact(SemidiscreteSystem  &system,
+  RitzReduction::impact(const NewmarkScheme &by,
+                        SemidiscreteSystem  &system,
                         const Contact       &contact,
                         const Impactor      &impactor,
-                        const unsigned int   n_steps,
-                        const NewmarkScheme &by)
+                        const unsigned int   n_steps)
   {
     // the work of the force is the plate's energy where nothing dissipates it
     if (by.conserves_energy() && system.damping() == 0. && system.is_linear())
-      return response(system, by).impact(contact, impactor, n_steps);
+      return response(by, system).impact(contact, impactor, n_steps);
     TimeStepper stepper(by, system, contact, impactor);
     stepper.advance(n_steps);
     return stepper.impact();
@@ -384,7 +385,7 @@ namespace PlateImpact
 
 
   const PlateResponse &
-  RitzReduction::response(SemidiscreteSystem &system, const NewmarkScheme &by)
+  RitzReduction::response(const NewmarkScheme &by, SemidiscreteSystem &system)
   {
     return responses.try_emplace({&system, by.n_steps}, by, system)
       .first->second;

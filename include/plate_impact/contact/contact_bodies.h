@@ -25,6 +25,9 @@ namespace PlateImpact
   public:
     ContactBodies(const Parameters &parameters, const PlateSection &section);
 
+    /// (1 - nu_1^2) / E_1. [1/Pa]
+    double impactor_compliance;
+
     /// E*, 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2. [Pa]
     double modulus;
 

@@ -43,9 +43,7 @@ namespace PlateImpact
     const double        damping;    ///< b [s]
     const double        stiffening; ///< 1 + g b
 
-    /// a is needed unless gamma = 2 beta, K v and K a with damping unless the
-    /// scheme conserves energy
-    Eigen::VectorXd a, Kv, Ka, Ma;
+    Eigen::VectorXd a, Kv, Ka, Ma; ///< K v and K a: with damping
     Eigen::VectorXd right_hand_side, K_increment;
   };
 

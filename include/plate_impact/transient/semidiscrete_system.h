@@ -16,11 +16,29 @@ namespace PlateImpact
   class SemidiscreteSystem
   {
   public:
+    /// @param load     u, the forces conjugate to the unknowns for a unit
+    ///                 contact force
+    /// @param damping  b, of a material that answers to strains and their rates
+    ///                 (Kelvin and Voigt); 0 without damping [s]
+    explicit SemidiscreteSystem(const Eigen::VectorXd &load,
+                                const double           damping = 0.)
+      : u(load)
+      , b(damping)
+    {}
+
     virtual ~SemidiscreteSystem() = default;
 
-    /// u, the forces conjugate to the unknowns for a unit contact force.
-    virtual const Eigen::VectorXd &
-    load() const = 0;
+    const Eigen::VectorXd &
+    load() const
+    {
+      return u;
+    }
+
+    double
+    damping() const
+    {
+      return b;
+    }
 
     /// y = K x.
     virtual void
@@ -30,14 +48,6 @@ namespace PlateImpact
     /// factorization is kept until another c is asked for.
     virtual void
     solve(double c, const Eigen::VectorXd &b, Eigen::VectorXd &x) = 0;
-
-    /// b, of a material that answers to strains and their rates (Kelvin and
-    /// Voigt); 0 without damping. [s]
-    virtual double
-    damping() const
-    {
-      return 0.;
-    }
 
     /// u^T K^-1 u, the displacement under a constant unit force, or any bound
     /// above it; infinite for a plate that is free to move. [m/N]
@@ -89,5 +99,9 @@ namespace PlateImpact
     {
       return std::clamp<Eigen::Index>(2400000 / load().size(), 1, 16);
     }
+
+  private:
+    const Eigen::VectorXd u;
+    const double          b;
   };
 } // namespace PlateImpact
