@@ -56,44 +56,30 @@ namespace PlateImpact
       const std::shared_ptr<const ContactLaw> law;
       const double                            limit;
     };
-
-
-
-    /// Where the steepest slope that a contact has up to an indentation reaches
-    /// a bound. [m]
-    double
-    indentation_of_slope(const ContactLaw      &law,
-                         const Unloading *const unloading,
-                         const double           bound)
-    {
-      return zero_of([&](const double alpha) {
-        double slope = law.stiffness(alpha);
-        if (unloading != nullptr)
-          slope = std::max(slope,
-                           unloading->power(alpha) * law.force(alpha) /
-                             (alpha - unloading->dent(alpha)));
-        return slope / bound - 1.;
-      });
-    }
   } // namespace
 
 
 
   Contact::Contact(std::shared_ptr<const ContactLaw> first_law,
                    const double                      compliance,
-                   std::shared_ptr<const Unloading>  unloading)
+                   std::shared_ptr<const Unloading>  memory)
     : law(std::move(first_law))
-    , unloading(std::move(unloading))
+    , unloading(std::move(memory))
     , compliance(compliance)
   {
     if (compliance >= 0.)
       return;
-    const double limit =
-      indentation_of_slope(*law,
-                           this->unloading.get(),
-                           largest_share_of_series / compliance);
-    force_limit = law->force(limit);
-    law         = std::make_shared<TangentBeyond>(law, limit);
+    const double limit = zero_of([&](const double alpha) {
+      // the steepest that the contact has up to there
+      double slope = law->stiffness(alpha);
+      if (unloading != nullptr)
+        slope = std::max(slope,
+                         unloading->power(alpha) * law->force(alpha) /
+                           (alpha - unloading->dent(alpha)));
+      return slope * compliance / largest_share_of_series - 1.;
+    });
+    force_limit        = law->force(limit);
+    law                = std::make_shared<TangentBeyond>(law, limit);
   }
 
 

@@ -32,7 +32,7 @@ namespace PlateImpact
         n_terminator = 0;
       const TridiagonalMatrix T       = {basis.mass_diagonal().head(n),
                                          basis.mass_subdiagonal().head(n - 1)};
-      const double            uniform = 0.25 / basis.shift();
+      const double            uniform = 0.25 / basis.sigma;
       TridiagonalMatrix       result  = {
                Eigen::VectorXd::Constant(n + n_terminator, 2. * uniform),
                Eigen::VectorXd::Constant(n + n_terminator - 1, uniform)};
@@ -43,7 +43,7 @@ namespace PlateImpact
           // Elimination leaves pivots above `uniform` all along the
           // terminator, in T as in K, if the first is at least that: the
           // coupling leaves 2 uniform - coupling^2 / pivot.
-          const TridiagonalMatrix K = {1. / basis.shift() - T.diagonal.array(),
+          const TridiagonalMatrix K = {1. / basis.sigma - T.diagonal.array(),
                                        T.beside};
           const double pivot   = std::min(pivots(T)[n - 1], pivots(K)[n - 1]);
           result.beside[n - 1] = std::sqrt(uniform * std::max(0., pivot));
@@ -96,7 +96,7 @@ namespace PlateImpact
     , basis(basis)
     , n(n)
     , mass(mass)
-    , stiffness(stiffness_to(mass, basis.shift()))
+    , stiffness(stiffness_to(mass, basis.sigma))
     , compliance(basis.matrices.discretization.is_free() ?
                    std::numeric_limits<double>::infinity() :
                    1.001 * basis.load() * basis.load() *

@@ -97,7 +97,8 @@ namespace PlateImpact
     if (!acts)
       return norm;
     candidate -= Q.leftCols(n) * overlap;
-    matrices.multiply(sigma, candidate, A_candidate);
+    A_candidate = as_eigen(matrices.discretization.stiffness()) * candidate +
+      sigma * (as_eigen(matrices.discretization.mass()) * candidate);
     const double left = norm_of_candidate();
     return overlap.norm() < most_overlap * left ? left : 0.;
   }

@@ -44,14 +44,6 @@ namespace PlateImpact
       solver->solve(b, x);
     }
 
-    /// y = (K + c M) x.
-    void
-    multiply(const double c, const Eigen::VectorXd &x, Eigen::VectorXd &y)
-    {
-      factorize(c);
-      y.noalias() = as_eigen(solver->matrix()) * x;
-    }
-
     /// Adds c M to a matrix with the entries of K, which are more.
     void
     add_mass(const double c, Epetra_CrsMatrix &matrix) const

@@ -48,14 +48,9 @@ namespace PlateImpact
     std::unique_ptr<PlateMotion>
     motion(const NewmarkScheme &scheme) override;
 
-    EffectiveStiffness &
-    effective_stiffness() const
-    {
-      return *matrices;
-    }
+    const std::shared_ptr<EffectiveStiffness> matrices;
 
   private:
-    const std::shared_ptr<EffectiveStiffness> matrices;
-    std::optional<double>                     compliance; ///< under u [m/N]
+    std::optional<double> compliance; ///< under u [m/N]
   };
 } // namespace PlateImpact

@@ -57,13 +57,6 @@ namespace PlateImpact
       ++work.linear_solves;
     }
 
-    /// That is factorized.
-    const Epetra_CrsMatrix &
-    matrix() const
-    {
-      return *factorized;
-    }
-
   private:
     /// The matrix stays unchanged for solve_factorized().
     virtual void
