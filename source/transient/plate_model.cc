@@ -58,21 +58,17 @@ namespace PlateImpact
                       impact.contact.integration,
                       time,
                       needs_states);
-    auto          found = reductions.find(key);
-    if (found == reductions.end())
+    if (reductions.count(key) == 0)
       {
         forget_loads();
-        found =
-          reductions
-            .emplace(key,
-                     std::make_shared<RitzReduction>(loaded_mesh(impact),
-                                                     time,
-                                                     impact.contact.integration,
-                                                     needs_states))
-            .first;
+        reductions[key] =
+          std::make_shared<RitzReduction>(loaded_mesh(impact),
+                                          time,
+                                          impact.contact.integration,
+                                          needs_states);
         ++n_loads;
       }
-    return {impact, found->second};
+    return {impact, reductions[key]};
   }
 
 

@@ -3,7 +3,7 @@
 #include "plate_impact/plate/large_deflection.h"
 #include "plate_impact/transient/effective_stiffness.h"
 #include "plate_impact/transient/newmark_scheme.h"
-#include "plate_impact/transient/plate_motion.h"
+#include "plate_impact/transient/semidiscrete_system.h"
 
 #include <Eigen/Core>
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "plate_impact/transient/newmark_scheme.h"
-#include "plate_impact/transient/plate_motion.h"
 #include "plate_impact/transient/semidiscrete_system.h"
 
 #include <Eigen/Core>

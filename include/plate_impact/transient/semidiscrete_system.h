@@ -1,15 +1,83 @@
 #pragma once
 
 #include "plate_impact/transient/newmark_scheme.h"
-#include "plate_impact/transient/plate_motion.h"
 
 #include <Eigen/Core>
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 namespace PlateImpact
 {
+  /// The plate's side of a transient, from rest: steps of Newmark's method
+  /// under forces at their beginning and end. What a step depends on the force
+  /// at its end is linear, or made so again until the step is in equilibrium.
+  class PlateMotion
+  {
+  public:
+    virtual ~PlateMotion() = default;
+
+    /// Begins a step.
+    /// @param begin_force  at its beginning [N]
+    /// @return displacement under the load at its end without further force [m]
+    virtual double
+    begin_step(double begin_force) = 0;
+
+    /// Displacement under the load at the end of a step for a unit force
+    /// there. [m/N]
+    double
+    unit_displacement() const
+    {
+      return w_of_unit_response;
+    }
+
+    /// Ends the step.
+    /// @param at_begin  further force at its beginning [N]
+    /// @param at_end    force at its end [N]
+    /// @return nothing; or, as begin_step(), a displacement of the plate
+    ///         linearized about where it is now, if that is no equilibrium: the
+    ///         step has to be ended again
+    /// @throws ComputationError when equilibrium is not found
+    virtual std::optional<double>
+    end_step(double at_begin, double at_end) = 0;
+
+    /// Under the load. [m]
+    double
+    displacement() const
+    {
+      return w;
+    }
+
+    /// [J]
+    virtual double
+    energy() const
+    {
+      return 0.5 * (v.dot(Mv) + z.dot(Kz));
+    }
+
+    /// By damping, so far; exact where the scheme conserves energy. [J]
+    double
+    dissipated_energy() const
+    {
+      return dissipated;
+    }
+
+    /// z, the unknowns of the plate.
+    const Eigen::VectorXd &
+    unknowns() const
+    {
+      return z;
+    }
+
+  protected:
+    Eigen::VectorXd z, v, Kz, Mv; ///< v: rates of z
+    Eigen::VectorXd increment;    ///< of z in the step
+    Eigen::VectorXd unit_response;
+    double          w = 0., w_of_unit_response = 0., dissipated = 0.;
+  };
+
+
   /// The plate for the time stepper, M z'' + b K z' + K z = f u: a stiffness,
   /// one shape u of the load, and solves with K + c M. The same for the
   /// unknowns of a mesh and for a reduced basis.
@@ -81,14 +149,6 @@ namespace PlateImpact
     span(const Eigen::Ref<const Eigen::MatrixXd> &states) const
     {
       return {states, Eigen::MatrixXd::Identity(states.cols(), states.cols())};
-    }
-
-    /// Those unknowns, a column per state.
-    Eigen::MatrixXd
-    unknowns(const Eigen::Ref<const Eigen::MatrixXd> &states) const
-    {
-      const Span in_mesh = span(states);
-      return in_mesh.vectors * in_mesh.coordinates;
     }
 
     /// How many states are best looked at together on the mesh: many where they

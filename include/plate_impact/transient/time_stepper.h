@@ -3,7 +3,6 @@
 #include "plate_impact/contact/contact.h"
 #include "plate_impact/contact/contact_history.h"
 #include "plate_impact/contact/impactor.h"
-#include "plate_impact/transient/plate_motion.h"
 #include "plate_impact/transient/semidiscrete_system.h"
 
 #include <Eigen/Core>
