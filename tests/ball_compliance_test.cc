@@ -1,4 +1,4 @@
-#include "plate_impact/contact/ball_compliance.h"
+#include "plate_impact/contact/contact_bodies.h"
 
 #include <gtest/gtest.h>
 

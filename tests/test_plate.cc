@@ -166,9 +166,10 @@ namespace PlateImpact
   Eigen::VectorXd
   solve_static(const PlateDiscretization &model, const Eigen::VectorXd &load)
   {
-    Epetra_CrsMatrix K      = model.stiffness();
-    const auto       solver = make_linear_solver(SolverType::CHOLMOD);
-    solver->factorize(K);
+    const Epetra_CrsMatrix &K = model.stiffness();
+    SolverWork              work;
+    const auto solver = make_linear_solver(SolverType::CHOLMOD, work);
+    solver->factorize(std::make_unique<Epetra_CrsMatrix>(K));
     Eigen::VectorXd z, correction, residual = load;
     solver->solve(load, z);
 

@@ -22,18 +22,13 @@ namespace PlateImpact
       SpringPlate(const double stiffness,
                   const double mass,
                   const double load,
-                  const bool   has_known_compliance = true)
-        : k(stiffness)
+                  const bool   has_known_compliance = true,
+                  const double damping              = 0.)
+        : SemidiscreteSystem(Eigen::VectorXd::Constant(1, load), damping)
+        , k(stiffness)
         , m(mass)
-        , u(Eigen::VectorXd::Constant(1, load))
         , has_known_compliance(has_known_compliance)
       {}
-
-      const Eigen::VectorXd &
-      load() const override
-      {
-        return u;
-      }
 
       void
       multiply_stiffness(const Eigen::VectorXd &x,
@@ -50,12 +45,6 @@ namespace PlateImpact
         x = b / (k + c * m);
       }
 
-      double
-      damping() const override
-      {
-        return b;
-      }
-
       std::unique_ptr<PlateMotion>
       motion(const NewmarkScheme &scheme) override
       {
@@ -65,16 +54,13 @@ namespace PlateImpact
       double
       static_compliance() override
       {
-        return has_known_compliance ? u[0] * u[0] / k :
+        return has_known_compliance ? load().squaredNorm() / k :
                                       std::numeric_limits<double>::infinity();
       }
 
-      double b = 0.; ///< damping [s]
-
     private:
-      const double          k, m;
-      const Eigen::VectorXd u;
-      const bool            has_known_compliance;
+      const double k, m;
+      const bool   has_known_compliance;
     };
 
 
@@ -241,8 +227,11 @@ namespace PlateImpact
     double
     under_a_growing_force(const TimeParameters &time)
     {
-      SpringPlate plate(4., 1., 1.);
-      plate.b = 0.1;
+      SpringPlate         plate(4.,
+                        1.,
+                        1.,
+                        /*has_known_compliance=*/true,
+                        /*damping=*/0.1);
       const NewmarkScheme scheme(time, conserving);
       PlateStepper        stepper(scheme, plate);
       for (unsigned int n = 0; n < scheme.n_steps; ++n)

@@ -45,7 +45,7 @@ namespace PlateImpact
   ModelLimits::check_yielding()
   {
     const YieldingBody &weaker = *bodies.weaker;
-    const double        first  = bodies.first_yield_pressure();
+    const double        first  = bodies.first_yield_pressure;
     if (pressure <= first)
       {
         warnings.contact =
@@ -99,7 +99,7 @@ namespace PlateImpact
       fmt::format("{} elastic as long as the yield strength{} is above {}",
                   bodies.weaker ? "; the plate stays" : ",",
                   bodies.weaker ? " of the plate" : "",
-                  about(bodies.elastic_strength(pressure), "Pa"));
+                  about(pressure / bodies.pressure_over_strength, "Pa"));
     // Full plasticity begins at three times the yield strength, which is at
     // most a hundredth of Young's modulus (Johnson, Contact Mechanics, sec.
     // 6.3). A law of unloading does not help: the loading is Hertz's in any

@@ -46,20 +46,6 @@ namespace PlateImpact
             0.5 * beyond * (law->force(limit) + force(indentation));
       }
 
-      double
-      mean_force(const double a, const double b) const override
-      {
-        return std::max(a, b) <= limit ? law->mean_force(a, b) :
-                                         ContactLaw::mean_force(a, b);
-      }
-
-      double
-      mean_stiffness(const double a, const double b) const override
-      {
-        return std::max(a, b) <= limit ? law->mean_stiffness(a, b) :
-                                         ContactLaw::mean_stiffness(a, b);
-      }
-
       std::optional<double>
       hertz_coefficient() const override
       {
@@ -70,100 +56,59 @@ namespace PlateImpact
       const std::shared_ptr<const ContactLaw> law;
       const double                            limit;
     };
-
-
-
-    /// Where the steepest slope that a contact has up to an indentation reaches
-    /// a bound. [m]
-    double
-    indentation_of_slope(const ContactLaw      &law,
-                         const Unloading *const unloading,
-                         const double           bound)
-    {
-      return zero_of([&](const double alpha) {
-        double slope = law.stiffness(alpha);
-        if (unloading != nullptr)
-          slope = std::max(slope,
-                           unloading->power(alpha) * law.force(alpha) /
-                             (alpha - unloading->dent(alpha)));
-        return slope / bound - 1.;
-      });
-    }
   } // namespace
 
 
 
   Contact::Contact(std::shared_ptr<const ContactLaw> first_law,
                    const double                      compliance,
-                   std::shared_ptr<const Unloading>  unloading)
+                   std::shared_ptr<const Unloading>  memory)
     : law(std::move(first_law))
-    , unloading(std::move(unloading))
+    , unloading(std::move(memory))
     , compliance(compliance)
   {
     if (compliance >= 0.)
       return;
-    const double limit =
-      indentation_of_slope(*law,
-                           this->unloading.get(),
-                           largest_share_of_series / compliance);
-    force_limit = law->force(limit);
-    law         = std::make_shared<TangentBeyond>(law, limit);
-  }
-
-
-
-  template <typename Function>
-  double
-  Contact::at(const double indentation, const Function &function) const
-  {
-    if (unloading != nullptr)
-      {
-        if (indentation <= dent())
-          return 0.;
-        for (const UnloadingCurve *curve : {&unload, &reload})
-          if (indentation <= curve->end)
-            return function(*curve);
-      }
-    return function(*law);
-  }
-
-
-
-  double
-  Contact::force(const double indentation) const
-  {
-    return at(indentation, [indentation](const auto &followed) {
-      return followed.force(indentation);
+    const double limit = zero_of([&](const double alpha) {
+      // the steepest that the contact has up to there
+      double slope = law->stiffness(alpha);
+      if (unloading != nullptr)
+        slope = std::max(slope,
+                         unloading->power(alpha) * law->force(alpha) /
+                           (alpha - unloading->dent(alpha)));
+      return slope * compliance / largest_share_of_series - 1.;
     });
+    force_limit        = law->force(limit);
+    law                = std::make_shared<TangentBeyond>(law, limit);
   }
 
 
 
-  double
-  Contact::stiffness(const double indentation) const
+  std::pair<const ContactLaw &, double>
+  Contact::followed(const double indentation) const
   {
-    return at(indentation, [indentation](const auto &followed) {
-      return followed.stiffness(indentation);
-    });
+    for (const UnloadingCurve *curve : {&unload, &reload})
+      if (indentation <= curve->end)
+        return {*curve, indentation - curve->dent};
+    return {*law, indentation};
   }
 
 
 
-  template <typename Function>
   double
-  Contact::mean(const double a, const double b, const Function &function) const
+  Contact::mean(const double a, const double b, const Mean mean_of) const
   {
     const double low = std::min(a, b), high = std::max(a, b);
-    // no force up to the dent, which is 0 without memory
-    double begin = std::max(low, dent()), sum = 0.;
+    double       begin = low, sum = 0.;
     for (const UnloadingCurve *curve : {&unload, &reload})
       if (const double end = std::min(high, curve->end); begin < end)
         {
-          sum += function(*curve, begin, end) * (end - begin);
+          sum += (curve->*mean_of)(begin - curve->dent, end - curve->dent) *
+            (end - begin);
           begin = end;
         }
     if (begin < high)
-      sum += function(*law, begin, high) * (high - begin);
+      sum += ((*law).*mean_of)(begin, high) * (high - begin);
     return sum / (high - low);
   }
 
@@ -174,37 +119,15 @@ namespace PlateImpact
   {
     if (a == b)
       return force(a);
-    const double over_indentation =
-      mean(a, b, [](const auto &followed, const double low, const double high) {
-        return followed.mean_force(low, high);
-      });
+    const double over_indentation = mean(a, b, &ContactLaw::mean_force);
     if (compliance == 0.)
       return over_indentation;
     // change of the energies over that of the approach, both divided by the
     // change of the indentation, so that nothing cancels
-    const double slope =
-      mean(a, b, [](const auto &followed, const double low, const double high) {
-        return followed.mean_stiffness(low, high);
-      });
+    const double slope = mean(a, b, &ContactLaw::mean_stiffness);
     return (over_indentation +
             0.5 * compliance * (force(a) + force(b)) * slope) /
       (1. + compliance * slope);
-  }
-
-
-
-  double
-  Contact::approach(const double indentation) const
-  {
-    return indentation + compliance * force(indentation);
-  }
-
-
-
-  double
-  Contact::approach_derivative(const double indentation) const
-  {
-    return 1. + compliance * stiffness(indentation);
   }
 
 

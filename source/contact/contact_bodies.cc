@@ -4,24 +4,34 @@
 #include "plate_impact/contact/yielding_law.h"
 #include "plate_impact/plate/plate_section.h"
 
-#include <boost/math/constants/constants.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace PlateImpact
 {
-  namespace constants = boost::math::double_constants;
-
-  double
-  hertz_coefficient(const double radius,
-                    const double impactor_compliance,
-                    const double target_compliance)
+  namespace
   {
-    return 4. / 3. * std::sqrt(radius) /
-      (impactor_compliance + target_compliance);
-  }
+    /// G w_n / R. With u = A grad(r^n P_n) + B (r^2 grad(r^n P_n) + alpha x r^n
+    /// P_n), and for n = 1 the second alone, with the alpha that balances the
+    /// uniform force of inertia.
+    double
+    displacement_of_degree(const unsigned int n, const double nu)
+    {
+      const double lambda = 2. * nu / (1. - 2. * nu); // over G
+      if (n == 0)
+        return 1. / (3. * lambda + 2.);
+      if (n == 1)
+        return 1.2 / (6. * lambda + 4.);
+      const double alpha =
+        -2. * (n * lambda + 3. * n + 1.) / ((n + 3.) * lambda + n + 5.);
+      // no shear traction with B = 1
+      const double A        = -(2. * n + alpha) / (2. * n - 2.);
+      const double pressure = 2. * A * n * (n - 1.) +
+        lambda * (2. * n + alpha * (n + 3.)) + 2. * (n + alpha) * (n + 1.);
+      return (A * n + n + alpha) / pressure;
+    }
+  } // namespace
 
 
 
@@ -30,16 +40,16 @@ namespace PlateImpact
     : radius_of_impactor(parameters.impactor.radius)
     , length(parameters.impactor.is_cylinder() ? parameters.impactor.length :
                                                  0.)
-    , least_poissons_ratio(0.5)
   {
     const ImpactorParameters &impactor = parameters.impactor;
-    modulus                            = 1. /
-      ((1. - impactor.poissons_ratio * impactor.poissons_ratio) /
-         impactor.youngs_modulus +
-       section.half_space_compliance);
+    impactor_compliance =
+      (1. - impactor.poissons_ratio * impactor.poissons_ratio) /
+      impactor.youngs_modulus;
+    modulus = 1. / (impactor_compliance + section.half_space_compliance);
 
-    double     least_pressure = std::numeric_limits<double>::infinity();
-    const auto consider       = [&](const auto &body) {
+    double least_pressure       = std::numeric_limits<double>::infinity(),
+           least_poissons_ratio = 0.5;
+    const auto consider         = [&](const auto &body) {
       const double Y = body.yield_strength, nu = body.poissons_ratio;
       const double first_pressure = Y * yield_pressure_ratio(nu);
       if (Y == 0.)
@@ -58,6 +68,13 @@ namespace PlateImpact
                                        modulus,
                                        weaker->yield_strength,
                                        weaker->poissons_ratio);
+    const auto yield_ratio = [&](const double nu) {
+      return length > 0. ? 1.67 : yield_pressure_ratio(nu);
+    };
+    pressure_over_strength = yield_ratio(least_poissons_ratio);
+    if (weaker)
+      first_yield_pressure =
+        weaker->yield_strength * yield_ratio(weaker->poissons_ratio);
   }
 
 
@@ -67,7 +84,7 @@ namespace PlateImpact
   {
     if (length > 0.)
       return std::sqrt(4. * force * radius_of_impactor /
-                       (constants::pi * modulus * length));
+                       (pi * modulus * length));
     double squared = radius_of_impactor * std::max(0., indentation);
     if (yield_indentation && indentation > 1.9 * *yield_indentation)
       squared *=
@@ -79,45 +96,24 @@ namespace PlateImpact
 
 
   double
-  ContactBodies::mean_pressure(const double force,
-                               const double indentation) const
+  ball_compliance(const double radius,
+                  const double shear_modulus,
+                  const double poissons_ratio,
+                  const double contact_radius)
   {
-    const double a = radius(force, indentation);
-    return force / (length > 0. ? 2. * a * length : constants::pi * a * a);
-  }
-
-
-
-  double
-  ContactBodies::elastic_pressure(const double force,
-                                  const double indentation) const
-  {
-    return (length > 0. ? 4. / constants::pi : 1.5) *
-      mean_pressure(force, indentation);
-  }
-
-
-
-  double
-  ContactBodies::pressure_over_strength(const double poissons_ratio) const
-  {
-    return length > 0. ? 1.67 : yield_pressure_ratio(poissons_ratio);
-  }
-
-
-
-  double
-  ContactBodies::first_yield_pressure() const
-  {
-    return weaker->yield_strength *
-      pressure_over_strength(weaker->poissons_ratio);
-  }
-
-
-
-  double
-  ContactBodies::elastic_strength(const double pressure) const
-  {
-    return pressure / pressure_over_strength(least_poissons_ratio);
+    const double ratio = contact_radius / radius, nu = poissons_ratio;
+    double       sum = 0.;
+    // terms fall as 1 / n up to R / a and as n^-5 beyond
+    for (unsigned int n = 0; n * ratio < 20.; ++n)
+      {
+        const double x         = (n + 0.5) * ratio;
+        const double transform = x > 0.01 ?
+          3. * (std::sin(x) - x * std::cos(x)) / (x * x * x) :
+          1. - 0.1 * x * x;
+        sum += (1. - nu - (n + 0.5) * displacement_of_degree(n, nu)) *
+          transform * transform;
+      }
+    return -sum /
+      (boost::math::double_constants::two_pi * shear_modulus * radius);
   }
 } // namespace PlateImpact

@@ -76,25 +76,6 @@ namespace PlateImpact
 
 
 
-  double
-  ContactHistory::rise_time() const
-  {
-    const ContactState *touch = &peak();
-    while (touch != history.data() && touch->overlap() > 0.)
-      --touch;
-    return peak().time - touch->time;
-  }
-
-
-
-  std::optional<double>
-  ContactHistory::first_contact_end() const
-  {
-    return end_of_impact(/*is_held=*/false);
-  }
-
-
-
   std::optional<double>
   ContactHistory::end_of_impact(const bool is_held) const
   {
@@ -108,41 +89,6 @@ namespace PlateImpact
             (before.overlap() - after.overlap());
       }
     return {};
-  }
-
-
-
-  unsigned int
-  ContactHistory::n_contacts() const
-  {
-    unsigned int n_contacts = 0;
-    for (std::size_t n = 1; n < history.size(); ++n)
-      if (history[n].overlap() > 0. && history[n - 1].overlap() <= 0.)
-        ++n_contacts;
-    return n_contacts;
-  }
-
-
-
-  double
-  ContactHistory::max_plate_displacement() const
-  {
-    double largest = 0.;
-    for (const ContactState &state : history)
-      largest = std::max(largest, std::abs(state.plate_displacement));
-    return largest;
-  }
-
-
-
-  double
-  ContactHistory::relative_energy_drift() const
-  {
-    const double initial = history.front().total_energy();
-    double       drift   = 0.;
-    for (const ContactState &state : history)
-      drift = std::max(drift, std::abs(state.total_energy() - initial));
-    return drift / initial;
   }
 
 

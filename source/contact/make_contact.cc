@@ -1,7 +1,6 @@
 #include "plate_impact/contact/make_contact.h"
 
 #include "plate_impact/base/entries.h"
-#include "plate_impact/contact/ball_compliance.h"
 #include "plate_impact/contact/contact_bodies.h"
 #include "plate_impact/contact/hertz_law.h"
 #include "plate_impact/contact/impactor.h"
@@ -17,31 +16,21 @@ namespace PlateImpact
 {
   namespace
   {
-    /// (1 - nu^2) / E of the impactor. [1/Pa]
-    double
-    compliance_of(const ImpactorParameters &impactor)
-    {
-      return (1. - impactor.poissons_ratio * impactor.poissons_ratio) /
-        impactor.youngs_modulus;
-    }
-
-
-
     /// The constant beside ln(l/a) of a line contact on a layer: the plate's
     /// side of the approach is F' (1 - nu) / (pi G) (ln(h/a) + Lambda), the
     /// cylinder's F' (1 - nu^2) / (pi E) (2 ln(4r/a) - 1), to its axis
     /// (Johnson, sec. 5.6), F' the force per length.
     double
-    line_constant_of_layer(const Parameters   &parameters,
-                           const PlateSection &section,
-                           const double        modulus,
-                           const double        Lambda)
+    line_constant_of_layer(const Parameters    &parameters,
+                           const PlateSection  &section,
+                           const ContactBodies &bodies,
+                           const double         Lambda)
     {
       const ImpactorParameters &impactor = parameters.impactor;
-      return modulus *
+      return bodies.modulus *
         (section.half_space_compliance *
            (std::log(parameters.plate.thickness) + Lambda) +
-         compliance_of(impactor) * (std::log(4. * impactor.radius) - 0.5)) -
+         bodies.impactor_compliance * (std::log(4. * impactor.radius) - 0.5)) -
         std::log(0.5 * impactor.length);
     }
 
@@ -81,7 +70,7 @@ namespace PlateImpact
       // of the compliance that the scene's law has for the plate
       const double k =
         hertz_coefficient(parameters.impactor.radius,
-                          compliance_of(parameters.impactor),
+                          bodies.impactor_compliance,
                           parameters.contact.law == ForceLaw::Sun ?
                             1. / section.contact_modulus :
                             section.half_space_compliance);
@@ -112,17 +101,14 @@ namespace PlateImpact
     {
       const ImpactorParameters &impactor = parameters.impactor;
       const PlateSection        section(parameters.plate);
-      const double modulus = ContactBodies(parameters, section).modulus;
-      return Contact(
-        std::make_shared<LineLaw>(impactor.radius,
-                                  0.5 * impactor.length,
-                                  modulus,
-                                  layer_constant ?
-                                    line_constant_of_layer(parameters,
-                                                           section,
-                                                           modulus,
-                                                           *layer_constant) :
-                                    LineLaw::constant_of_half_space));
+      const ContactBodies       bodies(parameters, section);
+      return Contact(std::make_shared<LineLaw>(
+        impactor.radius,
+        0.5 * impactor.length,
+        bodies.modulus,
+        layer_constant ?
+          line_constant_of_layer(parameters, section, bodies, *layer_constant) :
+          LineLaw::constant_of_half_space));
     }
 
 
@@ -158,24 +144,19 @@ namespace PlateImpact
 
 
 
-  std::optional<double>
-  layer_constant(const PlateParameters &plate, const ContactParameters &contact)
-  {
-    if (contact.local_response == LocalResponse::half_space)
-      return {};
-    const LayerResponse layer(PlateSection(plate), contact.load_distribution);
-    const double        radius = contact.patch_radius / plate.thickness;
-    return contact.law == ForceLaw::line ? layer.line_constant(radius) :
-                                           layer.sphere_constant(radius);
-  }
-
-
-
   Contact
   make_contact(const Parameters &parameters)
   {
+    const ContactParameters &contact = parameters.contact;
+    if (contact.local_response == LocalResponse::half_space)
+      return make_contact(parameters, /*layer_constant=*/{});
+    const PlateParameters &plate = parameters.plate;
+    const LayerResponse layer(PlateSection(plate), contact.load_distribution);
+    const double        radius = contact.patch_radius / plate.thickness;
     return make_contact(parameters,
-                        layer_constant(parameters.plate, parameters.contact));
+                        contact.law == ForceLaw::line ?
+                          layer.line_constant(radius) :
+                          layer.sphere_constant(radius));
   }
 
 

@@ -26,12 +26,6 @@ namespace PlateImpact
     /// Steps of Zener's equation from first touch.
     struct ZenerSteps
     {
-      explicit ZenerSteps(const ZenerImpact &impact)
-        : contact(impact.contact)
-        , impactor(impact.impactor)
-        , impedance(PlateImpact::impedance(impact.section))
-      {}
-
       Contact      contact;
       Impactor     impactor;
       const double impedance;
@@ -103,7 +97,7 @@ namespace PlateImpact
   ContactState
   ZenerImpact::peak_in_steps(const double dt) const
   {
-    ZenerSteps steps(*this);
+    ZenerSteps steps{contact, impactor, impedance(section)};
     double     before = 0., alpha = 0.;
     for (unsigned int n = 1; n < 100000000; ++n)
       {
@@ -141,7 +135,7 @@ namespace PlateImpact
   ZenerImpact::history(const double end_time) const
   {
     const double   shortest = step_size(*this);
-    ZenerSteps     steps(*this);
+    ZenerSteps     steps{contact, impactor, impedance(section)};
     ContactHistory history;
     ContactState   state;
     state.impactor_velocity = impactor.velocity;

@@ -13,7 +13,7 @@ namespace PlateImpact
   {
     if (is_linear())
       return std::make_unique<PlateStepper>(scheme, *this);
-    return std::make_unique<LargeDeflectionStepper>(scheme, *matrices, u);
+    return std::make_unique<LargeDeflectionStepper>(scheme, *matrices, load());
   }
 
 
@@ -30,7 +30,8 @@ namespace PlateImpact
     if (plate.is_free() ||
         (plate.is_nonlinear() && plate.section().is_unsymmetric()))
       return *compliance;
-    Eigen::VectorXd x, residual;
+    const Eigen::VectorXd &u = load();
+    Eigen::VectorXd        x, residual;
     try
       {
         // a rigid motion in the plane, which the load does not excite, is kept

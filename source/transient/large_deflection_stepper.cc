@@ -31,7 +31,7 @@ namespace PlateImpact
     , u(load)
     , plate(matrices.discretization)
     , damping(matrices.damping / scheme.dt)
-    , tangent(matrices.make_factorization())
+    , tangent(matrices.make_solver())
     , linear(matrices.discretization.stiffness())
   {
     z = v = Kz = Mv = increment = Eigen::VectorXd::Zero(u.size());
@@ -49,7 +49,7 @@ namespace PlateImpact
     const auto factorize = [this](const bool with_stresses) {
       auto matrix = std::make_unique<Epetra_CrsMatrix>(linear);
       plate.add_tangent(now, next, damping, with_stresses, *matrix);
-      tangent.factorize(std::move(matrix));
+      tangent->factorize(std::move(matrix));
     };
     try
       {
@@ -60,7 +60,7 @@ namespace PlateImpact
         // compressed so much that it would buckle within the step
         factorize(false);
       }
-    tangent.solve(u, unit_response);
+    tangent->solve(u, unit_response);
     w_of_unit_response = u.dot(unit_response);
     n_with_tangent     = 0;
     tangent_is_old     = false;
@@ -90,7 +90,7 @@ namespace PlateImpact
     size_of_increment  = std::sqrt(increment.dot(residual));
     residual =
       known_force - residual - 2. * plate.mean_forces(now, next, damping);
-    tangent.solve(residual, to_equilibrium);
+    tangent->solve(residual, to_equilibrium);
     return w + u.dot(increment + to_equilibrium);
   }
 

@@ -6,7 +6,6 @@
 #include <Amesos.h>
 #include <Amesos_BaseSolver.h>
 #include <Eigen/CholmodSupport>
-#include <Epetra_CrsMatrix.h>
 #include <Epetra_LinearProblem.h>
 #include <Epetra_Vector.h>
 
@@ -78,7 +77,8 @@ namespace PlateImpact
     class CholmodSolver : public LinearSolver
     {
     public:
-      CholmodSolver()
+      explicit CholmodSolver(SolverWork &work)
+        : LinearSolver(work)
       {
         forgo_threads();
         cholmod_common &common = cholesky.cholmod();
@@ -94,8 +94,9 @@ namespace PlateImpact
         common.print              = 0;
       }
 
+    private:
       void
-      factorize(Epetra_CrsMatrix &matrix) override
+      factorize_matrix(Epetra_CrsMatrix &matrix) override
       {
         // rows of a symmetric matrix are its columns
         const Eigen::SparseMatrix<double> A = as_eigen(matrix).transpose();
@@ -111,13 +112,13 @@ namespace PlateImpact
       }
 
       void
-      solve(const Eigen::VectorXd &right_hand_side, Eigen::VectorXd &x) override
+      solve_factorized(const Eigen::VectorXd &right_hand_side,
+                       Eigen::VectorXd       &x) override
       {
         x = cholesky.solve(right_hand_side);
         require_success(x.size());
       }
 
-    private:
       void
       require_success(const Eigen::Index n_unknowns)
       {
@@ -146,8 +147,11 @@ namespace PlateImpact
     class KluSolver : public LinearSolver
     {
     public:
+      using LinearSolver::LinearSolver;
+
+    private:
       void
-      factorize(Epetra_CrsMatrix &matrix) override
+      factorize_matrix(Epetra_CrsMatrix &matrix) override
       {
         problem.SetOperator(&matrix);
         solver.reset(Amesos().Create("Amesos_Klu", problem));
@@ -159,7 +163,8 @@ namespace PlateImpact
       }
 
       void
-      solve(const Eigen::VectorXd &right_hand_side, Eigen::VectorXd &x) override
+      solve_factorized(const Eigen::VectorXd &right_hand_side,
+                       Eigen::VectorXd       &x) override
       {
         x.resize(right_hand_side.size());
         const Epetra_Map &map = problem.GetOperator()->OperatorDomainMap();
@@ -173,7 +178,6 @@ namespace PlateImpact
           throw ComputationError("KLU cannot solve");
       }
 
-    private:
       Epetra_LinearProblem               problem;
       std::unique_ptr<Amesos_BaseSolver> solver;
     };
@@ -184,12 +188,14 @@ namespace PlateImpact
     {
       SolverType  choice;
       std::string word;
-      std::unique_ptr<LinearSolver> (*make)();
+      std::unique_ptr<LinearSolver> (*make)(SolverWork &work);
     };
 
     const std::vector<SolverRow> solvers = {
-      {SolverType::CHOLMOD, "CHOLMOD", make_as<LinearSolver, CholmodSolver>},
-      {SolverType::KLU, "KLU", make_as<LinearSolver, KluSolver>}};
+      {SolverType::CHOLMOD,
+       "CHOLMOD",
+       make_as<LinearSolver, CholmodSolver, SolverWork &>},
+      {SolverType::KLU, "KLU", make_as<LinearSolver, KluSolver, SolverWork &>}};
   } // namespace
 
 
@@ -201,8 +207,8 @@ namespace PlateImpact
 
 
   std::unique_ptr<LinearSolver>
-  make_linear_solver(const SolverType type)
+  make_linear_solver(const SolverType type, SolverWork &work)
   {
-    return row_of(type, solvers).make();
+    return row_of(type, solvers).make(work);
   }
 } // namespace PlateImpact

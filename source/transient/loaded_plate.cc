@@ -43,31 +43,26 @@ namespace PlateImpact
 
 
 
-  LoadedPlate::LoadedPlate(const Parameters     &impact,
-                           std::shared_ptr<Load> shared_load)
+  LoadedPlate::LoadedPlate(const Parameters              &impact,
+                           std::shared_ptr<RitzReduction> shared)
     : parameters(impact)
     , scheme(impact.time, impact.contact.integration)
-    , load(std::move(shared_load))
-    , contact(make_contact(parameters, load->layer_constant))
+    , reduction(std::move(shared))
+    , contact(make_contact(parameters))
     , impactor(make_impactor(parameters.impactor))
-    , system(load->reduction.system_for(parameters))
+    , system(reduction->system_for(parameters))
   {}
-
-
-
-  TimeStepper
-  LoadedPlate::steps(const NewmarkScheme &by, SemidiscreteSystem &stepped) const
-  {
-    return {by, stepped, contact, impactor};
-  }
 
 
 
   Impact
   LoadedPlate::strike() const
   {
-    Impact result =
-      load->reduction.impact(system, contact, impactor, scheme.n_steps);
+    Impact result = reduction->impact(reduction->scheme,
+                                      system,
+                                      contact,
+                                      impactor,
+                                      scheme.n_steps);
     require_energy(parameters, result.history);
     return result;
   }
@@ -79,7 +74,7 @@ namespace PlateImpact
     const std::function<void(unsigned int, const TimeStepper &)> &take_step)
     const
   {
-    TimeStepper stepper = steps(scheme, system);
+    TimeStepper stepper(scheme, system, contact, impactor);
     for (unsigned int step = 1; step <= scheme.n_steps; ++step)
       {
         stepper.advance();
@@ -140,7 +135,10 @@ namespace PlateImpact
     longer.time_step      = factor * scheme.dt;
     longer.end_time =
       longer.time_step * ((scheme.n_steps + factor - 1) / factor);
-    TimeStepper           stepper = steps({longer, scheme.integration}, system);
+    TimeStepper           stepper({longer, scheme.integration},
+                        system,
+                        contact,
+                        impactor);
     const ContactHistory &history = stepper.impact().history;
     while (history.states().size() <= stepper.n_steps() &&
            stepper.state().time < until)
@@ -160,7 +158,9 @@ namespace PlateImpact
     Impactor     faster = impactor;
     faster.velocity *= 1. + change;
     const ContactHistory other =
-      load->reduction.impact(system, contact, faster, scheme.n_steps).history;
+      reduction
+        ->impact(reduction->scheme, system, contact, faster, scheme.n_steps)
+        .history;
     const double peak = history.peak().force;
     Sensitivity  result;
     for (std::size_t step = 0; step < history.states().size(); ++step)
@@ -177,22 +177,6 @@ namespace PlateImpact
 
 
 
-  std::unique_ptr<RitzReduction>
-  LoadedPlate::reduction_to(const double time_of_peak) const
-  {
-    TimeParameters to_peak = parameters.time;
-    to_peak.integrator     = IntegratorType::Ritz_vectors;
-    to_peak.end_time       = time_of_peak;
-    to_peak.time_step      = scheme.dt;
-    to_peak.ritz_tolerance = tolerance_of_estimate;
-    return std::make_unique<RitzReduction>(*load->mesh,
-                                           to_peak,
-                                           scheme.integration,
-                                           true);
-  }
-
-
-
   std::optional<PeakForceProblem>
   LoadedPlate::peak_force_problem(const ContactHistory &history) const
   {
@@ -203,10 +187,20 @@ namespace PlateImpact
     // on the mesh it would take three more transients up to the peak
     std::unique_ptr<RitzReduction> own;
     if (is_stepped_on_the_mesh())
-      own = reduction_to(history.peak().time);
-    RitzReduction       &reduction = own ? *own : load->reduction;
-    SemidiscreteSystem  &of_dual   = reduction.system_for(parameters);
-    const PlateResponse &response  = reduction.response(of_dual);
+      {
+        TimeParameters to_peak = parameters.time;
+        to_peak.integrator     = IntegratorType::Ritz_vectors;
+        to_peak.end_time       = history.peak().time;
+        to_peak.time_step      = scheme.dt;
+        to_peak.ritz_tolerance = tolerance_of_estimate;
+        own = std::make_unique<RitzReduction>(reduction->mesh,
+                                              to_peak,
+                                              scheme.integration,
+                                              true);
+      }
+    RitzReduction       &used     = own ? *own : *reduction;
+    SemidiscreteSystem  &of_dual  = used.system_for(parameters);
+    const PlateResponse &response = used.response(used.scheme, of_dual);
     // a motion takes half of what is looked at together
     const unsigned int most_times =
       std::max(32u, of_dual.n_states_at_once() / 2);

@@ -58,19 +58,17 @@ namespace PlateImpact
                       impact.contact.integration,
                       time,
                       needs_states);
-    auto          found = loads.find(key);
-    if (found == loads.end())
+    if (reductions.count(key) == 0)
       {
         forget_loads();
-        const auto &loaded = loaded_mesh(impact);
-        const auto  load   = std::make_shared<Load>(
-          Load{loaded,
-               layer_constant(impact.plate, impact.contact),
-               {*loaded, time, impact.contact.integration, needs_states}});
-        found = loads.emplace(key, load).first;
+        reductions[key] =
+          std::make_shared<RitzReduction>(loaded_mesh(impact),
+                                          time,
+                                          impact.contact.integration,
+                                          needs_states);
         ++n_loads;
       }
-    return {impact, found->second};
+    return {impact, reductions[key]};
   }
 
 
@@ -153,7 +151,7 @@ namespace PlateImpact
       return;
     for (const auto &[key, loaded] : loaded_meshes)
       n_forgotten_vectors += loaded->n_vectors();
-    loads.clear();
+    reductions.clear();
     loaded_meshes.clear();
   }
 

@@ -14,11 +14,8 @@ namespace PlateImpact
     w_of_unit_response = plate.load().dot(unit_response);
 
     // at rest, without force
-    z = v = Kz = Mv = Eigen::VectorXd::Zero(plate.load().size());
-    if (scheme.gamma != 2. * scheme.beta)
-      a = Ma = z;
-    if (damping > 0. && !scheme.conserves_energy())
-      Kv = Ka = z;
+    z = v = a = Kz = Kv = Ka = Mv = Ma =
+      Eigen::VectorXd::Zero(plate.load().size());
   }
 
 
@@ -29,7 +26,7 @@ namespace PlateImpact
     const double c1 = scheme.c1, c2 = scheme.c2;
     right_hand_side =
       c1 * Mv - (1. + c2) * Kz + (c2 * begin_force) * plate.load();
-    if (Kv.size() > 0)
+    if (damping > 0.)
       right_hand_side -= damping *
         ((c2 + 1. - scheme.gamma / scheme.beta) * Kv +
          scheme.dt * (1. - scheme.gamma / (2. * scheme.beta)) * Ka);
@@ -57,14 +54,7 @@ namespace PlateImpact
         increment += force * unit_response;
       }
 
-    // velocities by eqs. 3 and 4 in terms of the increment
-    const double beta = scheme.beta, gamma = scheme.gamma, dt = scheme.dt,
-                 c0             = scheme.c0;
-    const double from_increment = gamma / (beta * dt),
-                 from_v         = 1. - gamma / beta,
-                 from_a         = dt * (1. - gamma / (2. * beta));
-    const bool has_a            = a.size() > 0;
-
+    const double beta = scheme.beta, gamma = scheme.gamma, dt = scheme.dt;
     plate.multiply_stiffness(increment, K_increment);
     z += increment;
     Kz += K_increment;
@@ -74,27 +64,26 @@ namespace PlateImpact
       dissipated += damping / dt * increment.dot(K_increment);
     // M d = (K* d - (1 + g b) K d) / c_0
     right_hand_side -= stiffening * K_increment;
-    if (has_a)
+    // velocities by eqs. 3 and 4 in terms of the increment
+    const double from_increment = gamma / (beta * dt),
+                 from_v         = 1. - gamma / beta,
+                 from_a         = dt * (1. - gamma / (2. * beta));
+    const auto move             = [&](const Eigen::VectorXd &by,
+                          Eigen::VectorXd       &rate,
+                          Eigen::VectorXd       &acceleration) {
+      const Eigen::VectorXd rate_begin = rate;
+      rate = from_increment * by + from_v * rate + from_a * acceleration;
+      acceleration =
+        scheme.c0 * by - scheme.c1 * rate_begin - scheme.c2 * acceleration;
+    };
+    move(increment, v, a);
+    Mv =
+      from_increment / scheme.c0 * right_hand_side + from_v * Mv + from_a * Ma;
+    Ma = at_end * plate.load() - Kz;
+    if (damping > 0.)
       {
-        const Eigen::VectorXd v_begin = v;
-        v  = from_increment * increment + from_v * v + from_a * a;
-        Mv = from_increment / c0 * right_hand_side + from_v * Mv + from_a * Ma;
-        a  = c0 * increment - scheme.c1 * v_begin - scheme.c2 * a;
-        Ma = at_end * plate.load() - Kz;
-        if (Kv.size() > 0)
-          {
-            const Eigen::VectorXd Kv_begin = Kv;
-            Kv = from_increment * K_increment + from_v * Kv + from_a * Ka;
-            Ka = c0 * K_increment - scheme.c1 * Kv_begin - scheme.c2 * Ka;
-            Ma -= damping * Kv;
-          }
-      }
-    else
-      {
-        v  = from_increment * increment + from_v * v;
-        Mv = from_increment / c0 * right_hand_side + from_v * Mv;
-        if (Kv.size() > 0)
-          Kv = from_increment * K_increment + from_v * Kv;
+        move(K_increment, Kv, Ka);
+        Ma -= damping * Kv;
       }
     return {};
   }

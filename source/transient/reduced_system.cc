@@ -10,15 +10,14 @@ namespace PlateImpact
 {
   namespace
   {
-    /// The pivot that elimination of all other rows, from the first on, leaves
-    /// of the last.
-    double
-    last_pivot(const TridiagonalMatrix &A)
+    /// What elimination from the first row on leaves of the diagonal.
+    Eigen::VectorXd
+    pivots(const TridiagonalMatrix &A)
     {
-      double pivot = A.diagonal[0];
+      Eigen::VectorXd result = A.diagonal;
       for (Eigen::Index i = 0; i < A.beside.size(); ++i)
-        pivot = A.diagonal[i + 1] - A.beside[i] * A.beside[i] / pivot;
-      return pivot;
+        result[i + 1] -= A.beside[i] * A.beside[i] / result[i];
+      return result;
     }
 
 
@@ -33,7 +32,7 @@ namespace PlateImpact
         n_terminator = 0;
       const TridiagonalMatrix T       = {basis.mass_diagonal().head(n),
                                          basis.mass_subdiagonal().head(n - 1)};
-      const double            uniform = 0.25 / basis.shift();
+      const double            uniform = 0.25 / basis.sigma;
       TridiagonalMatrix       result  = {
                Eigen::VectorXd::Constant(n + n_terminator, 2. * uniform),
                Eigen::VectorXd::Constant(n + n_terminator - 1, uniform)};
@@ -44,10 +43,10 @@ namespace PlateImpact
           // Elimination leaves pivots above `uniform` all along the
           // terminator, in T as in K, if the first is at least that: the
           // coupling leaves 2 uniform - coupling^2 / pivot.
-          const TridiagonalMatrix K = {1. / basis.shift() - T.diagonal.array(),
+          const TridiagonalMatrix K = {1. / basis.sigma - T.diagonal.array(),
                                        T.beside};
-          const double pivot        = std::min(last_pivot(T), last_pivot(K));
-          result.beside[n - 1]      = std::sqrt(uniform * std::max(0., pivot));
+          const double pivot   = std::min(pivots(T)[n - 1], pivots(K)[n - 1]);
+          result.beside[n - 1] = std::sqrt(uniform * std::max(0., pivot));
         }
       return result;
     }
@@ -69,17 +68,12 @@ namespace PlateImpact
     double
     first_of_inverse(const TridiagonalMatrix &K)
     {
-      const double round_off = 1e-9;
-      double       pivot     = 0.;
-      for (Eigen::Index i = K.diagonal.size() - 1; i >= 0; --i)
-        {
-          const double eliminated =
-            i < K.beside.size() ? K.beside[i] * K.beside[i] / pivot : 0.;
-          pivot = K.diagonal[i] - round_off - eliminated;
-          if (pivot <= 0.)
-            return std::numeric_limits<double>::infinity();
-        }
-      return 1. / pivot;
+      const double          round_off = 1e-9;
+      const Eigen::VectorXd of_rows =
+        pivots({K.diagonal.reverse().array() - round_off, K.beside.reverse()});
+      return (of_rows.array() > 0.).all() ?
+        1. / of_rows[of_rows.size() - 1] :
+        std::numeric_limits<double>::infinity();
     }
   } // namespace
 
@@ -88,16 +82,25 @@ namespace PlateImpact
   ReducedSystem::ReducedSystem(const RitzBasis   &basis,
                                const unsigned int n,
                                const unsigned int n_terminator)
-    : basis(basis)
+    : ReducedSystem(basis, n, continued_mass(basis, n, n_terminator))
+  {}
+
+
+
+  ReducedSystem::ReducedSystem(const RitzBasis         &basis,
+                               const unsigned int       n,
+                               const TridiagonalMatrix &mass)
+    : SemidiscreteSystem(basis.load() *
+                           Eigen::VectorXd::Unit(mass.diagonal.size(), 0),
+                         basis.matrices.damping)
+    , basis(basis)
     , n(n)
-    , mass(continued_mass(basis, n, n_terminator))
-    , stiffness(stiffness_to(mass, basis.shift()))
-    , u(basis.load() * Eigen::VectorXd::Unit(mass.diagonal.size(), 0))
+    , mass(mass)
+    , stiffness(stiffness_to(mass, basis.sigma))
     , compliance(basis.matrices.discretization.is_free() ?
                    std::numeric_limits<double>::infinity() :
-                   1.001 * u[0] * u[0] * first_of_inverse(stiffness))
-    , inverse_pivots(u.size())
-    , factor(u.size())
+                   1.001 * basis.load() * basis.load() *
+                     first_of_inverse(stiffness))
   {}
 
 
@@ -115,35 +118,25 @@ namespace PlateImpact
 
 
   void
-  ReducedSystem::factorize(const double c)
-  {
-    const Eigen::VectorXd diagonal = stiffness.diagonal + c * mass.diagonal,
-                          beside   = stiffness.beside + c * mass.beside;
-    inverse_pivots[0]              = 1. / diagonal[0];
-    for (Eigen::Index i = 1; i < diagonal.size(); ++i)
-      {
-        factor[i]         = beside[i - 1] * inverse_pivots[i - 1];
-        inverse_pivots[i] = 1. / (diagonal[i] - factor[i] * beside[i - 1]);
-      }
-    factorized_for = c;
-  }
-
-
-
-  void
   ReducedSystem::solve(const double           c,
                        const Eigen::VectorXd &b,
                        Eigen::VectorXd       &x)
   {
+    const Eigen::Index n_beside = stiffness.beside.size();
     if (c != factorized_for)
-      factorize(c);
-    const Eigen::Index n = u.size();
-    x                    = b;
-    for (Eigen::Index i = 1; i < n; ++i)
-      x[i] -= factor[i] * x[i - 1];
+      {
+        const TridiagonalMatrix sum = {stiffness.diagonal + c * mass.diagonal,
+                                       stiffness.beside + c * mass.beside};
+        inverse_pivots              = pivots(sum).cwiseInverse();
+        factor         = sum.beside.cwiseProduct(inverse_pivots.head(n_beside));
+        factorized_for = c;
+      }
+    x = b;
+    for (Eigen::Index i = 0; i < n_beside; ++i)
+      x[i + 1] -= factor[i] * x[i];
     x.array() *= inverse_pivots.array();
-    for (Eigen::Index i = n - 1; i > 0; --i)
-      x[i - 1] -= factor[i] * x[i];
+    for (Eigen::Index i = n_beside - 1; i >= 0; --i)
+      x[i] -= factor[i] * x[i + 1];
   }
 
 

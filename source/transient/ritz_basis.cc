@@ -44,41 +44,32 @@ namespace PlateImpact
   RitzBasis::append()
   {
     // A times the candidate is what it is solved for
-    matrices.solve(sigma, n == 0 ? u : M_last, candidate);
-    if (n == 0)
-      A_candidate = u;
-    else if (n == 1)
+    A_candidate = n == 0 ? u : M_last;
+    matrices.solve(sigma, A_candidate, candidate);
+    if (n > 0)
       {
-        candidate -= diagonal[0] * Q.col(0);
-        A_candidate = M_last - diagonal[0] * A_last;
+        candidate -= diagonal[n - 1] * Q.col(n - 1);
+        A_candidate -= diagonal[n - 1] * A_last;
       }
-    else
+    if (n > 1)
       {
-        candidate -=
-          diagonal[n - 1] * Q.col(n - 1) + subdiagonal[n - 2] * Q.col(n - 2);
-        A_candidate =
-          M_last - diagonal[n - 1] * A_last - subdiagonal[n - 2] * A_before;
+        candidate -= subdiagonal[n - 2] * Q.col(n - 2);
+        A_candidate -= subdiagonal[n - 2] * A_before;
       }
     const double norm = orthogonalize();
-    if (n == Q.rows() || (n > 0 && norm * sigma <= least_coupling))
-      {
-        complete = true;
-        return;
-      }
+    complete = n == Q.rows() || (n > 0 && norm * sigma <= least_coupling);
+    if (complete)
+      return;
     Q.col(n) = candidate / norm;
     A_before.swap(A_last);
     A_last           = A_candidate / norm;
     M_last.noalias() = as_eigen(matrices.discretization.mass()) * Q.col(n);
     diagonal[n]      = Q.col(n).dot(M_last);
     // T is positive, whatever round-off makes of it
-    const double pivot =
-      n == 0 ? diagonal[0] : diagonal[n] - norm * norm / last_pivot;
-    if (!(pivot > 0.))
-      {
-        complete = true;
-        return;
-      }
-    last_pivot = pivot;
+    last_pivot = diagonal[n] - (n > 0 ? norm * norm / last_pivot : 0.);
+    complete   = !(last_pivot > 0.);
+    if (complete)
+      return;
     if (n == 0)
       load_norm = norm;
     else
@@ -106,7 +97,8 @@ namespace PlateImpact
     if (!acts)
       return norm;
     candidate -= Q.leftCols(n) * overlap;
-    matrices.multiply(sigma, candidate, A_candidate);
+    A_candidate = as_eigen(matrices.discretization.stiffness()) * candidate +
+      sigma * (as_eigen(matrices.discretization.mass()) * candidate);
     const double left = norm_of_candidate();
     return overlap.norm() < most_overlap * left ? left : 0.;
   }

@@ -54,48 +54,28 @@ namespace PlateImpact
 
 
 
-    /// Mean square of the difference of two histories over the steps in which
-    /// they are not zero; none where one has no value.
+    /// Estimated errors of the last of three histories, roots of mean squares
+    /// over the steps in which two of them are not zero; a step counts none
+    /// where one has no value. Once waves no longer come back from the end of
+    /// the chain of vectors, the errors of different bases are uncorrelated
+    /// ringing: differences are |a - b|^2 = e_a^2 + e_b^2, and three of them
+    /// tell the error of each. An estimate below what two equal errors would
+    /// differ by is not trusted.
     double
-    squared_difference(const Eigen::ArrayXd &a, const Eigen::ArrayXd &b)
+    estimated_error(const std::deque<Eigen::ArrayX2d> &three,
+                    const unsigned int                 column)
     {
-      const Eigen::ArrayXd difference = a - b;
-      const double         n          = ((a != 0.) || (b != 0.)).count();
-      return difference.isFinite().select(difference.square(), 0.).sum() /
-        std::max(1., n);
-    }
-
-
-
-    /// Estimated error of the last history of three, the root of its mean
-    /// square. Once waves no longer come back from the end of the chain of
-    /// vectors, the errors of different bases are uncorrelated ringing:
-    /// differences are |a - b|^2 = e_a^2 + e_b^2, and three of them tell the
-    /// error of each. An estimate below what two equal errors would differ by
-    /// is not trusted.
-    double
-    estimated_error(const Eigen::ArrayXd &first,
-                    const Eigen::ArrayXd &second,
-                    const Eigen::ArrayXd &third)
-    {
-      const double of_last = squared_difference(second, third),
-                   others  = squared_difference(first, third) -
-        squared_difference(first, second);
-      return std::sqrt(0.5 * std::max(of_last, of_last + others));
-    }
-
-
-
-    bool
-    are_right(const std::deque<Eigen::ArrayX2d> &last_three,
-              const double                       tolerance)
-    {
-      const auto is_right = [&](const unsigned int column) {
-        return estimated_error(last_three[0].col(column),
-                               last_three[1].col(column),
-                               last_three[2].col(column)) <= tolerance;
+      const auto squared_difference = [&](const unsigned int i,
+                                          const unsigned int j) {
+        const Eigen::ArrayXd a = three[i].col(column), b = three[j].col(column),
+                             difference = a - b;
+        const double n                  = ((a != 0.) || (b != 0.)).count();
+        return difference.isFinite().select(difference.square(), 0.).sum() /
+          std::max(1., n);
       };
-      return last_three.size() == 3 && is_right(0) && is_right(1);
+      const double of_last = squared_difference(1, 2),
+                   others = squared_difference(0, 2) - squared_difference(0, 1);
+      return std::sqrt(0.5 * std::max(of_last, of_last + others));
     }
 
 
@@ -262,23 +242,18 @@ namespace PlateImpact
   SemidiscreteSystem &
   RitzReduction::system_for(const Parameters &parameters)
   {
-    if (time.integrator == IntegratorType::Newmark || !full.is_linear())
-      return full;
-    Parameters rounded = parameters;
-    rounded.time       = time;
-    rounded.impactor   = nearby(parameters.impactor, parameters.plate);
-    const auto key     = std::make_tuple(rounded.contact,
+    if (time.integrator == IntegratorType::Newmark || !mesh->system.is_linear())
+      return mesh->system;
+    Parameters rounded          = parameters;
+    rounded.time                = time;
+    rounded.impactor            = nearby(parameters.impactor, parameters.plate);
+    const auto           key    = std::make_tuple(rounded.contact,
                                      rounded.impactor,
                                      rounded.plate.yield_strength);
-    auto       found   = settled.find(key);
-    if (found == settled.end())
-      found = settled
-                .emplace(key,
-                         steps_are_fewer(rounded, full.load().size()) ?
-                           &full :
-                           settle(rounded))
-                .first;
-    return *found->second;
+    SemidiscreteSystem *&system = settled[key];
+    if (system == nullptr)
+      system = settle(rounded);
+    return *system;
   }
 
 
@@ -286,6 +261,9 @@ namespace PlateImpact
   SemidiscreteSystem *
   RitzReduction::settle(const Parameters &rounded)
   {
+    const double n_unknowns = mesh->system.load().size();
+    if (steps_are_fewer(rounded, n_unknowns))
+      return &mesh->system;
     const Contact     contact  = make_contact(rounded);
     const Impactor    impactor = make_impactor(rounded.impactor);
     const ZenerImpact expected(contact, impactor, PlateSection(rounded.plate));
@@ -299,14 +277,14 @@ namespace PlateImpact
     // that the end reflects cannot be back before the end time. Fields may
     // follow with the third basis, the first that is judged.
     const double n_first = std::max(12., 0.24 * frequency(octave) * followed),
-                 growth = 1.15, n_unknowns = full.load().size();
+                 growth  = 1.15;
     // once the vectors have cost as much as the steps would, or fill the
     // memory, the steps are made after all
     const double n_most =
       std::min(vectors_worth(time.end_time / time.time_step),
                most_numbers / n_unknowns);
     if (n_most < std::min(n_first * growth * growth, n_unknowns))
-      return &full;
+      return &mesh->system;
     const NewmarkScheme judging =
       scheme_to_judge(scheme, time, expected.contact_time());
     std::deque<Eigen::ArrayX2d> last_three;
@@ -320,12 +298,14 @@ namespace PlateImpact
         try
           {
             last_three.push_back(judged(
-              impact(reduced, contact, impactor, judging.n_steps, judging)
+              impact(judging, reduced, contact, impactor, judging.n_steps)
                 .history,
               contact));
             // The force is a scalar product of displacements with the load,
             // and settles before they do.
-            if (are_right(last_three, time.ritz_tolerance) &&
+            if (last_three.size() == 3 &&
+                estimated_error(last_three, 0) <= time.ritz_tolerance &&
+                estimated_error(last_three, 1) <= time.ritz_tolerance &&
                 (!needs_fields ||
                  share_beyond(n_before,
                               {judging, reduced, contact, impactor}) <=
@@ -335,13 +315,13 @@ namespace PlateImpact
         catch (const ComputationError &)
           {
             // if it is not the reduction that fails, the mesh will tell
-            return &full;
+            return &mesh->system;
           }
         if (last_three.size() == 3)
           last_three.pop_front();
         n_before = n_wanted;
       }
-    return &full;
+    return &mesh->system;
   }
 
 
@@ -351,7 +331,8 @@ namespace PlateImpact
   {
     const double omega = frequency(half_octave);
     RitzBasis   &basis =
-      mesh.bases.try_emplace(half_octave, full, omega * omega).first->second;
+      mesh->bases.try_emplace(half_octave, mesh->system, omega * omega)
+        .first->second;
     basis.grow(n);
     // a longer terminator changes little
     const unsigned int n_terminator =
@@ -367,15 +348,15 @@ namespace PlateImpact
 
 
   Impact
-  RitzReduction::impact(SemidiscreteSystem  &system,
+  RitzReduction::impact(const NewmarkScheme &by,
+                        SemidiscreteSystem  &system,
                         const Contact       &contact,
                         const Impactor      &impactor,
-                        const unsigned int   n_steps,
-                        const NewmarkScheme &by)
+                        const unsigned int   n_steps)
   {
     // the work of the force is the plate's energy where nothing dissipates it
     if (by.conserves_energy() && system.damping() == 0. && system.is_linear())
-      return response(system, by).impact(contact, impactor, n_steps);
+      return response(by, system).impact(contact, impactor, n_steps);
     TimeStepper stepper(by, system, contact, impactor);
     stepper.advance(n_steps);
     return stepper.impact();
@@ -384,7 +365,7 @@ namespace PlateImpact
 
 
   const PlateResponse &
-  RitzReduction::response(SemidiscreteSystem &system, const NewmarkScheme &by)
+  RitzReduction::response(const NewmarkScheme &by, SemidiscreteSystem &system)
   {
     return responses.try_emplace({&system, by.n_steps}, by, system)
       .first->second;

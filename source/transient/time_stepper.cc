@@ -5,66 +5,176 @@
 
 #include <cmath>
 #include <fmt/format.h>
+#include <string>
+#include <utility>
 
 namespace PlateImpact
 {
+  TimeStepper::TimeStepper(const NewmarkScheme         &scheme,
+                           std::unique_ptr<PlateMotion> motion,
+                           const Contact               &contact,
+                           const Impactor              &impactor)
+    : scheme(scheme)
+    , at_begin(scheme.integration.acts_at_begin() ? 1. : 0.)
+    , plate_motion(std::move(motion))
+    , contact(contact)
+    , impactor(impactor)
+  {
+    current.impactor_velocity = impactor.velocity;
+    current.impactor_energy   = impactor.kinetic_energy();
+    so_far.history.add(current);
+  }
+
+
+
+  TimeStepper::TimeStepper(const NewmarkScheme &scheme,
+                           SemidiscreteSystem  &plate,
+                           const Contact       &contact,
+                           const Impactor      &impactor)
+    : TimeStepper(scheme, plate.motion(scheme), contact, impactor)
+  {
+    this->plate = &plate;
+  }
+
+
 
   void
   TimeStepper::advance(const unsigned int n_steps)
   {
-    const double at_begin = scheme.integration.acts_at_begin() ? 1. : 0.;
-    for (unsigned int step = 0; step < n_steps; ++step)
+    for (const unsigned int last = step + n_steps; step < last;)
       {
-        std::optional<double> free =
-          plate_motion->begin_step(impactor_stepper.begin_step());
-        double phi = 0.;
-        while (free)
-          {
-            phi = impactor_stepper.contact_force(
-              *free,
-              (1. + scheme.c2 * at_begin) * plate_motion->unit_displacement());
-            free = end_plate_step(at_begin * phi, phi);
-          }
-        impactor_stepper.end_step(phi,
-                                  plate_motion->displacement(),
-                                  plate_motion->energy(),
-                                  plate_motion->dissipated_energy());
-        if (!impact().separation_time && is_out_of_reach())
-          impactor_stepper.separate();
+        ++step;
+        begin_force = scheme.integration.known_begin_force(current.force);
+        double phi  = 0.;
+        for (std::optional<double> free = plate_motion->begin_step(begin_force);
+             free;
+             free = end_plate_step(phi))
+          phi = contact_force(*free);
+        end_step(phi);
+        if (!so_far.separation_time && is_out_of_reach())
+          so_far.separation_time = current.time;
+      }
+  }
+
+
+
+  double
+  TimeStepper::contact_force(const double plate_free) const
+  {
+    if (so_far.separation_time)
+      return 0.;
+    const double beta = scheme.beta, dt = scheme.dt;
+    const double impactor_free = impactor.displacement +
+      dt * impactor.velocity -
+      dt * dt / impactor.mass * (0.5 - beta) * begin_force;
+    const double compliance =
+      (1. + scheme.c2 * at_begin) * plate_motion->unit_displacement() +
+      dt * dt / impactor.mass * (beta + (0.5 - beta) * at_begin);
+    try
+      {
+        return solve_contact(scheme.integration,
+                             contact,
+                             current.indentation,
+                             impactor_free - plate_free,
+                             compliance);
+      }
+    catch (const ComputationError &error)
+      {
+        throw ComputationError("step " + std::to_string(step) + ": " +
+                               error.what());
       }
   }
 
 
 
   std::optional<double>
-  TimeStepper::end_plate_step(const double at_begin, const double at_end)
+  TimeStepper::end_plate_step(const double phi)
   {
     try
       {
-        return plate_motion->end_step(at_begin, at_end);
+        return plate_motion->end_step(at_begin * phi, phi);
       }
     catch (const ComputationError &error)
       {
-        const double time = state().time + scheme.dt;
         throw ComputationError(fmt::format("step {} (t = {}): {}",
-                                           std::lround(time / scheme.dt),
-                                           number(time, "s"),
+                                           step,
+                                           number(scheme.dt * step, "s"),
                                            error.what()));
       }
   }
 
 
 
+  void
+  TimeStepper::end_step(const double phi)
+  {
+    const double beta = scheme.beta, gamma = scheme.gamma, dt = scheme.dt;
+    const double begin = begin_force + at_begin * phi;
+    impactor.displacement += dt * impactor.velocity -
+      dt * dt / impactor.mass * ((0.5 - beta) * begin + beta * phi);
+    const double impulse = dt * ((1. - gamma) * begin + gamma * phi);
+    impactor.velocity -= impulse / impactor.mass;
+    so_far.impulse += impulse;
+    if (phi != 0.)
+      ++so_far.n_contact_steps;
+
+    current.time                  = dt * step;
+    current.plate_displacement    = plate_motion->displacement();
+    current.impactor_displacement = impactor.displacement;
+    current.impactor_velocity     = impactor.velocity;
+    current.indentation     = contact.indentation_under(impactor.displacement -
+                                                    current.plate_displacement);
+    current.force           = contact.force(current.indentation);
+    current.plate_energy    = plate_motion->energy();
+    current.contact_energy  = contact.stored_energy(current.indentation);
+    current.impactor_energy = impactor.kinetic_energy();
+    current.dissipated_energy = contact.dissipated_energy(current.indentation);
+    current.plate_dissipated_energy = plate_motion->dissipated_energy();
+    require_validity();
+    contact.follow(current.indentation);
+    current.permanent_indentation = contact.dent();
+    so_far.history.add(current);
+  }
+
+
+
+  void
+  TimeStepper::require_validity() const
+  {
+    for (const auto &[value, quantity] :
+         {std::pair(current.plate_displacement, "plate displacement"),
+          std::pair(current.total_energy(), "total energy")})
+      if (!std::isfinite(value))
+        throw ComputationError(fmt::format(
+          "step {} (t = {} s): the {} is not finite ({}); try a smaller "
+          "Time/Time step",
+          step,
+          current.time,
+          quantity,
+          value));
+    if (current.force > contact.largest_force())
+      throw ComputationError(fmt::format(
+        "step {} (t = {}): the contact force, {}, is beyond the limit of the "
+        "local response of a layer, {}; choose Contact/Patch radius = 0 or, if "
+        "it is 0 already, Contact/Local response = half-space",
+        step,
+        number(current.time, "s"),
+        number(current.force, "N"),
+        number(contact.largest_force(), "N")));
+  }
+
+
+
   bool
-  TimeStepper::is_out_of_reach()
+  TimeStepper::is_out_of_reach() const
   {
     // other schemes do not keep the energy that bounds the displacement
-    if (!scheme.conserves_energy() || state().impactor_velocity > 0. ||
-        state().impactor_displacement >= 0.)
+    if (plate == nullptr || !scheme.conserves_energy() ||
+        current.impactor_velocity > 0. || current.impactor_displacement >= 0.)
       return false;
     // beyond round-off in the energy, however far the impactor has flown
-    const double energy = (1. + 1e-6) * state().plate_energy;
-    return -state().impactor_displacement >
-      std::sqrt(2. * energy * plate.static_compliance());
+    const double energy = (1. + 1e-6) * current.plate_energy;
+    return -current.impactor_displacement >
+      std::sqrt(2. * energy * plate->static_compliance());
   }
 } // namespace PlateImpact

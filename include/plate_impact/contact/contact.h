@@ -5,7 +5,7 @@
 
 #include <limits>
 #include <memory>
-#include <optional>
+#include <utility>
 
 namespace PlateImpact
 {
@@ -44,11 +44,19 @@ namespace PlateImpact
 
     /// [N]
     double
-    force(double indentation) const;
+    force(const double indentation) const
+    {
+      const auto &[branch, argument] = followed(indentation);
+      return branch.force(argument);
+    }
 
     /// Derivative of the force with respect to the indentation. [N/m]
     double
-    stiffness(double indentation) const;
+    stiffness(const double indentation) const
+    {
+      const auto &[branch, argument] = followed(indentation);
+      return branch.stiffness(argument);
+    }
 
     /// Mean of the force over the approach between two indentations: this
     /// times the change of the approach is the work of the contact. Does not
@@ -58,11 +66,17 @@ namespace PlateImpact
 
     /// delta. [m]
     double
-    approach(double indentation) const;
+    approach(const double indentation) const
+    {
+      return indentation + compliance * force(indentation);
+    }
 
     /// d delta / d alpha, above 0.
     double
-    approach_derivative(double indentation) const;
+    approach_derivative(const double indentation) const
+    {
+      return 1. + compliance * stiffness(indentation);
+    }
 
     /// Indentation under an approach. [m]
     double
@@ -111,17 +125,17 @@ namespace PlateImpact
     }
 
   private:
-    /// Calls a function for what the force follows at an indentation: the curve
-    /// of unloading, that of reloading or the law.
-    template <typename Function>
-    double
-    at(double indentation, const Function &function) const;
+    /// What the force follows at an indentation: the curve of unloading, that
+    /// of reloading or the law; and its argument there, an indentation less the
+    /// dent of a curve.
+    std::pair<const ContactLaw &, double>
+    followed(double indentation) const;
 
-    /// Mean over the indentation of what a function gives for one of these and
-    /// two indentations.
-    template <typename Function>
+    using Mean = double (ContactLaw::*)(double, double) const;
+
+    /// The mean between two indentations by those of what is followed.
     double
-    mean(double a, double b, const Function &function) const;
+    mean(double a, double b, Mean mean_of) const;
 
     std::shared_ptr<const ContactLaw> law;
     std::shared_ptr<const Unloading>  unloading;

@@ -1,19 +1,13 @@
 #pragma once
 
+#include <boost/math/constants/constants.hpp>
+
 #include <optional>
 
 namespace PlateImpact
 {
   struct Parameters;
   struct PlateSection;
-
-  /// Coefficient of Hertz's law for a sphere and a half-space,
-  /// k = 4/3 sqrt(r) / (compliance of the impactor + compliance of the target),
-  /// both compliances [1/Pa], radius [m]. [N/m^{3/2}]
-  double
-  hertz_coefficient(double radius,
-                    double impactor_compliance,
-                    double target_compliance);
 
   /// A body in contact that may yield.
   struct YieldingBody
@@ -30,6 +24,9 @@ namespace PlateImpact
   {
   public:
     ContactBodies(const Parameters &parameters, const PlateSection &section);
+
+    /// (1 - nu_1^2) / E_1. [1/Pa]
+    double impactor_compliance;
 
     /// E*, 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2. [Pa]
     double modulus;
@@ -57,30 +54,59 @@ namespace PlateImpact
     /// @param force        [N]
     /// @param indentation  under that force, above 0 [m]
     double
-    mean_pressure(double force, double indentation) const;
+    mean_pressure(const double force, const double indentation) const
+    {
+      const double a = radius(force, indentation);
+      return force / (length > 0. ? 2. * a * length : pi * a * a);
+    }
 
     /// Largest pressure of Hertz's contact, of a sphere 3/2 and of a cylinder 4
     /// / pi of the mean; of one that stays elastic. [Pa]
     double
-    elastic_pressure(double force, double indentation) const;
+    elastic_pressure(const double force, const double indentation) const
+    {
+      return (length > 0. ? 4. / pi : 1.5) * mean_pressure(force, indentation);
+    }
 
     /// Pressure from which on the weaker body yields, where there is one: its
     /// strength times yield_pressure_ratio(), under a cylinder times 1.67
     /// (Johnson, Contact Mechanics, sec. 6.1). [Pa]
-    double
-    first_yield_pressure() const;
+    double first_yield_pressure;
 
-    /// The yield strength that those bodies need to stay elastic under a
-    /// pressure whose strength is not given. [Pa]
-    double
-    elastic_strength(double pressure) const;
+    /// The same over the strength, of the bodies whose strength is not given.
+    double pressure_over_strength;
 
   private:
-    double
-    pressure_over_strength(double poissons_ratio) const;
+    static constexpr double pi = boost::math::double_constants::pi;
 
     double radius_of_impactor;
     double length; ///< of a cylinder; 0: a sphere [m]
-    double least_poissons_ratio;
   };
+
+
+  /// What an elastic ball, pressed at its pole and held by its own inertia,
+  /// gives way beyond the half-space of Hertz's law, relative to its centre of
+  /// mass; negative, for it gives way less. Quasi-static: the period of the
+  /// ball's lowest mode is short against the contact.
+  ///
+  /// With w_n the radial displacement of the pole's surface per unit of the
+  /// pressure P_n(cos theta), G w_n / R without dimension, from the regular
+  /// spheroidal solutions of degree n without shear traction (Love, Treatise on
+  /// the Mathematical Theory of Elasticity, ch. 11), and with the transform of
+  /// Hertz's pressure, H(x) = 3 (sin x - x cos x) / x^3,
+  ///   C = -1 / (2 pi G R) sum_n (1 - nu - (n + 1/2) G w_n / R)
+  ///                             H((n + 1/2) a / R)^2,
+  /// the sum over the sphere's degrees less the integral over the wave numbers
+  /// n + 1/2 of the half-space, for which (n + 1/2) G w_n / R = 1 - nu. Up to
+  /// terms of the order of (a / R)^2, which Hertz's law leaves out as well.
+  ///
+  /// @param radius          R [m]
+  /// @param shear_modulus   G [Pa]
+  /// @param contact_radius  a, below R [m]
+  /// @return C [m/N]
+  double
+  ball_compliance(double radius,
+                  double shear_modulus,
+                  double poissons_ratio,
+                  double contact_radius);
 } // namespace PlateImpact

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iosfwd>
 #include <optional>
@@ -44,13 +46,6 @@ namespace PlateImpact
   class ContactHistory
   {
   public:
-    /// Prepares for a number of states.
-    void
-    reserve(const std::size_t n_states)
-    {
-      history.reserve(n_states);
-    }
-
     void
     add(const ContactState &state)
     {
@@ -84,13 +79,22 @@ namespace PlateImpact
 
     /// From the last state without contact before the peak to it. [s]
     double
-    rise_time() const;
+    rise_time() const
+    {
+      const ContactState *touch = &peak();
+      while (touch != history.data() && touch->overlap() > 0.)
+        --touch;
+      return peak().time - touch->time;
+    }
 
     /// Time at which the first contact ends, from a linear interpolation of the
     /// indentation between steps; empty when it lasts to the end of the history
     /// or when there is none. [s]
     std::optional<double>
-    first_contact_end() const;
+    first_contact_end() const
+    {
+      return end_of_impact(/*is_held=*/false);
+    }
 
     /// The same of the first contact after which the impactor moves away: waves
     /// may interrupt the contact of a heavy one that still moves towards the
@@ -101,16 +105,36 @@ namespace PlateImpact
     end_of_impact(bool is_held) const;
 
     unsigned int
-    n_contacts() const;
+    n_contacts() const
+    {
+      unsigned int n_contacts = 0;
+      for (std::size_t n = 1; n < history.size(); ++n)
+        if (history[n].overlap() > 0. && history[n - 1].overlap() <= 0.)
+          ++n_contacts;
+      return n_contacts;
+    }
 
     /// Largest displacement of the plate under the load. [m]
     double
-    max_plate_displacement() const;
+    max_plate_displacement() const
+    {
+      double largest = 0.;
+      for (const ContactState &state : history)
+        largest = std::max(largest, std::abs(state.plate_displacement));
+      return largest;
+    }
 
     /// Largest deviation of the total energy from its initial value, relative
     /// to that value.
     double
-    relative_energy_drift() const;
+    relative_energy_drift() const
+    {
+      const double initial = history.front().total_energy();
+      double       drift   = 0.;
+      for (const ContactState &state : history)
+        drift = std::max(drift, std::abs(state.total_energy() - initial));
+      return drift / initial;
+    }
 
     /// A table of all states, with the names above as its header; the last
     /// three where contact or plate dissipate energy.

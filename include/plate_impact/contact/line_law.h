@@ -2,6 +2,13 @@
 
 #include "plate_impact/contact/contact_law.h"
 
+#include <boost/math/constants/constants.hpp>
+#include <boost/math/special_functions/lambert_w.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace PlateImpact
 {
   /// A cylinder of radius r that touches a half-space along the length 2l (eq.
@@ -26,22 +33,66 @@ namespace PlateImpact
     /// @param half_length  l [m]
     /// @param modulus      E* [Pa]
     /// @param constant     beside ln(l/a)
-    LineLaw(double radius,
-            double half_length,
-            double modulus,
-            double constant = constant_of_half_space);
+    LineLaw(const double radius,
+            const double half_length,
+            const double modulus,
+            const double constant = constant_of_half_space)
+      : constant(constant)
+      , compliance(1. / (pi * half_length * modulus))
+      , force_scale(half_length * half_length * half_length * pi * modulus /
+                    (2. * radius))
+      , least_logarithm(std::max(1., constant))
+      , tangent_force(force_scale * std::exp(2. * (constant - least_logarithm)))
+      , largest_indentation(compliance * tangent_force * least_logarithm)
+    {}
 
     double
-    force(double indentation) const override;
+    force(const double indentation) const override
+    {
+      if (indentation <= 0.)
+        return 0.;
+      if (indentation >= largest_indentation)
+        return tangent_force +
+          (indentation - largest_indentation) * stiffness(indentation);
+
+      // alpha = -C/2 g ln g, g = F / (force_scale e^{2 c}), C = compliance
+      // force_scale e^{2 c}: ln g = W_{-1}(-2 alpha / C)
+      const double scale = force_scale * std::exp(2. * constant);
+      const double q     = 2. * indentation / (compliance * scale);
+      if (q < std::numeric_limits<double>::min())
+        return 0.;
+      return -scale * q / boost::math::lambert_wm1(-q);
+    }
+
     double
-    stiffness(double indentation) const override;
+    stiffness(const double indentation) const override
+    {
+      if (indentation <= 0.)
+        return 0.;
+      // constant + ln(l/a), with a^2 / l^2 = F / force_scale
+      double logarithm = least_logarithm;
+      if (indentation < largest_indentation)
+        logarithm = constant -
+          0.5 *
+            std::log(
+              std::max(force(indentation), std::numeric_limits<double>::min()) /
+              force_scale);
+      return 1. / (compliance * (logarithm - 0.5));
+    }
+
     double
-    potential(double indentation) const override;
+    potential(const double indentation) const override
+    {
+      if (indentation <= 0.)
+        return 0.;
+      const double alpha  = std::min(indentation, largest_indentation);
+      const double beyond = indentation - alpha, F = force(alpha);
+      return 0.5 * F * alpha - 0.125 * compliance * F * F +
+        beyond * (F + 0.5 * beyond * stiffness(largest_indentation));
+    }
 
   private:
-    /// constant + ln(l/a) at a force.
-    double
-    logarithm(double force) const;
+    static constexpr double pi = boost::math::double_constants::pi;
 
     const double constant;
     const double compliance;          ///< 1 / (pi l E*) [m/N]

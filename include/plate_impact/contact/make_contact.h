@@ -16,17 +16,11 @@ namespace PlateImpact
   Contact
   make_contact(const Parameters &parameters);
 
-  /// The same where what it takes from the layer is known.
-  /// @param layer_constant  that of the function below
+  /// The same on another layer than the scene's.
+  /// @param layer_constant  Lambda of LayerResponse; empty: a half-space
   Contact
   make_contact(const Parameters            &parameters,
                const std::optional<double> &layer_constant);
-
-  /// Lambda of the layer under a sphere or a line contact, which no impactor
-  /// changes; empty for a half-space.
-  std::optional<double>
-  layer_constant(const PlateParameters   &plate,
-                 const ContactParameters &contact);
 
   /// The impact of a scene on an infinite plate. Its contact is that without
   /// the layer: a point load on a thin plate, which has no thickness, needs

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "plate_impact/contact/contact_law.h"
+
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -22,55 +24,44 @@ namespace PlateImpact
   };
 
 
-  /// That curve, or the one of reloading, from the dent to an end where it has
-  /// a length. Within it the functions are those of ContactLaw.
-  struct UnloadingCurve
+  /// That curve, or the one of reloading, as a law of the overlap
+  /// alpha - alpha_0 up to the end of the curve.
+  class UnloadingCurve : public ContactLaw
   {
-    double dent = 0., end = 0., end_force = 0., power = 1.;
+  public:
+    UnloadingCurve() = default;
+
+    UnloadingCurve(const double dent,
+                   const double end,
+                   const double end_force,
+                   const double power)
+      : dent(dent)
+      , end(end)
+      , end_force(end_force)
+      , power(power)
+    {}
+
+    double dent = 0., end = 0.; ///< indentations [m]
+    double end_force = 0., power = 1.;
 
     double
-    force(const double indentation) const
+    force(const double overlap) const override
     {
-      return end_force * std::pow(share(indentation), power);
+      return overlap > 0. ?
+        end_force * std::pow(overlap / (end - dent), power) :
+        0.;
     }
 
     double
-    stiffness(const double indentation) const
+    stiffness(const double overlap) const override
     {
-      return power / (end - dent) * end_force *
-        std::pow(share(indentation), power - 1.);
-    }
-
-    /// @param low,high  in this order
-    double
-    mean_force(const double low, const double high) const
-    {
-      return end_force / (power + 1.) *
-        difference_quotient(low, high, power + 1.);
+      return overlap > 0. ? power * force(overlap) / overlap : 0.;
     }
 
     double
-    mean_stiffness(const double low, const double high) const
+    potential(const double overlap) const override
     {
-      return end_force / (end - dent) * difference_quotient(low, high, power);
-    }
-
-  private:
-    double
-    share(const double indentation) const
-    {
-      return (indentation - dent) / (end - dent);
-    }
-
-    /// (y^p - x^p) / (y - x) of the shares x and y, without cancellation.
-    double
-    difference_quotient(const double low,
-                        const double high,
-                        const double p) const
-    {
-      const double x = share(low), d = (high - low) / (end - dent);
-      return x > 0. ? std::pow(x, p) * std::expm1(p * std::log1p(d / x)) / d :
-                      std::pow(d, p - 1.);
+      return overlap * force(overlap) / (power + 1.);
     }
   };
 

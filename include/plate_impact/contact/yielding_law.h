@@ -3,10 +3,23 @@
 #include "plate_impact/contact/hertz_law.h"
 #include "plate_impact/contact/unloading.h"
 
+#include <boost/math/constants/constants.hpp>
+#include <boost/math/quadrature/gauss.hpp>
+
+#include <algorithm>
+#include <cmath>
 #include <memory>
 
 namespace PlateImpact
 {
+  /// C: a material yields below the surface from the largest contact pressure C
+  /// Y on.
+  inline double
+  yield_pressure_ratio(const double poissons_ratio)
+  {
+    return 1.295 * std::exp(0.736 * poissons_ratio);
+  }
+
   /// Indentation at which a sphere or the flat body under it yields first,
   ///   alpha_y = r (pi C Y / (2 E*))^2,  C = 1.295 exp(0.736 nu)
   /// (Green 2005, doi:10.1016/j.ijmecsci.2005.03.001; Jackson & Green 2005,
@@ -15,16 +28,16 @@ namespace PlateImpact
   /// @param radius          r [m]
   /// @param modulus         E* [Pa]
   /// @param yield_strength  Y [Pa]
-  double
-  yield_indentation(double radius,
-                    double modulus,
-                    double yield_strength,
-                    double poissons_ratio);
-
-  /// C: a material yields below the surface from the largest contact pressure C
-  /// Y on.
-  double
-  yield_pressure_ratio(double poissons_ratio);
+  inline double
+  yield_indentation(const double radius,
+                    const double modulus,
+                    const double yield_strength,
+                    const double poissons_ratio)
+  {
+    const double strain = boost::math::double_constants::pi *
+      yield_pressure_ratio(poissons_ratio) * yield_strength / (2. * modulus);
+    return radius * strain * strain;
+  }
 
 
   /// First loading of an elastic, perfectly plastic contact of a sphere:
@@ -41,25 +54,57 @@ namespace PlateImpact
     /// @param coefficient          k of Hertz's law [N/m^{3/2}]
     /// @param yield_indentation    alpha_y [m]
     /// @param share_of_compliance  q
-    YieldingLaw(double coefficient,
-                double yield_indentation,
-                double share_of_compliance);
+    YieldingLaw(const double coefficient,
+                const double yield_indentation,
+                const double share_of_compliance)
+      : hertz(coefficient)
+      , first_yield(yield_indentation)
+      , rate(0.066 + 0.033 * share_of_compliance)
+    {}
 
     double
-    force(double indentation) const override;
+    force(const double indentation) const override
+    {
+      return hertz.force(indentation) * share_of_hertz(indentation);
+    }
+
     double
-    stiffness(double indentation) const override;
+    stiffness(const double indentation) const override
+    {
+      const double s       = softening(indentation);
+      const double elastic = hertz.stiffness(indentation) / std::cbrt(s);
+      return indentation <= first_yield ?
+        elastic :
+        elastic - force(indentation) * rate / (3. * first_yield * s);
+    }
+
     double
-    potential(double indentation) const override;
+    potential(const double indentation) const override
+    {
+      double work = hertz.potential(std::min(indentation, first_yield));
+      // octave by octave, in which Gauss quadrature is exact to round-off
+      for (double begin = first_yield; begin < indentation; begin *= 2.)
+        work += boost::math::quadrature::gauss<double, 15>::integrate(
+          [this](const double alpha) { return force(alpha); },
+          begin,
+          std::min(2. * begin, indentation));
+      return work;
+    }
 
     /// The force over that of Hertz's law.
     double
-    share_of_hertz(double indentation) const;
+    share_of_hertz(const double indentation) const
+    {
+      return 1. / std::cbrt(softening(indentation));
+    }
 
   private:
     /// 1 + c (w - 1).
     double
-    softening(double indentation) const;
+    softening(const double indentation) const
+    {
+      return 1. + rate * std::max(0., indentation / first_yield - 1.);
+    }
 
     const HertzLaw hertz;
     const double   first_yield; ///< alpha_y [m]
@@ -75,6 +120,18 @@ namespace PlateImpact
   /// 0. Fitted to the same indentations, which it follows within 2 % in energy
   /// and 0.01 alpha_m in the dent. Etsion, Kligerman & Kadin (2005),
   /// doi:10.1016/j.ijsolstr.2004.12.006, give back up to 6 % less energy there.
-  std::shared_ptr<const Unloading>
-  plastic_unloading(const std::shared_ptr<const YieldingLaw> &law);
+  inline std::shared_ptr<const Unloading>
+  plastic_unloading(const std::shared_ptr<const YieldingLaw> &law)
+  {
+    const auto dent = [law](const double largest) {
+      const double x = 1. - law->share_of_hertz(largest);
+      return largest * x / (0.345 + 0.77 * x);
+    };
+    const auto power = [law, dent](const double largest) {
+      const double x    = 1. - law->share_of_hertz(largest);
+      const double back = 0.4 * std::pow(1. - x, 2.2 - 1.25 * x);
+      return (1. - dent(largest) / largest) / back - 1.;
+    };
+    return std::make_shared<Unloading>(Unloading{dent, power, power});
+  }
 } // namespace PlateImpact

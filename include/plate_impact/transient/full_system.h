@@ -17,15 +17,9 @@ namespace PlateImpact
     /// @param load  u, as PlateDiscretization::load() returns it
     FullSystem(std::shared_ptr<EffectiveStiffness> matrices,
                const Eigen::VectorXd              &load)
-      : matrices(std::move(matrices))
-      , u(load)
+      : SemidiscreteSystem(load, matrices->damping)
+      , matrices(std::move(matrices))
     {}
-
-    const Eigen::VectorXd &
-    load() const override
-    {
-      return u;
-    }
 
     void
     multiply_stiffness(const Eigen::VectorXd &x,
@@ -38,12 +32,6 @@ namespace PlateImpact
     solve(const double c, const Eigen::VectorXd &b, Eigen::VectorXd &x) override
     {
       matrices->solve(c, b, x);
-    }
-
-    double
-    damping() const override
-    {
-      return matrices->damping;
     }
 
     /// Infinite where K cannot be inverted. Factorizes K when it is first asked
@@ -60,15 +48,9 @@ namespace PlateImpact
     std::unique_ptr<PlateMotion>
     motion(const NewmarkScheme &scheme) override;
 
-    EffectiveStiffness &
-    effective_stiffness() const
-    {
-      return *matrices;
-    }
+    const std::shared_ptr<EffectiveStiffness> matrices;
 
   private:
-    const std::shared_ptr<EffectiveStiffness> matrices;
-    const Eigen::VectorXd                     u;
-    std::optional<double>                     compliance; ///< under u [m/N]
+    std::optional<double> compliance; ///< under u [m/N]
   };
 } // namespace PlateImpact

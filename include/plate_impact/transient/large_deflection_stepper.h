@@ -3,7 +3,7 @@
 #include "plate_impact/plate/large_deflection.h"
 #include "plate_impact/transient/effective_stiffness.h"
 #include "plate_impact/transient/newmark_scheme.h"
-#include "plate_impact/transient/plate_motion.h"
+#include "plate_impact/transient/semidiscrete_system.h"
 
 #include <Eigen/Core>
 
@@ -48,12 +48,12 @@ namespace PlateImpact
     void
     accept();
 
-    const NewmarkScheme    scheme;
-    EffectiveStiffness    &matrices;
-    const Eigen::VectorXd &u;
-    const LargeDeflection  plate;
-    const double           damping; ///< b over the step [-]
-    Factorization          tangent;
+    const NewmarkScheme                 scheme;
+    EffectiveStiffness                 &matrices;
+    const Eigen::VectorXd              &u;
+    const LargeDeflection               plate;
+    const double                        damping; ///< b over the step [-]
+    const std::unique_ptr<LinearSolver> tangent;
 
     Epetra_CrsMatrix linear;    ///< c_0 M + (1 + 2 damping) K
     StretchedPlate   now, next; ///< at the beginning and the end of the step

@@ -16,16 +16,6 @@ namespace PlateImpact
   constexpr double most_steps_to_peak = 120000.;
 
 
-  /// What impacts share that load a plate in the same way and take the same
-  /// steps.
-  struct Load
-  {
-    std::shared_ptr<LoadedMesh> mesh;
-    std::optional<double>       layer_constant;
-    RitzReduction               reduction;
-  };
-
-
   /// How a force history answers to a change of the velocity by a millionth.
   /// One contact changes in proportion; a ball that bounces on a plate in
   /// motion may multiply the change with every contact, until nothing that
@@ -48,18 +38,19 @@ namespace PlateImpact
   {
     DualMotions                    motions;
     const SemidiscreteSystem      *system;
-    std::unique_ptr<RitzReduction> own_reduction; ///< null: of the load
+    std::unique_ptr<RitzReduction> own_reduction; ///< null: shared
   };
 
 
   /// A plate and the impactor that strikes it. What is not computed again from
-  /// one impactor to the next belongs to the load. The histories below are of
-  /// this impact.
+  /// one impactor to the next belongs to the reduction. The histories below are
+  /// of this impact.
   class LoadedPlate
   {
   public:
     /// @param impact  a scene with the plate and the load
-    LoadedPlate(const Parameters &impact, std::shared_ptr<Load> load);
+    LoadedPlate(const Parameters              &impact,
+                std::shared_ptr<RitzReduction> reduction);
 
     /// From first touch to the end time.
     /// @throws ComputationError naming step and quantity, and where an energy
@@ -111,31 +102,29 @@ namespace PlateImpact
     bool
     is_stepped_on_the_mesh() const
     {
-      return &system == &load->mesh->system;
+      return &system == &reduction->mesh->system;
     }
 
     /// Steps of other times on the mesh; the loaded plate must outlive them.
     TimeStepper
     steps_on_the_mesh(const TimeParameters &time) const
     {
-      return steps({time, scheme.integration}, load->mesh->system);
+      return {{time, scheme.integration},
+              reduction->mesh->system,
+              contact,
+              impactor};
     }
 
   private:
     /// In a multiple of the step, no further than until a time.
     ContactHistory
     in_longer_steps(unsigned int factor, double until) const;
-    TimeStepper
-    steps(const NewmarkScheme &by, SemidiscreteSystem &stepped) const;
-    /// For the error of the peak alone, which needs few digits.
-    std::unique_ptr<RitzReduction>
-    reduction_to(double time_of_peak) const;
 
-    const Parameters            parameters;
-    const NewmarkScheme         scheme;
-    const std::shared_ptr<Load> load;
-    const Contact               contact;
-    const Impactor              impactor;
-    SemidiscreteSystem         &system; ///< that is stepped
+    const Parameters                     parameters;
+    const NewmarkScheme                  scheme;
+    const std::shared_ptr<RitzReduction> reduction;
+    const Contact                        contact;
+    const Impactor                       impactor;
+    SemidiscreteSystem                  &system; ///< that is stepped
   };
 } // namespace PlateImpact

@@ -1,11 +1,13 @@
 #pragma once
 
+#include "plate_impact/base/parameters.h"
 #include "plate_impact/contact/contact_solver.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace PlateImpact
 {
-  struct TimeParameters;
-
   /// Newmark's method for a transient of equal steps: a step advances the
   /// displacements by the increment d with
   ///   K* d = f_1 + c_2 f_0 - (1 + c_2) K z + c_1 M v,   K* = K + c_0 M
@@ -16,7 +18,17 @@ namespace PlateImpact
   {
     /// The smallest number of steps, none longer than the scene's.
     NewmarkScheme(const TimeParameters     &time,
-                  const ContactIntegration &integration);
+                  const ContactIntegration &integration)
+      : beta(time.newmark_beta)
+      , gamma(time.newmark_gamma)
+      , integration(integration)
+      , n_steps(
+          std::max(1., std::ceil(time.end_time / time.time_step * (1 - 1e-9))))
+      , dt(length_of_steps(time, n_steps))
+      , c0(1. / (beta * dt * dt))
+      , c1(1. / (beta * dt))
+      , c2(1. / (2. * beta) - 1.)
+    {}
 
     /// Whether the scheme keeps the energy of a linear system without load and
     /// charges it with the work of a load, (f_0 + f_1) d / 2: average
@@ -41,5 +53,17 @@ namespace PlateImpact
     const double             c0; ///< 1/(beta dt^2) [1/s^2]
     const double             c1; ///< 1/(beta dt) [1/s]
     const double             c2; ///< 1/(2 beta) - 1
+
+  private:
+    /// The scene's own where the end time is a multiple of it, so that a
+    /// transient that goes on longer takes the same steps to the last digit.
+    static double
+    length_of_steps(const TimeParameters &time, const unsigned int n_steps)
+    {
+      const double length = time.end_time / n_steps;
+      return std::abs(length - time.time_step) <= 1e-9 * length ?
+        time.time_step :
+        length;
+    }
   };
 } // namespace PlateImpact

@@ -97,7 +97,7 @@ namespace PlateImpact
 
     std::shared_ptr<EffectiveStiffness>            matrices; ///< of assembled()
     std::map<MeshKey, std::shared_ptr<LoadedMesh>> loaded_meshes;
-    std::map<LoadKey, std::shared_ptr<Load>>       loads;
+    std::map<LoadKey, std::shared_ptr<RitzReduction>> reductions;
     unsigned int n_loads = 0, n_forgotten_vectors = 0;
     double       assembly_seconds = 0.;
   };

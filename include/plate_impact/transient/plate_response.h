@@ -1,8 +1,6 @@
 #pragma once
 
-#include "plate_impact/transient/impactor_stepper.h"
-#include "plate_impact/transient/newmark_scheme.h"
-#include "plate_impact/transient/semidiscrete_system.h"
+#include "plate_impact/transient/time_stepper.h"
 
 #include <Eigen/Core>
 

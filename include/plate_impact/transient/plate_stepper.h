@@ -1,7 +1,6 @@
 #pragma once
 
 #include "plate_impact/transient/newmark_scheme.h"
-#include "plate_impact/transient/plate_motion.h"
 #include "plate_impact/transient/semidiscrete_system.h"
 
 #include <Eigen/Core>
@@ -43,9 +42,7 @@ namespace PlateImpact
     const double        damping;    ///< b [s]
     const double        stiffening; ///< 1 + g b
 
-    /// a is needed unless gamma = 2 beta, K v and K a with damping unless the
-    /// scheme conserves energy
-    Eigen::VectorXd a, Kv, Ka, Ma;
+    Eigen::VectorXd a, Kv, Ka, Ma; ///< K v and K a: with damping
     Eigen::VectorXd right_hand_side, K_increment;
   };
 

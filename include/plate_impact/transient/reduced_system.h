@@ -39,23 +39,11 @@ namespace PlateImpact
                   unsigned int     n,
                   unsigned int     n_terminator = 0);
 
-    const Eigen::VectorXd &
-    load() const override
-    {
-      return u;
-    }
-
     void
     multiply_stiffness(const Eigen::VectorXd &x,
                        Eigen::VectorXd       &y) const override;
     void
     solve(double c, const Eigen::VectorXd &b, Eigen::VectorXd &x) override;
-
-    double
-    damping() const override
-    {
-      return basis.matrices.damping;
-    }
 
     double
     static_compliance() override
@@ -92,14 +80,14 @@ namespace PlateImpact
     }
 
   private:
-    void
-    factorize(double c);
+    ReducedSystem(const RitzBasis         &basis,
+                  unsigned int             n,
+                  const TridiagonalMatrix &mass);
 
     const RitzBasis        &basis;
     const unsigned int      n;
     const TridiagonalMatrix mass;      ///< T [s^2], with what is joined to it
     const TridiagonalMatrix stiffness; ///< I - sigma T
-    const Eigen::VectorXd   u;
     const double            compliance;
     std::optional<double>   factorized_for;         ///< c [1/s^2]
     Eigen::VectorXd         inverse_pivots, factor; ///< of K + c M

@@ -28,12 +28,13 @@ namespace PlateImpact
     /// @param sigma   1/s^2, above 0, so that plates that are free to move have
     ///               a basis too
     RitzBasis(FullSystem &system, double sigma)
-      : matrices(system.effective_stiffness())
-      , u(system.load())
+      : matrices(*system.matrices)
       , sigma(sigma)
+      , u(system.load())
     {}
 
     EffectiveStiffness &matrices; ///< of the plate
+    const double        sigma;
 
     /// Adds vectors, one solve each, until there are n or, when the space is
     /// exhausted, as many as there can be.
@@ -52,12 +53,6 @@ namespace PlateImpact
     is_complete() const
     {
       return complete;
-    }
-
-    double
-    shift() const
-    {
-      return sigma;
     }
 
     /// Unknowns of the plate by number of vectors.
@@ -100,7 +95,6 @@ namespace PlateImpact
     norm_of_candidate() const;
 
     const Eigen::VectorXd &u;
-    const double           sigma;
     unsigned int           n        = 0;
     bool                   complete = false;
     bool            is_second = false; ///< next to one that had lost digits

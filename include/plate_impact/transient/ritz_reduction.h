@@ -6,6 +6,7 @@
 #include "plate_impact/transient/ritz_basis.h"
 
 #include <map>
+#include <memory>
 #include <tuple>
 #include <utility>
 
@@ -29,19 +30,20 @@ namespace PlateImpact
   class RitzReduction
   {
   public:
-    /// @param mesh          must outlive the reduction, which factorizes it
-    ///                      and adds to its bases
+    /// @param mesh          is factorized, and its bases are added to
     /// @param needs_fields  whether more than the force is to be right
-    RitzReduction(LoadedMesh               &mesh,
-                  const TimeParameters     &time,
-                  const ContactIntegration &integration,
-                  bool                      needs_fields)
-      : time(time)
+    RitzReduction(std::shared_ptr<LoadedMesh> mesh,
+                  const TimeParameters       &time,
+                  const ContactIntegration   &integration,
+                  const bool                  needs_fields)
+      : mesh(std::move(mesh))
       , scheme(time, integration)
-      , mesh(mesh)
-      , full(mesh.system)
+      , time(time)
       , needs_fields(needs_fields)
     {}
+
+    const std::shared_ptr<LoadedMesh> mesh;
+    const NewmarkScheme               scheme;
 
     /// The system to step for an impact: where it takes fewer solves than a
     /// reduced one, that of the mesh. It belongs to the reduction.
@@ -51,34 +53,21 @@ namespace PlateImpact
 
     /// An impact on such a system: by its response where scheme and plate
     /// conserve energy, otherwise in steps.
-    /// @param n_steps  at most those of the reduction
+    /// @param n_steps  at most those of the scheme
     /// @throws ComputationError naming step and quantity
     Impact
-    impact(SemidiscreteSystem &system,
-           const Contact      &contact,
-           const Impactor     &impactor,
-           unsigned int        n_steps)
-    {
-      return impact(system, contact, impactor, n_steps, scheme);
-    }
+    impact(const NewmarkScheme &by,
+           SemidiscreteSystem  &system,
+           const Contact       &contact,
+           const Impactor      &impactor,
+           unsigned int         n_steps);
 
     /// The response of such a system, kept for the next impactor; for schemes
     /// that conserve energy.
     const PlateResponse &
-    response(SemidiscreteSystem &system)
-    {
-      return response(system, scheme);
-    }
+    response(const NewmarkScheme &by, SemidiscreteSystem &system);
 
   private:
-    Impact
-    impact(SemidiscreteSystem  &system,
-           const Contact       &contact,
-           const Impactor      &impactor,
-           unsigned int         n_steps,
-           const NewmarkScheme &by);
-    const PlateResponse &
-    response(SemidiscreteSystem &system, const NewmarkScheme &by);
     /// @return a reduced system, or that of the mesh
     SemidiscreteSystem *
     settle(const Parameters &rounded);
@@ -86,9 +75,6 @@ namespace PlateImpact
     reduced_system(int half_octave, unsigned int n);
 
     const TimeParameters time;
-    const NewmarkScheme  scheme;
-    LoadedMesh          &mesh;
-    FullSystem          &full; ///< of the mesh
     const bool           needs_fields;
 
     /// By the law's section, the impactor in round numbers and the plate's

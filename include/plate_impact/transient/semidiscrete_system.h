@@ -1,26 +1,112 @@
 #pragma once
 
 #include "plate_impact/transient/newmark_scheme.h"
-#include "plate_impact/transient/plate_motion.h"
 
 #include <Eigen/Core>
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 namespace PlateImpact
 {
+  /// The plate's side of a transient, from rest: steps of Newmark's method
+  /// under forces at their beginning and end. What a step depends on the force
+  /// at its end is linear, or made so again until the step is in equilibrium.
+  class PlateMotion
+  {
+  public:
+    virtual ~PlateMotion() = default;
+
+    /// Begins a step.
+    /// @param begin_force  at its beginning [N]
+    /// @return displacement under the load at its end without further force [m]
+    virtual double
+    begin_step(double begin_force) = 0;
+
+    /// Displacement under the load at the end of a step for a unit force
+    /// there. [m/N]
+    double
+    unit_displacement() const
+    {
+      return w_of_unit_response;
+    }
+
+    /// Ends the step.
+    /// @param at_begin  further force at its beginning [N]
+    /// @param at_end    force at its end [N]
+    /// @return nothing; or, as begin_step(), a displacement of the plate
+    ///         linearized about where it is now, if that is no equilibrium: the
+    ///         step has to be ended again
+    /// @throws ComputationError when equilibrium is not found
+    virtual std::optional<double>
+    end_step(double at_begin, double at_end) = 0;
+
+    /// Under the load. [m]
+    double
+    displacement() const
+    {
+      return w;
+    }
+
+    /// [J]
+    virtual double
+    energy() const
+    {
+      return 0.5 * (v.dot(Mv) + z.dot(Kz));
+    }
+
+    /// By damping, so far; exact where the scheme conserves energy. [J]
+    double
+    dissipated_energy() const
+    {
+      return dissipated;
+    }
+
+    /// z, the unknowns of the plate.
+    const Eigen::VectorXd &
+    unknowns() const
+    {
+      return z;
+    }
+
+  protected:
+    Eigen::VectorXd z, v, Kz, Mv; ///< v: rates of z
+    Eigen::VectorXd increment;    ///< of z in the step
+    Eigen::VectorXd unit_response;
+    double          w = 0., w_of_unit_response = 0., dissipated = 0.;
+  };
+
+
   /// The plate for the time stepper, M z'' + b K z' + K z = f u: a stiffness,
   /// one shape u of the load, and solves with K + c M. The same for the
   /// unknowns of a mesh and for a reduced basis.
   class SemidiscreteSystem
   {
   public:
+    /// @param load     u, the forces conjugate to the unknowns for a unit
+    ///                 contact force
+    /// @param damping  b, of a material that answers to strains and their rates
+    ///                 (Kelvin and Voigt); 0 without damping [s]
+    explicit SemidiscreteSystem(const Eigen::VectorXd &load,
+                                const double           damping = 0.)
+      : u(load)
+      , b(damping)
+    {}
+
     virtual ~SemidiscreteSystem() = default;
 
-    /// u, the forces conjugate to the unknowns for a unit contact force.
-    virtual const Eigen::VectorXd &
-    load() const = 0;
+    const Eigen::VectorXd &
+    load() const
+    {
+      return u;
+    }
+
+    double
+    damping() const
+    {
+      return b;
+    }
 
     /// y = K x.
     virtual void
@@ -30,14 +116,6 @@ namespace PlateImpact
     /// factorization is kept until another c is asked for.
     virtual void
     solve(double c, const Eigen::VectorXd &b, Eigen::VectorXd &x) = 0;
-
-    /// b, of a material that answers to strains and their rates (Kelvin and
-    /// Voigt); 0 without damping. [s]
-    virtual double
-    damping() const
-    {
-      return 0.;
-    }
 
     /// u^T K^-1 u, the displacement under a constant unit force, or any bound
     /// above it; infinite for a plate that is free to move. [m/N]
@@ -73,14 +151,6 @@ namespace PlateImpact
       return {states, Eigen::MatrixXd::Identity(states.cols(), states.cols())};
     }
 
-    /// Those unknowns, a column per state.
-    Eigen::MatrixXd
-    unknowns(const Eigen::Ref<const Eigen::MatrixXd> &states) const
-    {
-      const Span in_mesh = span(states);
-      return in_mesh.vectors * in_mesh.coordinates;
-    }
-
     /// How many states are best looked at together on the mesh: many where they
     /// span few vectors. By default enough to make matrix products fast, and
     /// fewer on large meshes, where one is work enough, to save memory.
@@ -89,5 +159,9 @@ namespace PlateImpact
     {
       return std::clamp<Eigen::Index>(2400000 / load().size(), 1, 16);
     }
+
+  private:
+    const Eigen::VectorXd u;
+    const double          b;
   };
 } // namespace PlateImpact

@@ -1,15 +1,33 @@
 #pragma once
 
-#include "plate_impact/transient/impactor_stepper.h"
-#include "plate_impact/transient/plate_motion.h"
+#include "plate_impact/contact/contact.h"
+#include "plate_impact/contact/contact_history.h"
+#include "plate_impact/contact/impactor.h"
 #include "plate_impact/transient/semidiscrete_system.h"
 
 #include <Eigen/Core>
 
 #include <memory>
+#include <optional>
 
 namespace PlateImpact
 {
+  /// A transient from first touch on.
+  struct Impact
+  {
+    ContactHistory history;
+    double         impulse = 0.; ///< lost by the impactor [N s]
+
+    /// In which the contact equation had a solution other than no force.
+    unsigned int n_contact_steps = 0;
+
+    /// Time since when no further contact is possible; empty as long as one is,
+    /// for plates that are free to move and schemes that do not keep energy.
+    /// [s]
+    std::optional<double> separation_time;
+  };
+
+
   /// Integrates plate and impactor in time: Newmark's method for both and one
   /// scalar contact equation per step (eqs. 19-31 of the paper), of plates with
   /// large deflections one per iteration of Newton's method.
@@ -25,12 +43,13 @@ namespace PlateImpact
     TimeStepper(const NewmarkScheme &scheme,
                 SemidiscreteSystem  &plate,
                 const Contact       &contact,
-                const Impactor      &impactor)
-      : scheme(scheme)
-      , plate(plate)
-      , plate_motion(plate.motion(scheme))
-      , impactor_stepper(scheme, contact, impactor)
-    {}
+                const Impactor      &impactor);
+
+    /// Of a plate whose static compliance is not known.
+    TimeStepper(const NewmarkScheme         &scheme,
+                std::unique_ptr<PlateMotion> plate_motion,
+                const Contact               &contact,
+                const Impactor              &impactor);
 
     /// Steps that it takes to the end time.
     unsigned int
@@ -48,7 +67,7 @@ namespace PlateImpact
     const ContactState &
     state() const
     {
-      return impactor_stepper.state();
+      return current;
     }
 
     /// z, the unknowns of the plate.
@@ -62,20 +81,36 @@ namespace PlateImpact
     const Impact &
     impact() const
     {
-      return impactor_stepper.impact();
+      return so_far;
     }
 
   private:
+    /// The unknown force phi of the step. [N]
+    /// @param plate_free  displacement under the load at its end without phi
+    /// [m]
+    double
+    contact_force(double plate_free) const;
     /// As PlateMotion::end_step(); an error names the step.
     std::optional<double>
-    end_plate_step(double at_begin, double at_end);
+    end_plate_step(double phi);
+    /// Moves the impactor under phi and notes the state at the end of the step.
+    void
+    end_step(double phi);
+    void
+    require_validity() const;
     /// Whether the plate can never reach the impactor again.
     bool
-    is_out_of_reach();
+    is_out_of_reach() const;
 
     const NewmarkScheme          scheme;
-    SemidiscreteSystem          &plate;
+    const double                 at_begin; ///< phi there, per phi at the end
+    SemidiscreteSystem          *plate = nullptr;
     std::unique_ptr<PlateMotion> plate_motion;
-    ImpactorStepper              impactor_stepper;
+    Contact                      contact;
+    Impactor                     impactor;
+    ContactState                 current;
+    Impact                       so_far;
+    unsigned int                 step        = 0;
+    double                       begin_force = 0.; ///< known, of the step [N]
   };
 } // namespace PlateImpact
