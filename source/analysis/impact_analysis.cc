@@ -336,10 +336,9 @@ namespace PlateImpact
       return {};
     Parameters last_struck = parameters;
     last_struck.time       = current->result.time;
-    Warnings all           = reliability_warnings(last_struck,
-                                        current->mesh(),
-                                        current->result,
-                                        *expected);
+    Warnings all =
+      reliability_warnings({last_struck, *expected, current->result},
+                           current->mesh());
     all.numerical.insert(all.numerical.end(), warnings.begin(), warnings.end());
     return all;
   }

@@ -39,9 +39,9 @@ namespace PlateImpact
     virtual ErrorRatios
     error_ratios(const Cycle &cycle, double target) const = 0;
 
-    /// Why the target is not met, and what helps.
-    virtual std::vector<std::string>
-    warnings(const CycleResult &result) const = 0;
+    /// Why the target is not met, and what helps; empty where it is.
+    virtual std::string
+    warning(const CycleResult &result) const = 0;
 
   protected:
     const AdaptivityParameters adaptivity;
