@@ -2,7 +2,6 @@
 
 #include "plate_impact/adaptation/cell_sizes.h"
 #include "plate_impact/adaptation/mesh_adaptation.h"
-#include "plate_impact/analysis/observe.h"
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/contact/make_contact.h"
 #include "plate_impact/plate/plate_geometry.h"
@@ -155,7 +154,7 @@ namespace PlateImpact
     if (window.extent == Extent::peak_search)
       return;
 
-    Observation seen = PlateImpact::observe(*current, impact, wanted, listener);
+    Observation seen = current->observe(impact, wanted, listener);
     const Timer timer;
     static_cast<Observation &>(result) = std::move(seen);
     static_cast<Judgement &>(result)   = judgement();
