@@ -1,8 +1,9 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/QR>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace PlateImpact
@@ -57,7 +58,19 @@ namespace PlateImpact
     std::vector<Eigen::VectorXf> kept_element_errors;
 
     ErrorRatios
-    ratios(double target_error) const;
+    ratios(const double target_error) const
+    {
+      // without cells that count the limit is that of one
+      const std::size_t n_counted =
+        element_errors.size() - (singular_cells_count ? 0 : n_singular_cells);
+      ErrorRatios result;
+      result.overall = eta / target_error;
+      result.element_limit =
+        target_error / std::sqrt(std::max<double>(1., n_counted));
+      for (const double error : element_errors)
+        result.elements.push_back(error / result.element_limit);
+      return result;
+    }
   };
 
 
@@ -110,6 +123,14 @@ namespace PlateImpact
   /// @param coordinates  of the states, a row per vector
   /// @param tolerance    what the combinations may leave out of the states,
   ///                     relative to the largest
-  Eigen::MatrixXd
-  leading_combinations(const Eigen::MatrixXd &coordinates, double tolerance);
+  inline Eigen::MatrixXd
+  leading_combinations(const Eigen::MatrixXd &coordinates,
+                       const double           tolerance)
+  {
+    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr;
+    qr.setThreshold(tolerance);
+    qr.compute(coordinates);
+    return qr.householderQ() *
+      Eigen::MatrixXd::Identity(coordinates.rows(), qr.rank());
+  }
 } // namespace PlateImpact
