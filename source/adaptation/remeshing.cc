@@ -89,29 +89,6 @@ namespace PlateImpact
 
 
 
-    SizeField
-    size_field(const Triangulation<2>     &mesh,
-               const std::vector<double>  &cell_sizes,
-               const AdaptivityParameters &adaptivity)
-    {
-      const std::vector<double> sizes =
-        sizes_at_vertices(mesh, cell_sizes, adaptivity);
-      SizeField field;
-      for (const auto &cell : mesh.active_cell_iterators())
-        {
-          field.patches.emplace_back();
-          unsigned int i = 0;
-          for (const unsigned int v : {0, 1, 3, 2}) // counter-clockwise
-            {
-              field.patches.back().corners[i] = cell->vertex(v);
-              field.patches.back().sizes[i++] = sizes[cell->vertex_index(v)];
-            }
-        }
-      return field;
-    }
-
-
-
     using Corners = std::pair<Point<2>, Point<2>>;
 
     /// The first and the last corner of the rectangle that is meshed.
@@ -248,7 +225,8 @@ namespace PlateImpact
     rebuild(mesh,
             mesh_by_gmsh(corners,
                          inside,
-                         size_field(mesh, sizes, adaptivity),
+                         mesh,
+                         sizes_at_vertices(mesh, sizes, adaptivity),
                          warnings),
             sides);
     return true;
