@@ -1,6 +1,5 @@
 #include <deal.II/grid/grid_tools.h>
 
-#include "plate_impact/adaptation/cell_sizes.h"
 #include "plate_impact/adaptation/mesh_adaptation.h"
 #include "plate_impact/adaptation/quad_mesher.h"
 #include "plate_impact/base/exceptions.h"

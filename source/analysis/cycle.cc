@@ -1,6 +1,6 @@
 #include "plate_impact/analysis/cycle.h"
 
-#include "plate_impact/estimator/make_error_estimator.h"
+#include "plate_impact/estimator/error_estimator.h"
 #include "plate_impact/plate/plate_mesh.h"
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 #include "plate_impact/analysis/impact_analysis.h"
 
-#include "plate_impact/adaptation/cell_sizes.h"
 #include "plate_impact/adaptation/mesh_adaptation.h"
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/contact/make_contact.h"

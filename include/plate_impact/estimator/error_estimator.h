@@ -1,9 +1,14 @@
 #pragma once
 
+#include "plate_impact/base/parameters.h"
+#include "plate_impact/estimator/stress_recovery.h"
+#include "plate_impact/plate/plate_discretization.h"
+
 #include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <vector>
 
 namespace PlateImpact
@@ -94,6 +99,16 @@ namespace PlateImpact
     virtual ErrorEstimate
     estimate() const = 0;
   };
+
+
+  /// The estimator that the scene names: `SPR` or `Kelly`. Discretization and
+  /// recovery must outlive it.
+  /// @param kept_interval  as in EnergyNormEstimator
+  std::unique_ptr<ErrorEstimator>
+  make_error_estimator(const Parameters          &parameters,
+                       const PlateDiscretization &discretization,
+                       const StressRecovery      &recovery,
+                       unsigned int               kept_interval);
 
 
   /// Integral over time of what is zero at t = 0, by the trapezoidal rule.
