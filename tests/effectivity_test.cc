@@ -261,12 +261,12 @@ namespace PlateImpact
       const NavierPlate     exact(model.section());
       const StressRecovery  recovery(*mesh);
       const auto            patch =
-        std::find_if(recovery.patches().begin(),
-                     recovery.patches().end(),
+        std::find_if(recovery.patches.begin(),
+                     recovery.patches.end(),
                      [](const StressRecovery::Patch &one) {
                        return one.centre.distance({0.25, 0.25}) < 1e-9;
                      });
-      ASSERT_NE(patch, recovery.patches().end());
+      ASSERT_NE(patch, recovery.patches.end());
       ASSERT_EQ(patch->images.size(), 4u);
 
       constexpr unsigned int      Q_x       = 3;

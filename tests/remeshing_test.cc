@@ -24,12 +24,19 @@ namespace PlateImpact
 
 
 
-    /// One patch with the same size everywhere.
-    SizeField
-    constant_size(const double size)
+    /// Of a square with the same size everywhere.
+    QuadMesh
+    mesh_with_size(
+      const double                       size,
+      std::vector<std::string>          &warnings,
+      const std::vector<MesherSettings> &attempts = default_mesher_settings())
     {
-      return {{{{{{0., 0.}, {1., 0.}, {1., 1.}, {0., 1.}}},
-                {{size, size, size, size}}}}};
+      return mesh_by_gmsh(square,
+                          {},
+                          *unit_square(1),
+                          std::vector<double>(4, size),
+                          warnings,
+                          attempts);
     }
 
 
@@ -57,8 +64,7 @@ namespace PlateImpact
       const bool                         expects_warning = false)
     {
       std::vector<std::string> warnings;
-      const QuadMesh           mesh =
-        mesh_by_gmsh(square, {}, constant_size(size), warnings, attempts);
+      const QuadMesh           mesh = mesh_with_size(size, warnings, attempts);
       EXPECT_EQ(warnings.size(), expects_warning ? 1u : 0u);
       EXPECT_NEAR(area(mesh), 1., 1e-12);
       for (const Point<2> &corner : square)
@@ -98,7 +104,7 @@ namespace PlateImpact
       testing::internal::CaptureStdout();
       testing::internal::CaptureStderr();
       std::vector<std::string> warnings;
-      mesh_by_gmsh(square, {}, constant_size(0.1), warnings);
+      mesh_with_size(0.1, warnings);
       EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
       EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
     }
@@ -115,7 +121,7 @@ namespace PlateImpact
         {triangles, default_mesher_settings()[1]};
       const QuadMesh           mesh = mesh_square(0.1, attempts, true);
       std::vector<std::string> warnings;
-      mesh_by_gmsh(square, {}, constant_size(0.1), warnings, attempts);
+      mesh_with_size(0.1, warnings, attempts);
       EXPECT_NE(warnings.front().find("triangles are left"), std::string::npos)
         << warnings.front();
       EXPECT_GT(mesh.worst_scaled_jacobian(), 0.3);
@@ -130,11 +136,7 @@ namespace PlateImpact
       std::vector<std::string> warnings;
       try
         {
-          mesh_by_gmsh(square,
-                       {},
-                       constant_size(0.1),
-                       warnings,
-                       {triangles, triangles});
+          mesh_with_size(0.1, warnings, {triangles, triangles});
           FAIL() << "a mesh of triangles was accepted";
         }
       catch (const ComputationError &error)

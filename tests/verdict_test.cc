@@ -167,12 +167,11 @@ namespace PlateImpact
       Parameters      parameters = read_scene(main_scene, {}, {}).parameters;
       TimeParameters &time       = parameters.time;
       const auto      numbers    = [&](const std::vector<double> &forces) {
-        std::string text;
+        std::string       text;
+        const ZenerImpact expected = make_zener_impact(parameters);
+        const CycleResult result   = with_forces(forces);
         for (const std::string &warning :
-             impact_warnings(parameters,
-                             with_forces(forces),
-                             make_zener_impact(parameters))
-               .numerical)
+             impact_warnings({parameters, expected, result}).numerical)
           text += warning + '\n';
         return text;
       };

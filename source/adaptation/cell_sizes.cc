@@ -1,7 +1,6 @@
-#include "plate_impact/adaptation/cell_sizes.h"
-
 #include <deal.II/base/numbers.h>
 
+#include "plate_impact/adaptation/mesh_adaptation.h"
 #include "plate_impact/plate/plate_mesh.h"
 
 #include <algorithm>
@@ -31,6 +30,21 @@ namespace PlateImpact
       return std::min(1.,
                       (p + 1. - std::max(strength, least_strength)) / (p + 1.));
     }
+
+
+
+    /// The strongest of the singular points that a cell touches, or null.
+    const SingularPoint *
+    singular_point_of(const Triangulation<2>::cell_iterator &cell,
+                      const AdaptivityParameters            &adaptivity)
+    {
+      const SingularPoint *strongest = nullptr;
+      for (const SingularPoint &point : adaptivity.singular_points.points)
+        if ((strongest == nullptr || point.strength < strongest->strength) &&
+            touches_point(cell, point.position))
+          strongest = &point;
+      return strongest;
+    }
   } // namespace
 
 
@@ -49,20 +63,6 @@ namespace PlateImpact
           std::pow(error.elements[c], size_exponent(cell, adaptivity));
       }
     return sizes;
-  }
-
-
-
-  const SingularPoint *
-  singular_point_of(const Triangulation<2>::cell_iterator &cell,
-                    const AdaptivityParameters            &adaptivity)
-  {
-    const SingularPoint *strongest = nullptr;
-    for (const SingularPoint &point : adaptivity.singular_points.points)
-      if ((strongest == nullptr || point.strength < strongest->strength) &&
-          touches_point(cell, point.position))
-        strongest = &point;
-    return strongest;
   }
 
 

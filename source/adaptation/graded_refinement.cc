@@ -1,4 +1,3 @@
-#include "plate_impact/adaptation/cell_sizes.h"
 #include "plate_impact/adaptation/mesh_adaptation.h"
 #include "plate_impact/plate/plate_mesh.h"
 

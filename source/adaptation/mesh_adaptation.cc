@@ -3,7 +3,6 @@
 #include <deal.II/grid/grid_refinement.h>
 #include <deal.II/lac/vector.h>
 
-#include "plate_impact/adaptation/cell_sizes.h"
 #include "plate_impact/base/entries.h"
 
 #include <algorithm>

@@ -56,22 +56,26 @@ namespace PlateImpact
 
 
     void
-    set_sizes(const SizeField &sizes, const double scale, const double factor)
+    set_sizes(const Triangulation<2>    &mesh,
+              const std::vector<double> &sizes,
+              const double               scale,
+              const double               factor)
     {
       std::vector<double> data;
-      data.reserve(16 * sizes.patches.size());
-      for (const SizeField::Patch &patch : sizes.patches)
+      data.reserve(16 * mesh.n_active_cells());
+      const std::array<unsigned int, 4> around = {{0, 1, 3, 2}};
+      for (const auto &cell : mesh.active_cell_iterators())
         {
           for (const unsigned int d : {0, 1})
-            for (const Point<2> &corner : patch.corners)
-              data.push_back(corner[d] / scale);
+            for (const unsigned int v : around)
+              data.push_back(cell->vertex(v)[d] / scale);
           data.insert(data.end(), 4, 0.);
-          for (const double size : patch.sizes)
-            data.push_back(factor * size / scale);
+          for (const unsigned int v : around)
+            data.push_back(factor * sizes[cell->vertex_index(v)] / scale);
         }
       // a list of scalar quadrangles
       const int view = gmsh::view::add("target sizes");
-      gmsh::view::addListData(view, "SQ", sizes.patches.size(), data);
+      gmsh::view::addListData(view, "SQ", mesh.n_active_cells(), data);
       const int field = gmsh::model::mesh::field::add("PostView");
       gmsh::model::mesh::field::setNumber(field, "ViewTag", view);
       gmsh::model::mesh::field::setAsBackgroundMesh(field);
@@ -145,7 +149,8 @@ namespace PlateImpact
     QuadMesh
     attempt(const std::vector<Point<2>> &corners,
             const std::vector<Point<2>> &inside,
-            const SizeField             &sizes,
+            const Triangulation<2>      &old_mesh,
+            const std::vector<double>   &sizes,
             const MesherSettings        &settings)
     {
       const GmshSession session;
@@ -154,7 +159,7 @@ namespace PlateImpact
       const double scale = std::max(box.side_length(0), box.side_length(1));
       set_options(settings);
       add_domain(corners, inside, scale);
-      set_sizes(sizes, scale, settings.size_factor);
+      set_sizes(old_mesh, sizes, scale, settings.size_factor);
       gmsh::model::mesh::generate(2);
       if (const auto n = nodes_of_elements(triangle).size() / 3)
         throw std::string(std::to_string(n) + " triangles are left");
@@ -204,7 +209,8 @@ namespace PlateImpact
   QuadMesh
   mesh_by_gmsh(const std::vector<Point<2>>       &corners,
                const std::vector<Point<2>>       &inside,
-               const SizeField                   &sizes,
+               const Triangulation<2>            &old_mesh,
+               const std::vector<double>         &sizes,
                std::vector<std::string>          &warnings,
                const std::vector<MesherSettings> &attempts)
   {
@@ -214,7 +220,8 @@ namespace PlateImpact
         std::string failure;
         try
           {
-            const QuadMesh mesh = attempt(corners, inside, sizes, settings);
+            const QuadMesh mesh =
+              attempt(corners, inside, old_mesh, sizes, settings);
             if (!failures.empty())
               warnings.push_back("Gmsh made no mesh at first (" + failures +
                                  "); the mesh is one of " + settings.name);

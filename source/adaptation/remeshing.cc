@@ -1,6 +1,5 @@
 #include <deal.II/grid/grid_tools.h>
 
-#include "plate_impact/adaptation/cell_sizes.h"
 #include "plate_impact/adaptation/mesh_adaptation.h"
 #include "plate_impact/adaptation/quad_mesher.h"
 #include "plate_impact/base/exceptions.h"
@@ -85,29 +84,6 @@ namespace PlateImpact
                 }
         }
       return sizes;
-    }
-
-
-
-    SizeField
-    size_field(const Triangulation<2>     &mesh,
-               const std::vector<double>  &cell_sizes,
-               const AdaptivityParameters &adaptivity)
-    {
-      const std::vector<double> sizes =
-        sizes_at_vertices(mesh, cell_sizes, adaptivity);
-      SizeField field;
-      for (const auto &cell : mesh.active_cell_iterators())
-        {
-          field.patches.emplace_back();
-          unsigned int i = 0;
-          for (const unsigned int v : {0, 1, 3, 2}) // counter-clockwise
-            {
-              field.patches.back().corners[i] = cell->vertex(v);
-              field.patches.back().sizes[i++] = sizes[cell->vertex_index(v)];
-            }
-        }
-      return field;
     }
 
 
@@ -248,7 +224,8 @@ namespace PlateImpact
     rebuild(mesh,
             mesh_by_gmsh(corners,
                          inside,
-                         size_field(mesh, sizes, adaptivity),
+                         mesh,
+                         sizes_at_vertices(mesh, sizes, adaptivity),
                          warnings),
             sides);
     return true;

@@ -64,31 +64,30 @@ namespace PlateImpact
         return cycle.result.error->ratios(target);
       }
 
-      std::vector<std::string>
-      warnings(const CycleResult &result) const override
+      std::string
+      warning(const CycleResult &result) const override
       {
         if (!result.error)
           return {};
         const std::string eta    = about_percentage(result.error->eta),
                           target = about_percentage(adaptivity.target_error);
         if (!is_met(result) && !adaptivity.is_adaptive())
-          return {"eta is " + eta +
-                  " on this mesh, more than Adaptivity/Target error, " +
-                  target +
-                  "; choose Adaptivity/Strategy = hanging nodes or more "
-                  "Initial cells"};
+          return "eta is " + eta +
+            " on this mesh, more than Adaptivity/Target error, " + target +
+            "; choose Adaptivity/Strategy = hanging nodes or more Initial "
+            "cells";
         if (!is_met(result))
-          return {"eta is still " + eta + ": Adaptivity/Target error, " +
-                  target +
-                  ", is not met; choose more Maximum cycles, a smaller Minimum "
-                  "cell size or a larger target"};
+          return "eta is still " + eta + ": Adaptivity/Target error, " +
+            target +
+            ", is not met; choose more Maximum cycles, a smaller Minimum cell "
+            "size or a larger target";
         if (adaptivity.is_adaptive() && !outcome(result))
-          return {fmt::format(
+          return fmt::format(
             "eta meets Adaptivity/Target error, but xi' of {} is up to {}, "
             "wanted below 1; choose more Maximum cycles or a smaller Minimum "
             "cell size",
             counted(result.cells_above_limit, "cell"),
-            about(result.error_ratios->max_element()))};
+            about(result.error_ratios->max_element()));
         return {};
       }
     };
@@ -165,19 +164,19 @@ namespace PlateImpact
         return error;
       }
 
-      std::vector<std::string>
-      warnings(const CycleResult &result) const override
+      std::string
+      warning(const CycleResult &result) const override
       {
         if (is_met(result))
           return {};
-        return {fmt::format(
+        return fmt::format(
           "the error bar of the peak force is {}: Adaptivity/Target peak force "
           "error, {}, is not met; choose more Maximum cycles, a smaller Time "
           "step or Minimum cell size, or a larger target",
           result.peak_force_bar ?
             about_percentage(result.peak_force_bar->total()) :
             "not known",
-          about_percentage(adaptivity.target_peak_force_error))};
+          about_percentage(adaptivity.target_peak_force_error));
       }
 
     private:

@@ -1,8 +1,6 @@
 #include "plate_impact/analysis/impact_analysis.h"
 
-#include "plate_impact/adaptation/cell_sizes.h"
 #include "plate_impact/adaptation/mesh_adaptation.h"
-#include "plate_impact/analysis/observe.h"
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/contact/make_contact.h"
 #include "plate_impact/plate/plate_geometry.h"
@@ -155,7 +153,7 @@ namespace PlateImpact
     if (window.extent == Extent::peak_search)
       return;
 
-    Observation seen = PlateImpact::observe(*current, impact, wanted, listener);
+    Observation seen = current->observe(impact, wanted, listener);
     const Timer timer;
     static_cast<Observation &>(result) = std::move(seen);
     static_cast<Judgement &>(result)   = judgement();
@@ -337,10 +335,9 @@ namespace PlateImpact
       return {};
     Parameters last_struck = parameters;
     last_struck.time       = current->result.time;
-    Warnings all           = reliability_warnings(last_struck,
-                                        current->mesh(),
-                                        current->result,
-                                        *expected);
+    Warnings all =
+      reliability_warnings({last_struck, *expected, current->result},
+                           current->mesh());
     all.numerical.insert(all.numerical.end(), warnings.begin(), warnings.end());
     return all;
   }

@@ -41,7 +41,7 @@ namespace PlateImpact
     Value
     if_dented(const ComputedImpact &impact, const double value)
     {
-      if (impact.parameters.contact.unloading == UnloadingLaw::elastic &&
+      if (impact.contact.unloading == UnloadingLaw::elastic &&
           !impact.bodies.yield_indentation)
         return {};
       return value;
@@ -52,8 +52,7 @@ namespace PlateImpact
     Value
     delamination_threshold(const ComputedImpact &impact)
     {
-      const auto crack =
-        delamination(impact.parameters, impact.expected, impact.peak);
+      const auto crack = delamination(impact);
       return crack ? Value(crack->threshold) : Value();
     }
 
@@ -73,7 +72,7 @@ namespace PlateImpact
     bool
     is_sphere(const ComputedImpact &impact)
     {
-      return !impact.parameters.impactor.is_cylinder();
+      return !impact.impactor.is_cylinder();
     }
 
 
@@ -129,7 +128,7 @@ namespace PlateImpact
        "",
        [](Impact i) -> Value {
          return i.bodies.radius(i.peak.force, i.peak.indentation) /
-           i.parameters.plate.thickness;
+           i.plate.thickness;
        }},
       {"relative_energy_drift",
        "Relative drift of the energy",
@@ -211,20 +210,19 @@ namespace PlateImpact
 
 
   std::optional<Delamination>
-  delamination(const Parameters   &parameters,
-               const ZenerImpact  &expected,
-               const ContactState &peak)
+  delamination(const ComputedImpact &impact)
   {
-    const PlateParameters &plate = parameters.plate;
-    if (!plate.is_laminate() || plate.ply.mode_2_toughness == 0. ||
-        peak.force <= 0.)
+    const PlyParameters &ply = impact.plate.ply;
+    if (!impact.plate.is_laminate() || ply.mode_2_toughness == 0. ||
+        impact.peak.force <= 0.)
       return {};
     const double slow = std::acos(-1.) *
-      std::sqrt(32. / 3. * expected.section.mean_bending_stiffness() *
-                plate.ply.mode_2_toughness);
-    const double there_and_back = 2. * geometry_of(plate).distance_to_edge /
-      expected.wave_of(2. * peak.time).group_speed;
-    const bool is_of_small_mass = peak.time < there_and_back;
+      std::sqrt(32. / 3. * impact.section.mean_bending_stiffness() *
+                ply.mode_2_toughness);
+    const double there_and_back = 2. *
+      geometry_of(impact.plate).distance_to_edge /
+      impact.expected.wave_of(2. * impact.peak.time).group_speed;
+    const bool is_of_small_mass = impact.peak.time < there_and_back;
     return Delamination{is_of_small_mass ? 1.213 * slow : slow,
                         is_of_small_mass};
   }

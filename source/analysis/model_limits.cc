@@ -8,31 +8,8 @@
 
 namespace PlateImpact
 {
-  ModelLimits::ModelLimits(const Parameters  &parameters,
-                           const CycleResult &result,
-                           const ZenerImpact &expected)
-    : parameters(parameters)
-    , plate(parameters.plate)
-    , impactor(parameters.impactor)
-    , contact(parameters.contact)
-    , expected(expected)
-    , result(result)
-    , section(expected.section)
-    , history(*result.history)
-    , peak(history.peak())
-    , is_layer(contact.local_response == LocalResponse::layer)
-    , plate_is_softer(section.contact_modulus < impactor.youngs_modulus)
-    , bodies(parameters, section)
-    , radius(bodies.radius(peak.force, peak.indentation))
-    , pressure(peak.force > 0. ?
-                 bodies.elastic_pressure(peak.force, peak.indentation) :
-                 0.)
-  {}
-
-
-
-  Warnings
-  ModelLimits::warnings_of_all()
+  ModelLimits::ModelLimits(const ComputedImpact &impact)
+    : ComputedImpact(impact)
   {
     if (peak.force > 0.)
       {
@@ -50,7 +27,6 @@ namespace PlateImpact
       }
     if (is_beyond_limits)
       leaves("what is beyond a limit of the model", {});
-    return warnings;
   }
 
 
@@ -110,13 +86,18 @@ namespace PlateImpact
             about(contact.patch_radius, "m"),
             about(radius, "m"),
             about(radius));
-    else if (contact.load_is_singular())
-      check_point_load();
-    else
+    else if (!contact.load_is_singular())
       {
         check_disc();
         check_patch();
       }
+    else if (const double drop = drop_by(1.); drop >= 1e-4)
+      warnings.numerical.push_back(fmt::format(
+        "the peak force under a point load does not converge: it depends on "
+        "the smallest cell, {}, and drops by about {} per halving; choose "
+        "Contact/Load distribution = Hertz disc",
+        about(result.min_cell_size, "m"),
+        about_percentage(drop)));
   }
 
 
@@ -138,20 +119,6 @@ namespace PlateImpact
           about(contact.patch_radius),
           about(contact.patch_radius / plate.thickness),
           about(widest / plate.thickness));
-  }
-
-
-
-  void
-  ModelLimits::check_point_load()
-  {
-    if (const double drop = drop_by(1.); drop >= 1e-4)
-      warnings.numerical.push_back(fmt::format(
-        "the peak force under a point load does not converge: it depends on "
-        "the smallest cell, {}, and drops by about {} per halving; choose "
-        "Contact/Load distribution = Hertz disc",
-        about(result.min_cell_size, "m"),
-        about_percentage(drop)));
   }
 
 
@@ -264,7 +231,7 @@ namespace PlateImpact
   ModelLimits::check_duration()
   {
     const auto end = history.first_contact_end();
-    if (!is_layer || (!end && peak.time == history.states().back().time))
+    if (!is_layer || (!end && peak.time == last.time))
       return;
     const double transit = std::sqrt(plate.thickness * section.mass_per_area /
                                      section.shear_modulus);
@@ -326,10 +293,8 @@ namespace PlateImpact
 
 
   Warnings
-  model_warnings(const Parameters  &parameters,
-                 const CycleResult &result,
-                 const ZenerImpact &expected)
+  model_warnings(const ComputedImpact &impact)
   {
-    return ModelLimits(parameters, result, expected).warnings_of_all();
+    return ModelLimits(impact).warnings;
   }
 } // namespace PlateImpact

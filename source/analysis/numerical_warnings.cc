@@ -15,33 +15,31 @@ namespace PlateImpact
 
   namespace
   {
-    std::vector<std::string>
-    warn_of_step(const Parameters  &parameters,
-                 const CycleResult &result,
-                 const double       expected_contact_time)
+    using Sentences = std::vector<std::string>;
+
+    void
+    warn_of_step(const ComputedImpact &impact, Sentences &warnings)
     {
-      const TimeParameters       &time       = parameters.time;
-      const AdaptivityParameters &adaptivity = parameters.adaptivity;
-      const ContactHistory       &history    = *result.history;
-      const ContactState         &peak       = history.peak();
-      if (result.time_error)
+      const TimeParameters       &time       = impact.parameters.time;
+      const AdaptivityParameters &adaptivity = impact.parameters.adaptivity;
+      if (impact.result.time_error)
         {
           // the mesh has its share of a target for the force
-          const double error  = *result.time_error,
+          const double error  = *impact.result.time_error,
                        wanted = adaptivity.is_for_peak_force() ?
-            share_of_step(result.peak_is_late) *
+            share_of_step(impact.result.peak_is_late) *
               adaptivity.target_peak_force_error :
             1e-3;
           if (error <= (adaptivity.is_for_peak_force() ?
                           0.5 * adaptivity.target() :
                           wanted))
-            return {};
+            return;
           const unsigned int order =
-            NewmarkScheme(time, parameters.contact.integration).order();
+            NewmarkScheme(time, impact.contact.integration).order();
           const std::string step =
             about(time.time_step * std::pow(wanted / error, 1. / order));
           // the step that the program chose is told as such
-          return {fmt::format(
+          return warnings.push_back(fmt::format(
             "Time/Time step = {} s leaves an error of about {} in the peak "
             "force; for {} {}",
             about(time.time_step),
@@ -49,191 +47,172 @@ namespace PlateImpact
             about_percentage(wanted),
             time.step_is_chosen ? "choose Time/Time step = " + step +
                 " s, or a smaller Time/Step tolerance" :
-                                  "choose at most " + step + " s, or 0")};
+                                  "choose at most " + step + " s, or 0"));
         }
       const double rise =
-        peak.force > 0. && peak.time < history.states().back().time ?
-        history.rise_time() :
-        std::max(0.5 * expected_contact_time, peak.time);
+        impact.peak.force > 0. && impact.peak.time < impact.last.time ?
+        impact.history.rise_time() :
+        std::max(0.5 * impact.expected.contact_time(), impact.peak.time);
       // a step that was chosen keeps to the scene's own tolerance
-      if (time.step_is_chosen || time.time_step <= 0.04 * rise)
-        return {};
-      return {fmt::format(
-        "Time/Time step = {} s resolves only coarsely the rise to the peak "
-        "force, {}, and the waves that the contact sends out; for an error of "
-        "0.1 % in the peak force choose at most {} s, or 0",
-        about(time.time_step),
-        about(rise, "s"),
-        about(0.04 * rise))};
+      if (!time.step_is_chosen && time.time_step > 0.04 * rise)
+        warnings.push_back(fmt::format(
+          "Time/Time step = {} s resolves only coarsely the rise to the peak "
+          "force, {}, and the waves that the contact sends out; for an error "
+          "of 0.1 % in the peak force choose at most {} s, or 0",
+          about(time.time_step),
+          about(rise, "s"),
+          about(0.04 * rise)));
     }
 
 
 
     /// What is still to come when the transient ends.
-    std::vector<std::string>
-    warn_of_end(const TimeParameters &time, const ContactHistory &history)
+    void
+    warn_of_end(const ComputedImpact &impact, Sentences &warnings)
     {
-      const ContactState &last        = history.states().back();
-      const auto          contact_end = history.first_contact_end();
-      const std::string   end         = !time.end_is_chosen ?
-                  "Time/End time = " + about(time.end_time) + " s" :
-                  contact_end && *contact_end > 0.98 * last.time ?
-                  "the end of the first contact, " + about(last.time, "s") :
-                  about(last.time, "s") + ", the latest time that is looked at";
-      if (history.peak().time == last.time)
-        return {"the force still grows at " + end +
-                ": the true peak force is larger; choose a later Time/End "
-                "time"};
-      if (last.force > 0. && history.n_contacts() > 1)
-        return {"another contact is under way at " + end +
-                "; its force may be larger; choose a later Time/End time"};
-      if (last.force > 0.)
-        return {"the contact has not ended at " + end};
-      if (last.impactor_velocity > 0.)
-        return {"the impactor still moves towards the plate at " + end +
-                ": another contact follows, and its force may be larger; "
-                "choose a later Time/End time"};
-      return {};
+      const TimeParameters &time        = impact.parameters.time;
+      const ContactState   &last        = impact.last;
+      const auto            contact_end = impact.history.first_contact_end();
+      const std::string     end         = !time.end_is_chosen ?
+                    "Time/End time = " + about(time.end_time) + " s" :
+                    contact_end && *contact_end > 0.98 * last.time ?
+                    "the end of the first contact, " + about(last.time, "s") :
+                    about(last.time, "s") + ", the latest time that is looked at";
+      if (impact.peak.time == last.time)
+        warnings.push_back("the force still grows at " + end +
+                           ": the true peak force is larger; choose a later "
+                           "Time/End time");
+      else if (last.force > 0. && impact.history.n_contacts() > 1)
+        warnings.push_back("another contact is under way at " + end +
+                           "; its force may be larger; choose a later Time/End "
+                           "time");
+      else if (last.force > 0.)
+        warnings.push_back("the contact has not ended at " + end);
+      else if (last.impactor_velocity > 0.)
+        warnings.push_back("the impactor still moves towards the plate at " +
+                           end +
+                           ": another contact follows, and its force may be "
+                           "larger; choose a later Time/End time");
     }
 
 
 
-    std::vector<std::string>
-    warn_of_history(const CycleResult &result)
+    void
+    warn_of_history(const ComputedImpact &impact, Sentences &warnings)
     {
-      std::vector<std::string> warnings;
-      if (result.sensitivity && result.sensitivity->unpredictable_from)
+      const auto &sensitivity = impact.result.sensitivity;
+      if (sensitivity && sensitivity->unpredictable_from)
         {
-          const double from = *result.sensitivity->unpredictable_from;
+          const double from = *sensitivity->unpredictable_from;
           warnings.push_back(fmt::format(
             "from t = {} on, the force cannot be predicted: one millionth more "
             "velocity changes it by more than 0.1 % of its peak; the peak "
             "force {}",
             about(from, "s"),
-            result.history->peak().time < from ? "comes earlier and is not "
-                                                 "affected" :
-                                                 "comes later"));
+            impact.peak.time < from ? "comes earlier and is not affected" :
+                                      "comes later"));
         }
-      if (const double drift = result.history->relative_energy_drift();
+      if (const double drift = impact.history.relative_energy_drift();
           drift > 1e-3)
         warnings.push_back(fmt::format(
           "the total energy changes by {}, by collocation on coarse steps or "
           "by the damping of Newmark's parameters; choose Contact/Integration "
           "= energy conserving or a smaller step",
           about_percentage(drift)));
-      return warnings;
     }
 
 
 
-    std::vector<std::string>
-    warn_of_resolution(const Parameters  &parameters,
-                       const BendingWave &wave,
-                       const double       largest_cell,
-                       const bool         meets_target)
+    void
+    warn_of_resolution(const ComputedImpact &impact,
+                       const double          largest_cell,
+                       Sentences            &warnings)
     {
       // a spread load excites no waves shorter than itself
-      const double length =
-        std::max(wave.length, 4. * parameters.contact.patch_radius);
-      if (largest_cell <= 0.5 * length || meets_target)
-        return {};
-      const AdaptivityParameters &adaptivity = parameters.adaptivity;
-      return {fmt::format(
+      const double length = std::max(impact.expected.wave().length,
+                                     4. * impact.contact.patch_radius);
+      if (largest_cell <= 0.5 * length)
+        return;
+      const AdaptivityParameters &adaptivity = impact.parameters.adaptivity;
+      warnings.push_back(fmt::format(
         "cells of {} do not resolve the bending waves of {} that the contact "
         "sends out while its force rises; choose {}",
         about(largest_cell, "m"),
         about(length, "m"),
         adaptivity.goal == AdaptationGoal::peak_force ||
-            !adaptivity.is_adaptive() ||
-            parameters.plate.has_large_deflection() ?
+            !adaptivity.is_adaptive() || impact.plate.has_large_deflection() ?
           "cells of at most half of it" :
           "Adaptivity/Goal = peak force, whose first mesh has small cells at "
-          "the load, and more Maximum cycles")};
+          "the load, and more Maximum cycles"));
     }
 
 
 
-    std::vector<std::string>
-    warn_of_mesh(const Parameters  &parameters,
-                 const CycleResult &result,
-                 const double       largest_cell)
+    void
+    warn_of_mesh(const ComputedImpact &impact,
+                 const double          largest_cell,
+                 Sentences            &warnings)
     {
-      std::vector<std::string> warnings;
-      if (result.error && result.error->n_singular_cells > 0)
+      const auto &error = impact.result.error;
+      if (error && error->n_singular_cells > 0)
         warnings.push_back(fmt::format(
           "eta {} {} nearer to the point load than half the thickness, where "
           "the exact energy is infinite; {} it is {}",
-          result.error->singular_cells_count ? "counts" : "leaves out",
-          counted(result.error->n_singular_cells, "cell"),
-          result.error->singular_cells_count ? "without them" : "with them",
-          about_percentage(result.error->singular_cells_count ?
-                             result.error->eta_of_regular_cells :
-                             result.error->eta_of_all_cells)));
+          error->singular_cells_count ? "counts" : "leaves out",
+          counted(error->n_singular_cells, "cell"),
+          error->singular_cells_count ? "without them" : "with them",
+          about_percentage(error->singular_cells_count ?
+                             error->eta_of_regular_cells :
+                             error->eta_of_all_cells)));
       // measured: 0.7 % too stiff with cells 60 times as long as thick, 26 %
       // with cells 600 times
-      const double slenderness = largest_cell / parameters.plate.thickness;
-      if (parameters.discretization.element == ElementType::serendipity &&
+      const double slenderness = largest_cell / impact.plate.thickness;
+      if (impact.parameters.discretization.element ==
+            ElementType::serendipity &&
           slenderness > 60.)
         warnings.push_back(fmt::format(
           "the serendipity element locks in cells as long as {} thicknesses; "
           "choose Discretization/Element = MITC9 or cells below 60 thicknesses",
           about(slenderness)));
-      return warnings;
-    }
-
-
-
-    std::vector<std::string>
-    joined(const std::initializer_list<std::vector<std::string>> lists)
-    {
-      std::vector<std::string> all;
-      for (const auto &list : lists)
-        all.insert(all.end(), list.begin(), list.end());
-      return all;
     }
   } // namespace
 
 
 
   Warnings
-  impact_warnings(const Parameters  &parameters,
-                  const CycleResult &result,
-                  const ZenerImpact &expected)
+  impact_warnings(const ComputedImpact &impact)
   {
-    Warnings warnings = model_warnings(parameters, result, expected);
-    warnings.numerical =
-      joined({warn_of_step(parameters, result, expected.contact_time()),
-              warn_of_end(parameters.time, *result.history),
-              warn_of_history(result),
-              warnings.numerical});
+    Sentences of_time;
+    warn_of_step(impact, of_time);
+    warn_of_end(impact, of_time);
+    warn_of_history(impact, of_time);
+    Warnings warnings = model_warnings(impact);
+    warnings.numerical.insert(warnings.numerical.begin(),
+                              of_time.begin(),
+                              of_time.end());
     return warnings;
   }
 
 
 
   Warnings
-  reliability_warnings(const Parameters       &parameters,
-                       const Triangulation<2> &mesh,
-                       const CycleResult      &result,
-                       const ZenerImpact      &expected)
+  reliability_warnings(const ComputedImpact   &impact,
+                       const Triangulation<2> &mesh)
   {
-    Warnings   warnings = impact_warnings(parameters, result, expected);
-    const auto goal     = make_goal(parameters.adaptivity);
+    Warnings   warnings = impact_warnings(impact);
+    const auto goal     = make_goal(impact.parameters.adaptivity);
     // of the cells that the waves of the contact reach
     const double largest_cell =
       cell_sizes_near_load(mesh,
-                           parameters.impactor.contact_half_length(),
-                           expected.wave().group_speed *
-                             parameters.time.end_time)
+                           impact.impactor.contact_half_length(),
+                           impact.expected.wave().group_speed *
+                             impact.parameters.time.end_time)
         .second;
-    warnings.numerical =
-      joined({warnings.numerical,
-              warn_of_resolution(parameters,
-                                 expected.wave(),
-                                 largest_cell,
-                                 goal->is_met(result)),
-              goal->warnings(result),
-              warn_of_mesh(parameters, result, largest_cell)});
+    if (!goal->is_met(impact.result))
+      warn_of_resolution(impact, largest_cell, warnings.numerical);
+    if (const auto warning = goal->warning(impact.result); !warning.empty())
+      warnings.numerical.push_back(warning);
+    warn_of_mesh(impact, largest_cell, warnings.numerical);
     return warnings;
   }
 } // namespace PlateImpact

@@ -1,4 +1,3 @@
-#include "plate_impact/analysis/impact_quantities.h"
 #include "plate_impact/analysis/model_limits.h"
 #include "plate_impact/base/text.h"
 
@@ -70,7 +69,7 @@ namespace PlateImpact
       fmt::format("yields: mean pressure {} times the yield strength, dent {}",
                   about(bodies.mean_pressure(peak.force, peak.indentation) /
                         weaker.yield_strength),
-                  about(history.states().back().permanent_indentation, "m"));
+                  about(last.permanent_indentation, "m"));
     leaves("contact that yields", 0.04);
     const double w = peak.indentation / *bodies.yield_indentation;
     limit(w,
@@ -119,7 +118,7 @@ namespace PlateImpact
   void
   ModelLimits::check_delamination()
   {
-    const auto crack = delamination(parameters, expected, peak);
+    const auto crack = delamination(*this);
     if (!crack)
       return;
     const double      ratio     = peak.force / crack->threshold;
@@ -130,7 +129,7 @@ namespace PlateImpact
          ", for a small-mass impact (no wave returns before the peak)" :
          ", for a quasi-static impact");
     if (!result.peak_force_bar || !of_model || is_beyond_limits ||
-        peak.time == history.states().back().time)
+        peak.time == last.time)
       warnings.damage = fmt::format(
         "the peak force is {} of{}; the error of the force is not known, so "
         "delamination cannot be judged",

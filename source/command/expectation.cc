@@ -170,7 +170,7 @@ namespace PlateImpact
     impact.min_cell_size = parameters.adaptivity.minimum_cell_size;
     if (!is_bound)
       {
-        const Warnings of_model = model_warnings(parameters, impact, zener);
+        const Warnings of_model = model_warnings({parameters, zener, impact});
         warnings                = of_model.all();
         contact                 = of_model.contact;
       }

@@ -50,19 +50,16 @@ namespace PlateImpact
     const Eigen::Ref<const Eigen::MatrixXd> &vectors,
     const Eigen::MatrixXd                   &coordinates)
   {
-    // of states of a nonlinear plate each is one of its own
-    if (discretization.is_nonlinear())
-      return evaluate(times,
-                      vectors * coordinates,
-                      Eigen::MatrixXd::Identity(times.size(), times.size()));
-    const Eigen::MatrixXd combinations =
-      leading_combinations(coordinates, span_tolerance);
     const Eigen::Index batch =
       std::max<Eigen::Index>(1, max_numbers / vectors.rows());
-    if (combinations.cols() <= batch)
-      return evaluate(times,
-                      vectors * combinations,
-                      combinations.transpose() * coordinates);
+    if (!discretization.is_nonlinear())
+      if (const Eigen::MatrixXd combinations =
+            leading_combinations(coordinates, span_tolerance);
+          combinations.cols() <= batch)
+        return evaluate(times,
+                        vectors * combinations,
+                        combinations.transpose() * coordinates);
+    // each state is one of its own
     for (Eigen::Index first = 0; first < coordinates.cols(); first += batch)
       {
         const Eigen::Index size = std::min(batch, coordinates.cols() - first);

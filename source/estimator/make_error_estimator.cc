@@ -1,5 +1,3 @@
-#include "plate_impact/estimator/make_error_estimator.h"
-
 #include "plate_impact/estimator/energy_norm_estimator.h"
 #include "plate_impact/estimator/kelly_estimator.h"
 #include "plate_impact/plate/plate_geometry.h"

@@ -17,17 +17,17 @@ namespace PlateImpact
     : recovery(recovery)
     , n_resultants(n_resultants)
     , sampler(std::move(sampler))
-    , samples(recovery.n_cells())
-    , coefficients(recovery.patches().size())
+    , samples(recovery.patches_at.size())
+    , coefficients(recovery.patches.size())
     , n_patches_to_come(samples.size())
     , n_cells_to_come(coefficients.size())
   {
-    for (const StressRecovery::Patch &patch : recovery.patches())
+    for (const StressRecovery::Patch &patch : recovery.patches)
       for (const StressRecovery::Image &image : patch.images)
         ++n_patches_to_come[image.cell];
     for (unsigned int cell = 0; cell < samples.size(); ++cell)
       for (unsigned int v = 0; v < 4; ++v)
-        for (const unsigned int patch : recovery.patches_at(cell, v))
+        for (const unsigned int patch : recovery.patches_at[cell][v])
           ++n_cells_to_come[patch];
   }
 
@@ -55,7 +55,7 @@ namespace PlateImpact
   void
   RecoveredField::fit(const unsigned int patch)
   {
-    const StressRecovery::Patch &it = recovery.patches()[patch];
+    const StressRecovery::Patch &it = recovery.patches[patch];
     for (const StressRecovery::Image &image : it.images)
       if (samples[image.cell].size() == 0)
         samples[image.cell] = sampler(image.cell);
@@ -87,14 +87,14 @@ namespace PlateImpact
             GeometryInfo<2>::d_linear_shape_function(unit_points[q], v);
         if (blend.isZero(0.))
           continue;
-        const auto &patches = recovery.patches_at(cell->active_cell_index(), v);
+        const auto &patches = recovery.patches_at[cell->active_cell_index()][v];
         for (const unsigned int patch : patches)
           {
             if (coefficients[patch].size() == 0)
               fit(patch);
             for (unsigned int q = 0; q < n_points; ++q)
               weights.row(q) = blend[q] / patches.size() *
-                recovery.patches()[patch].polynomial(points[q]);
+                recovery.patches[patch].polynomial(points[q]);
             if (values.cols() == 0)
               values.setZero(n_points, coefficients[patch].cols());
             values.noalias() += weights * coefficients[patch];
@@ -109,7 +109,7 @@ namespace PlateImpact
   {
     for (unsigned int v = 0; v < 4; ++v)
       for (const unsigned int patch :
-           recovery.patches_at(cell->active_cell_index(), v))
+           recovery.patches_at[cell->active_cell_index()][v])
         if (--n_cells_to_come[patch] == 0)
           coefficients[patch] = {};
   }

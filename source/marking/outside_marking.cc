@@ -4,7 +4,7 @@
 #include <deal.II/base/utilities.h>
 #include <deal.II/grid/grid_tools.h>
 
-#include "plate_impact/adaptation/cell_sizes.h"
+#include "plate_impact/adaptation/mesh_adaptation.h"
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/estimator/recovered_field.h"

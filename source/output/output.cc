@@ -2,7 +2,6 @@
 
 #include <deal.II/base/timer.h>
 
-#include "plate_impact/adaptation/cell_sizes.h"
 #include "plate_impact/adaptation/mesh_adaptation.h"
 #include "plate_impact/analysis/impact_quantities.h"
 #include "plate_impact/base/exceptions.h"

@@ -126,9 +126,10 @@ namespace PlateImpact
     result.sensitivity   = plate.sensitivity(impact.history);
     result.min_cell_size = min_cell_size;
     // an adapted mesh was judged with the worst point
-    const Warnings warnings = parameters.adaptivity.is_adaptive() ?
-      impact_warnings(parameters, result, point.expected) :
-      reliability_warnings(parameters, mesh, result, point.expected);
+    const ComputedImpact computed{parameters, point.expected, result};
+    const Warnings       warnings = parameters.adaptivity.is_adaptive() ?
+            impact_warnings(computed) :
+            reliability_warnings(computed, mesh);
     return {std::move(result), warnings.all()};
   }
 
@@ -147,8 +148,9 @@ namespace PlateImpact
     mesh_warnings           = analysis.warnings;
     const CycleResult &last = analysis.last_cycle().result;
     work.meshes += last.cycle - 1;
-    for (const std::string &warning :
-         make_goal(worst.parameters.adaptivity)->warnings(last))
+    if (const std::string warning =
+          make_goal(worst.parameters.adaptivity)->warning(last);
+        !warning.empty())
       mesh_warnings.push_back(
         "on the mesh adapted for the point with the shortest contact, " +
         warning);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deal.II/base/point.h>
+#include <deal.II/grid/tria.h>
 
 #include <gmsh.h>
 
@@ -29,18 +30,6 @@ namespace PlateImpact
     GmshSession(const GmshSession &) = delete;
     GmshSession &
     operator=(const GmshSession &) = delete;
-  };
-
-
-  /// Target sizes of a mesh, bilinear in quadrilaterals that cover its domain.
-  struct SizeField
-  {
-    struct Patch
-    {
-      std::array<dealii::Point<2>, 4> corners; ///< counter-clockwise
-      std::array<double, 4>           sizes;   ///< there [m]
-    };
-    std::vector<Patch> patches;
   };
 
 
@@ -85,6 +74,8 @@ namespace PlateImpact
   ///                  mesh. Vertices between two corners of equal x or y have
   ///                  exactly that x or y.
   /// @param inside    points of the domain that are vertices too
+  /// @param old_mesh  covers the domain
+  /// @param sizes     wanted at its vertices, bilinear between them [m]
   /// @param warnings  told why settings were given up, if any were
   /// @param attempts  settings to try, in this order
   /// @throws ComputationError when no settings give a mesh of quadrilaterals
@@ -92,7 +83,8 @@ namespace PlateImpact
   mesh_by_gmsh(
     const std::vector<dealii::Point<2>> &corners,
     const std::vector<dealii::Point<2>> &inside,
-    const SizeField                     &sizes,
+    const dealii::Triangulation<2>      &old_mesh,
+    const std::vector<double>           &sizes,
     std::vector<std::string>            &warnings,
     const std::vector<MesherSettings>   &attempts = default_mesher_settings());
 } // namespace PlateImpact

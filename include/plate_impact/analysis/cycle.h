@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deal.II/base/timer.h>
 #include <deal.II/grid/tria.h>
 
 #include "plate_impact/analysis/cycle_result.h"
@@ -8,11 +9,68 @@
 #include "plate_impact/plate/plate_discretization.h"
 #include "plate_impact/transient/plate_model.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 
 namespace PlateImpact
 {
+  class Cycle;
+
+  /// Who follows an analysis: by default nobody.
+  struct AnalysisListener
+  {
+    /// Before what may take long: the cycle and "assembly" or the like.
+    std::function<void(unsigned int, const std::string &)> stage =
+      [](const auto &...) {};
+
+    /// After every step of a transient: the cycle, the step and their number.
+    std::function<void(unsigned int, unsigned int, unsigned int)> step =
+      [](const auto &...) {};
+
+    /// After every cycle, before its mesh is adapted.
+    std::function<void(Cycle &)> cycle = [](const auto &...) {};
+  };
+
+
+  /// Charges wall time to the stages of a transient. Matrices and
+  /// factorizations are made when they are first needed: their seconds are
+  /// taken out of the stage in which that was.
+  class StageCharges
+  {
+  public:
+    /// Both must outlive this object.
+    StageCharges(const PlateModel &plate, Seconds &seconds)
+      : plate(plate)
+      , seconds(seconds)
+      , noted(plate.work())
+    {}
+
+    /// Since the last charge, or since this object was made.
+    void
+    charge(double Seconds::*stage)
+    {
+      seconds.*stage += timer.wall_time();
+      timer.restart();
+      const PlateModel::Work work = plate.work();
+      const double assembly = work.assembly_seconds - noted.assembly_seconds,
+                   factorization =
+                     work.factorization_seconds - noted.factorization_seconds;
+      seconds.assembly += assembly;
+      seconds.factorization += factorization;
+      seconds.*stage -= assembly + factorization;
+      noted = work;
+    }
+
+  private:
+    const PlateModel &plate;
+    Seconds          &seconds;
+    PlateModel::Work  noted;
+    dealii::Timer     timer;
+  };
+
+
   /// A mesh of an analysis with all that is made on it, and the result. What
   /// belongs to a mesh lives and dies with its cycle.
   class Cycle
@@ -38,6 +96,15 @@ namespace PlateImpact
     /// Made when it is first asked for.
     const StressRecovery &
     recovery() const;
+
+    /// Strikes the plate; the seconds are charged to the result.
+    /// @param impact    the scene with end time and step of the transient
+    /// @param listener  told of stages and steps
+    /// @throws ComputationError naming step and quantity
+    Observation
+    observe(const Parameters       &impact,
+            const Wanted           &wanted,
+            const AnalysisListener &listener);
 
     const Parameters &parameters;
     PlateModel        plate;

@@ -2,9 +2,7 @@
 
 #include <deal.II/grid/tria.h>
 
-#include "plate_impact/analysis/adaptation_control.h"
-#include "plate_impact/analysis/analysis_listener.h"
-#include "plate_impact/analysis/cycle.h"
+#include "plate_impact/analysis/goal.h"
 #include "plate_impact/analysis/time_control.h"
 #include "plate_impact/analysis/warnings.h"
 #include "plate_impact/base/parameters.h"

@@ -12,17 +12,23 @@
 
 namespace PlateImpact
 {
-  /// An impact that has been computed, with what its quantities come from.
+  /// An impact that has been computed, with what its quantities come from; what
+  /// it is made of must outlive it.
   struct ComputedImpact
   {
     const Parameters     &parameters;
     const ZenerImpact    &expected;
     const CycleResult    &result; ///< with a history
     const ContactHistory &history = *result.history;
-    const ContactBodies   bodies{parameters, expected.section};
-    const ContactState   &first = history.states().front();
-    const ContactState   &peak  = history.peak();
-    const ContactState   &last  = history.states().back();
+    const ContactState   &first   = history.states().front();
+    const ContactState   &peak    = history.peak();
+    const ContactState   &last    = history.states().back();
+
+    const PlateParameters    &plate    = parameters.plate;
+    const ImpactorParameters &impactor = parameters.impactor;
+    const ContactParameters  &contact  = parameters.contact;
+    const PlateSection       &section  = expected.section;
+    const ContactBodies       bodies{parameters, section};
   };
 
 
@@ -60,7 +66,5 @@ namespace PlateImpact
 
   /// @return empty for an isotropic plate, and where no toughness is given
   std::optional<Delamination>
-  delamination(const Parameters   &parameters,
-               const ZenerImpact  &expected,
-               const ContactState &peak);
+  delamination(const ComputedImpact &impact);
 } // namespace PlateImpact

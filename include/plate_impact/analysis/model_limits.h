@@ -1,7 +1,6 @@
 #pragma once
 
 #include "plate_impact/analysis/warnings.h"
-#include "plate_impact/contact/contact_bodies.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -12,17 +11,12 @@ namespace PlateImpact
 {
   /// The limits of the model, what an impact inside of them may leave of the
   /// peak force, and the sentences for those that it passes.
-  class ModelLimits
+  class ModelLimits : private ComputedImpact
   {
   public:
-    /// All must outlive this object.
-    /// @param result  with a history
-    ModelLimits(const Parameters  &parameters,
-                const CycleResult &result,
-                const ZenerImpact &expected);
+    explicit ModelLimits(const ComputedImpact &impact);
 
-    Warnings
-    warnings_of_all();
+    Warnings warnings;
 
   private:
     /// Notes what a part of the model leaves of the peak force.
@@ -71,8 +65,6 @@ namespace PlateImpact
     void
     check_load();
     void
-    check_point_load();
-    void
     check_disc();
     void
     check_patch();
@@ -108,20 +100,15 @@ namespace PlateImpact
     void
     check_delamination();
 
-    const Parameters         &parameters;
-    const PlateParameters    &plate;
-    const ImpactorParameters &impactor;
-    const ContactParameters  &contact;
-    const ZenerImpact        &expected;
-    const CycleResult        &result;
-    const PlateSection       &section;
-    const ContactHistory     &history;
-    const ContactState       &peak;
-    const bool                is_layer, plate_is_softer;
-    const ContactBodies       bodies;
-    const double              radius;   ///< or half-width of the contact
-    const double              pressure; ///< largest of an elastic contact
-    bool                      is_beyond_limits = false;
-    Warnings                  warnings;
+    const bool is_layer = contact.local_response == LocalResponse::layer,
+               plate_is_softer =
+                 section.contact_modulus < impactor.youngs_modulus;
+    /// Or half-width of the contact.
+    const double radius = bodies.radius(peak.force, peak.indentation);
+    /// Largest of an elastic contact.
+    const double pressure         = peak.force > 0. ?
+              bodies.elastic_pressure(peak.force, peak.indentation) :
+              0.;
+    bool         is_beyond_limits = false;
   };
 } // namespace PlateImpact

@@ -2,9 +2,7 @@
 
 #include <deal.II/grid/tria.h>
 
-#include "plate_impact/analysis/cycle_result.h"
-#include "plate_impact/base/parameters.h"
-#include "plate_impact/contact/zener.h"
+#include "plate_impact/analysis/impact_quantities.h"
 
 #include <optional>
 #include <string>
@@ -57,20 +55,14 @@ namespace PlateImpact
   /// Where an impact leaves what the model can tell, on whatever mesh: the area
   /// of the load, deflection, yield, indentation.
   Warnings
-  model_warnings(const Parameters  &parameters,
-                 const CycleResult &result,
-                 const ZenerImpact &expected);
+  model_warnings(const ComputedImpact &impact);
 
   /// The same, and where end time and time step leave the peak force open.
   Warnings
-  impact_warnings(const Parameters  &parameters,
-                  const CycleResult &result,
-                  const ZenerImpact &expected);
+  impact_warnings(const ComputedImpact &impact);
 
   /// The same, and where the mesh leaves it open.
   Warnings
-  reliability_warnings(const Parameters               &parameters,
-                       const dealii::Triangulation<2> &mesh,
-                       const CycleResult              &result,
-                       const ZenerImpact              &expected);
+  reliability_warnings(const ComputedImpact           &impact,
+                       const dealii::Triangulation<2> &mesh);
 } // namespace PlateImpact

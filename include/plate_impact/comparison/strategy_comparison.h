@@ -1,9 +1,6 @@
 #pragma once
 
-#include "plate_impact/analysis/adaptation_control.h"
-#include "plate_impact/analysis/analysis_listener.h"
-#include "plate_impact/analysis/cycle.h"
-#include "plate_impact/analysis/cycle_result.h"
+#include "plate_impact/analysis/goal.h"
 #include "plate_impact/contact/contact_history.h"
 #include "plate_impact/estimator/reference_error.h"
 #include "plate_impact/page/page.h"

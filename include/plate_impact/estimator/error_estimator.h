@@ -1,8 +1,14 @@
 #pragma once
 
-#include <Eigen/Core>
+#include "plate_impact/base/parameters.h"
+#include "plate_impact/estimator/stress_recovery.h"
+#include "plate_impact/plate/plate_discretization.h"
+
+#include <Eigen/QR>
 
 #include <algorithm>
+#include <cmath>
+#include <memory>
 #include <vector>
 
 namespace PlateImpact
@@ -57,7 +63,19 @@ namespace PlateImpact
     std::vector<Eigen::VectorXf> kept_element_errors;
 
     ErrorRatios
-    ratios(double target_error) const;
+    ratios(const double target_error) const
+    {
+      // without cells that count the limit is that of one
+      const std::size_t n_counted =
+        element_errors.size() - (singular_cells_count ? 0 : n_singular_cells);
+      ErrorRatios result;
+      result.overall = eta / target_error;
+      result.element_limit =
+        target_error / std::sqrt(std::max<double>(1., n_counted));
+      for (const double error : element_errors)
+        result.elements.push_back(error / result.element_limit);
+      return result;
+    }
   };
 
 
@@ -81,6 +99,16 @@ namespace PlateImpact
     virtual ErrorEstimate
     estimate() const = 0;
   };
+
+
+  /// The estimator that the scene names: `SPR` or `Kelly`. Discretization and
+  /// recovery must outlive it.
+  /// @param kept_interval  as in EnergyNormEstimator
+  std::unique_ptr<ErrorEstimator>
+  make_error_estimator(const Parameters          &parameters,
+                       const PlateDiscretization &discretization,
+                       const StressRecovery      &recovery,
+                       unsigned int               kept_interval);
 
 
   /// Integral over time of what is zero at t = 0, by the trapezoidal rule.
@@ -110,6 +138,14 @@ namespace PlateImpact
   /// @param coordinates  of the states, a row per vector
   /// @param tolerance    what the combinations may leave out of the states,
   ///                     relative to the largest
-  Eigen::MatrixXd
-  leading_combinations(const Eigen::MatrixXd &coordinates, double tolerance);
+  inline Eigen::MatrixXd
+  leading_combinations(const Eigen::MatrixXd &coordinates,
+                       const double           tolerance)
+  {
+    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr;
+    qr.setThreshold(tolerance);
+    qr.compute(coordinates);
+    return qr.householderQ() *
+      Eigen::MatrixXd::Identity(coordinates.rows(), qr.rank());
+  }
 } // namespace PlateImpact

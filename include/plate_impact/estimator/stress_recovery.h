@@ -3,15 +3,14 @@
 #include <deal.II/base/point.h>
 #include <deal.II/grid/tria.h>
 
+#include "plate_impact/base/parameters.h"
+
 #include <Eigen/Core>
 
 #include <array>
 #include <functional>
-#include <map>
 #include <memory>
-#include <set>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 namespace PlateImpact
@@ -57,9 +56,8 @@ namespace PlateImpact
   ///
   /// This is the part that depends on the mesh alone; RecoveredField applies
   /// it.
-  class StressRecovery
+  struct StressRecovery
   {
-  public:
     static constexpr unsigned int n_terms = 8, samples_per_cell = 4;
 
     using Terms = Eigen::Matrix<double, 1, n_terms>;
@@ -106,66 +104,19 @@ namespace PlateImpact
     /// there use their neighbours as on an edge.
     using IsRough = std::function<bool(const dealii::Point<2> &)>;
 
-    /// @param mesh  of the plate with the ids of PlateBoundary; must outlive
-    ///              this object
+    /// @param mesh  of the plate with the ids of PlateBoundary
     explicit StressRecovery(const dealii::Triangulation<2> &mesh,
                             const IsRough                  &is_rough = {});
 
-    unsigned int
-    n_cells() const
-    {
-      return patches_of_corners.size();
-    }
+    std::vector<Patch> patches;
 
-    const std::vector<Patch> &
-    patches() const
-    {
-      return all_patches;
-    }
-
-    /// Patches whose polynomials are averaged at a corner of a cell.
-    const std::vector<unsigned int> &
-    patches_at(const unsigned int cell, const unsigned int corner) const
-    {
-      return patches_of_corners[cell][corner];
-    }
-
-  private:
-    void
-    mark_vertices(const IsRough &is_rough);
-    void
-    assign_patches();
-    /// Without those that are smaller than others and not fitted to the cell.
-    std::vector<unsigned int>
-    patches_for(unsigned int                     cell,
-                const std::vector<unsigned int> &candidates) const;
-    /// Those of the cells at a vertex, as an image of it sees them.
-    void
-    add_images(unsigned int     vertex,
-               const Image     &seen_from,
-               std::set<Image> &images) const;
-    Patch
-    make_patch(unsigned int vertex);
-    /// @return whether the samples determine all terms
-    bool
-    make_fit(Patch &patch);
-    dealii::Point<2>
-    sample_point(const Image &image, unsigned int point) const;
-
-    const dealii::Triangulation<2> &mesh;
-
-    std::vector<dealii::Point<2>>            sample_points;
-    std::vector<std::vector<unsigned int>>   cells_at_vertex;
-    std::vector<std::array<unsigned int, 4>> vertices_of_cell;
-    std::vector<bool> is_on_symmetry_x, is_on_symmetry_y, uses_neighbours;
-
-    std::vector<Patch>                                    all_patches;
-    std::vector<std::array<std::vector<unsigned int>, 4>> patches_of_corners;
-
-    /// Fits and whether their samples determine them, by positions of samples
-    /// in units of the patch.
-    std::map<std::vector<long>,
-             std::pair<std::shared_ptr<const Eigen::MatrixXd>, bool>>
-      fits;
+    /// By cell and corner, the patches whose polynomials are averaged there.
+    std::vector<std::array<std::vector<unsigned int>, 4>> patches_at;
   };
+
+
+  /// The recovery for a scene's load.
+  StressRecovery
+  make_stress_recovery(const Parameters               &parameters,
+                       const dealii::Triangulation<2> &mesh);
 } // namespace PlateImpact

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "plate_impact/analysis/adaptation_control.h"
+#include "plate_impact/analysis/goal.h"
 #include "plate_impact/output/result_directory.h"
 
 #include <string>

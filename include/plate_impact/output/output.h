@@ -1,7 +1,7 @@
 #pragma once
 
 #include "plate_impact/analysis/cycle.h"
-#include "plate_impact/analysis/outcome.h"
+#include "plate_impact/analysis/goal.h"
 #include "plate_impact/output/report.h"
 #include "plate_impact/output/result_directory.h"
 #include "plate_impact/output/verdict.h"
