@@ -7,7 +7,6 @@
 #include <charconv>
 #include <cmath>
 #include <sstream>
-#include <utility>
 
 namespace PlateImpact
 {
@@ -171,10 +170,10 @@ namespace PlateImpact
 
 
 
-  const Entry *
-  Entries::find(const std::string &path) const
+  Entry *
+  Entries::find(const std::string &path)
   {
-    for (const Entry &entry : all)
+    for (Entry &entry : all)
       if (entry.path == path)
         return &entry;
     return nullptr;
@@ -182,20 +181,12 @@ namespace PlateImpact
 
 
 
-  const Entry &
-  Entries::at(const std::string &path) const
-  {
-    const Entry *const entry = find(path);
-    AssertThrow(entry != nullptr, ExcMessage("no entry " + path));
-    return *entry;
-  }
-
-
-
   Entry &
   Entries::at(const std::string &path)
   {
-    return const_cast<Entry &>(std::as_const(*this).at(path));
+    Entry *const entry = find(path);
+    AssertThrow(entry != nullptr, ExcMessage("no entry " + path));
+    return *entry;
   }
 
 

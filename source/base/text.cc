@@ -11,8 +11,7 @@
 namespace PlateImpact
 {
   PrefixedUnit::PrefixedUnit(const std::string &unit, const double value)
-    : prefixed(unit)
-    , factor(1.)
+    : name(unit)
   {
     const double      largest    = std::abs(value);
     const std::string prefixes[] = {"p", "n", "µ", "m", "", "k", "M", "G", "T"};
@@ -21,8 +20,8 @@ namespace PlateImpact
       return;
     const int power =
       std::clamp(int(std::floor(std::log10(largest) / 3. + 1e-9)), -4, 4);
-    prefixed = prefixes[power + 4] + unit;
-    factor   = std::pow(10., -3 * power);
+    name   = prefixes[power + 4] + unit;
+    factor = std::pow(10., -3 * power);
   }
 
 
@@ -82,8 +81,8 @@ namespace PlateImpact
     return fmt::format("{:.{}f} {} ± {}",
                        prefixed(value),
                        digits_of_error(shown),
-                       prefixed.name(),
-                       rounded_up(shown, prefixed.name()));
+                       prefixed.name,
+                       rounded_up(shown, prefixed.name));
   }
 
 
@@ -92,7 +91,7 @@ namespace PlateImpact
   error_in_words(const double error, const std::string &unit)
   {
     const PrefixedUnit prefixed(unit, error);
-    return rounded_up(prefixed(error), prefixed.name());
+    return rounded_up(prefixed(error), prefixed.name);
   }
 
 
@@ -112,7 +111,7 @@ namespace PlateImpact
   about(const double value, const std::string &unit)
   {
     const PrefixedUnit prefixed(unit, value);
-    return about(prefixed(value)) + ' ' + prefixed.name();
+    return about(prefixed(value)) + ' ' + prefixed.name;
   }
 
 

@@ -3,8 +3,6 @@
 #include "plate_impact/command/commands.h"
 #include "plate_impact/command/expectation.h"
 #include "plate_impact/plate/plate_geometry.h"
-#include "plate_impact/scene/scene_reader.h"
-#include "plate_impact/scene/sweep_plan.h"
 #include "plate_impact/sweep/sweep_groups.h"
 
 #include <algorithm>
@@ -147,7 +145,7 @@ namespace PlateImpact
         text.line("natural frequencies",
                   format("{} {}, the lowest of those that an impact excites",
                          fmt::join(values, ", "),
-                         unit.name()));
+                         unit.name));
       }
     catch (const ComputationError &)
       {
@@ -248,15 +246,15 @@ namespace PlateImpact
 
     /// What `plate-impact sweep` makes of the scene's section Sweep.
     void
-    add_sweep(ExpectationText &text, const Parameters &given)
+    add_sweep(ExpectationText  &text,
+              const Parameters &given,
+              const SweepPlan  &plan)
     {
-      const SweepPlan   plan(SceneReader().entries, given.sweep);
       const std::size_t n_points = plan.n_points;
       if (n_points == 0)
         return;
-      const bool is_adaptive = plan.may_adapt(given);
-      const bool has_own_meshes =
-        is_adaptive && given.sweep.adapt == SweepAdaptation::each_point;
+      const bool is_adaptive    = plan.may_adapt(given);
+      const bool has_own_meshes = is_adaptive && given.sweep.adapts_each_point;
       const SweepGroups groups(plan, given);
       const std::string reason = what_keeps_loads_apart(given, plan);
       const std::size_t n_plates =
@@ -301,7 +299,7 @@ namespace PlateImpact
         add_frequencies(text, parameters);
         text.text += "\nAdvice\n";
         add_advice(text, parameters, expected);
-        add_sweep(text, scene.given);
+        add_sweep(text, scene.given, scene.sweep);
         for (const std::string &warning : expected.warnings)
           text.text += "  warning: " + in_ascii(warning) + '\n';
       }

@@ -64,8 +64,8 @@ namespace PlateImpact
 #endif
         return text + emphasized(scene.name, Emphasis::bold) +
           "\ncycle  cells unknowns  eta % max xi' peak force N  +- %" +
-          right(8, "at " + in_ascii(time_unit.name())) +
-          right(9, "end " + in_ascii(time_unit.name())) + " seconds\n";
+          right(8, "at " + in_ascii(time_unit.name)) +
+          right(9, "end " + in_ascii(time_unit.name)) + " seconds\n";
       }
 
       /// One line per mesh.

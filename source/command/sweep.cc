@@ -131,7 +131,7 @@ namespace PlateImpact
           counted(plan.n_points, "point") + " of " + plan.names() + " on " +
           counted(n_groups, "plate");
         if (plan.may_adapt(scene.parameters))
-          text += scene.parameters.sweep.adapt == SweepAdaptation::each_point ?
+          text += scene.parameters.sweep.adapts_each_point ?
             ", a mesh for each point" :
             ", each mesh adapted for its shortest contact";
         // of an interrupted sweep

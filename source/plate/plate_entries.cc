@@ -57,9 +57,8 @@ namespace PlateImpact
 
 
 
-    const std::vector<Word<DeflectionTheory>> deflection_theories = {
-      {DeflectionTheory::linear, "linear"},
-      {DeflectionTheory::large, "large"}};
+    const std::vector<Word<bool>> deflection_theories = {{false, "linear"},
+                                                         {true, "large"}};
 
 
 
@@ -143,7 +142,10 @@ namespace PlateImpact
              "and the tangential rotation (hard support), 'soft simply "
              "supported' the deflection only. The edges of an outline from a "
              "file can differ, for example rim: clamped, hole: free.");
-    entry("Deflection", "linear", one_of(deflection_theories), deflection)
+    entry("Deflection",
+          "linear",
+          one_of(deflection_theories),
+          has_large_deflection)
       .means("linear: small deflections. large: von Karman's theory, for "
              "deflections of more than a fifth of the thickness: the plate "
              "stretches, and membrane forces stiffen it. It adds in-plane "

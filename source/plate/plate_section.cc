@@ -88,7 +88,7 @@ namespace PlateImpact
         poissons_ratio        = nu;
         shear_modulus         = E / (2. * (1. + nu));
       }
-    if (plate.has_large_deflection())
+    if (plate.has_large_deflection)
       how_it_stretches = Stretching::large;
     else if (is_unsymmetric())
       how_it_stretches = Stretching::linear;

@@ -110,33 +110,30 @@ namespace PlateImpact
 
 
 
-  template <typename Support>
   void
-  SceneChecker::check_edges(const std::string                  &entry,
-                            const std::vector<OnEdge<Support>> &supports)
+  SceneChecker::check_edges(const std::string              &entry,
+                            const std::vector<std::string> &named)
   {
-    const bool is_named = !supports.front().edge.empty();
+    const bool is_named = !named.front().empty();
     if (!plate.is_from_file())
       {
         if (is_named)
           refuse({entry, "Plate/Outline"},
                  "names edges, which only an outline from a file has; expected "
                  "one word, or two for the x and the y edges");
-        else if (plate.is_circle() && supports.size() > 1)
+        else if (plate.is_circle() && named.size() > 1)
           refuse({entry, "Plate/Outline"},
                  "are two supports, and a circle has one edge; expected one "
                  "word");
         return;
       }
     const auto              &edges = plate.file->edges;
-    std::vector<std::string> named, quoted;
-    for (const OnEdge<Support> &support : supports)
-      named.push_back(support.edge);
+    std::vector<std::string> quoted;
     for (const std::string &edge : edges)
       quoted.push_back(edge.empty() ? "sides in no physical group" :
                                       "'" + edge + "'");
     const std::string names = fmt::format("{}", fmt::join(quoted, ", "));
-    if (!is_named && supports.size() > 1)
+    if (!is_named && named.size() > 1)
       return refuse({entry, "Plate/Outline"},
                     "are two supports without edges; expected one word, or "
                     "pairs edge: word for the edges of " +
@@ -193,8 +190,14 @@ namespace PlateImpact
              "m is too thick for a plate theory; expected at most half the "
              "shorter side, " +
                number(half_side) + " m");
-    check_edges("Plate/Support", plate.supports);
-    check_edges("Plate/In-plane support", plate.in_plane_supports);
+    const auto edges_of = [](const auto &supports) {
+      std::vector<std::string> edges;
+      for (const auto &support : supports)
+        edges.push_back(support.edge);
+      return edges;
+    };
+    check_edges("Plate/Support", edges_of(plate.supports));
+    check_edges("Plate/In-plane support", edges_of(plate.in_plane_supports));
     check_extent();
     const double to_edge = parameters.has_impactor() ?
       geometry_of(plate)->distance_to_edge() :

@@ -3,7 +3,7 @@
 #include "plate_impact/base/text.h"
 #include "plate_impact/scene/scene_checker.h"
 #include "plate_impact/scene/scene_reader.h"
-#include "plate_impact/scene/sweep_plan.h"
+#include "plate_impact/scene/sweep_scene.h"
 
 namespace PlateImpact
 {
@@ -13,18 +13,17 @@ namespace PlateImpact
              const std::optional<std::string> &output)
   {
     SceneReader      reader(path, overrides, output);
-    SceneChecker     checker(reader.entries, reader.parameters);
+    SceneChecker     checker(reader);
     const Parameters given = checker.parameters;
-    if (reader.mistakes.empty())
-      checker.complete();
-    reader.add_mistakes(checker.mistakes);
-    reader.add_mistakes(SweepPlan(reader.entries, given.sweep).mistakes);
+    checker.complete();
+    const SweepPlan sweep(reader);
     reader.refuse_mistakes();
     Scene scene{printable(path),
                 checker.parameters,
                 reader.entries.text(/*with_meanings=*/false),
                 given,
                 checker.expected,
+                sweep,
                 {}};
     for (const Entry &entry : reader.entries.all)
       scene.inputs.push_back({entry.path, entry.text()});

@@ -29,7 +29,7 @@ namespace PlateImpact
   void
   SceneChecker::complete()
   {
-    if (!mistakes.empty() || !parameters.has_impactor())
+    if (!reader.mistakes.empty() || !parameters.has_impactor())
       return;
     complete_impactor();
     if (!expected)

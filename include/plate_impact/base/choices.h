@@ -3,7 +3,6 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -34,12 +33,6 @@ namespace PlateImpact
     sliding,
     held_along,
     held_across
-  };
-
-  enum class DeflectionTheory
-  {
-    linear,
-    large ///< von Karman
   };
 
   enum class ImpactorShape
@@ -134,13 +127,6 @@ namespace PlateImpact
       return strategy == other.strategy && goal == other.goal &&
         is_outside == other.is_outside;
     }
-
-    bool
-    operator<(const ComparedStrategy &other) const
-    {
-      return std::tie(strategy, goal, is_outside) <
-        std::tie(other.strategy, other.goal, other.is_outside);
-    }
   };
 
   enum class ErrorIndicator
@@ -160,18 +146,6 @@ namespace PlateImpact
   {
     mirrored,
     interior
-  };
-
-  enum class SweepCombination
-  {
-    product,
-    zip
-  };
-
-  enum class SweepAdaptation
-  {
-    worst_point,
-    each_point
   };
 
 

@@ -47,24 +47,68 @@ namespace PlateImpact
   /// A word of a table with rows that begin with choice and word.
   template <typename Row>
   auto
-  one_of(const std::vector<Row> &rows);
+  one_of(const std::vector<Row> &rows)
+  {
+    using Choice = decltype(Row::choice);
+    std::string words;
+    for (const Row &row : rows)
+      words += (words.empty() ? "" : " | ") + row.word;
+    return Allowed<Choice>{words,
+                           [&rows](const std::string &text, Choice &choice) {
+                             for (const Row &row : rows)
+                               if (row.word == text)
+                                 {
+                                   choice = row.choice;
+                                   return true;
+                                 }
+                             return false;
+                           }};
+  }
+
   /// A word of a kind.
   template <typename Choice>
   Allowed<Choice>
-  one_of();
-
-  /// Values of one kind, separated by commas.
-  template <typename T>
-  Allowed<std::vector<T>>
-  list(const Allowed<T> &item, std::size_t first, std::size_t last);
-  template <typename T>
-  Allowed<std::array<T, 2>>
-  pair_of(const Allowed<T> &item);
+  one_of()
+  {
+    return one_of(Choices<Choice>::words);
+  }
 
   /// The items between separators, without blanks at their ends; an empty one
   /// after a separator at the end.
   std::vector<std::string>
   split_list(const std::string &text, char separator = ',');
+
+  /// Values of one kind, separated by commas.
+  template <typename T>
+  Allowed<std::vector<T>>
+  list(const Allowed<T> &item, const std::size_t first, const std::size_t last)
+  {
+    return {(first == last ? fmt::format("{}", first) :
+                             fmt::format("{} to {}", first, last)) +
+              " values separated by commas, each: " + item.words,
+            [=](const std::string &text, std::vector<T> &values) {
+              values.clear();
+              for (const std::string &one : split_list(text))
+                if (!item.read(one, values.emplace_back()))
+                  return false;
+              return values.size() >= first && values.size() <= last;
+            }};
+  }
+
+  template <typename T>
+  Allowed<std::array<T, 2>>
+  pair_of(const Allowed<T> &item)
+  {
+    const Allowed<std::vector<T>> two = list(item, 2, 2);
+    return {two.words,
+            [two](const std::string &text, std::array<T, 2> &values) {
+              std::vector<T> items;
+              if (!two.read(text, items))
+                return false;
+              values = {{items[0], items[1]}};
+              return true;
+            }};
+  }
 
 
   /// An entry, bound to a variable.
@@ -93,6 +137,13 @@ namespace PlateImpact
     bool
     set(const std::string &new_value, const std::string &new_origin);
 
+    /// A sentence about the value, for a user.
+    std::string
+    refusal(const std::string &text) const
+    {
+      return origin + ": " + path + " = " + value + ' ' + text;
+    }
+
     /// The value in words.
     const std::string &
     text() const
@@ -110,43 +161,40 @@ namespace PlateImpact
   };
 
 
-  class Entries
+  struct Entries
   {
-  public:
-    /// Declares entries of a section, one a call.
-    class Section
+    /// What declares the entries of a section, one a call: sets the variable to
+    /// the default. To be followed by what the entry means.
+    auto
+    section(const std::string &section)
     {
-    public:
-      Section(const std::string &name, std::vector<Entry> &entries)
-        : name(name)
-        , entries(entries)
-      {}
-
-      /// Sets the variable to the default. To be followed by what it means.
-      template <typename T>
-      Entry &
-      operator()(const std::string &entry,
-                 const std::string &default_value,
-                 const Allowed<T>  &allowed,
-                 T                 &variable) const;
-
-    private:
-      const std::string   name;
-      std::vector<Entry> &entries;
-    };
-
-    Section
-    section(const std::string &name)
-    {
-      return {name, all};
+      return [this, section](const std::string &name,
+                             const std::string &default_value,
+                             const auto        &allowed,
+                             auto              &variable) -> Entry & {
+        const auto read = [read = allowed.read,
+                           &variable](const std::string &text,
+                                      const bool         sets) {
+          std::decay_t<decltype(variable)> value{};
+          const bool                       is_allowed = read(text, value);
+          if (is_allowed && sets)
+            variable = value;
+          return is_allowed;
+        };
+        AssertThrow(read(default_value, /*sets=*/true),
+                    dealii::ExcMessage(name + " cannot have its default"));
+        return all.emplace_back(Entry{section + '/' + name,
+                                      default_value,
+                                      allowed.words,
+                                      read,
+                                      default_value});
+      };
     }
 
     /// Null for a path without an entry.
-    const Entry *
-    find(const std::string &path) const;
+    Entry *
+    find(const std::string &path);
 
-    const Entry &
-    at(const std::string &path) const;
     Entry &
     at(const std::string &path);
 
@@ -156,94 +204,4 @@ namespace PlateImpact
 
     std::vector<Entry> all; ///< in the order of declaration
   };
-
-
-
-  template <typename Row>
-  auto
-  one_of(const std::vector<Row> &rows)
-  {
-    using Choice = decltype(Row::choice);
-    std::string words;
-    for (const Row &row : rows)
-      words += (words.empty() ? "" : " | ") + row.word;
-    return Allowed<Choice>{words,
-                           [&rows](const std::string &text, Choice &choice) {
-                             for (const Row &row : rows)
-                               if (row.word == text)
-                                 {
-                                   choice = row.choice;
-                                   return true;
-                                 }
-                             return false;
-                           }};
-  }
-
-
-
-  template <typename Choice>
-  Allowed<Choice>
-  one_of()
-  {
-    return one_of(Choices<Choice>::words);
-  }
-
-
-
-  template <typename T>
-  Allowed<std::vector<T>>
-  list(const Allowed<T> &item, const std::size_t first, const std::size_t last)
-  {
-    return {(first == last ? fmt::format("{}", first) :
-                             fmt::format("{} to {}", first, last)) +
-              " values separated by commas, each: " + item.words,
-            [=](const std::string &text, std::vector<T> &values) {
-              values.clear();
-              for (const std::string &one : split_list(text))
-                if (!item.read(one, values.emplace_back()))
-                  return false;
-              return values.size() >= first && values.size() <= last;
-            }};
-  }
-
-
-
-  template <typename T>
-  Allowed<std::array<T, 2>>
-  pair_of(const Allowed<T> &item)
-  {
-    const Allowed<std::vector<T>> two = list(item, 2, 2);
-    return {two.words,
-            [two](const std::string &text, std::array<T, 2> &values) {
-              std::vector<T> items;
-              if (!two.read(text, items))
-                return false;
-              values = {{items[0], items[1]}};
-              return true;
-            }};
-  }
-
-
-
-  template <typename T>
-  Entry &
-  Entries::Section::operator()(const std::string &entry,
-                               const std::string &default_value,
-                               const Allowed<T>  &allowed,
-                               T                 &variable) const
-  {
-    const auto read = [read = allowed.read, &variable](const std::string &text,
-                                                       const bool sets) {
-      T          value{};
-      const bool is_allowed = read(text, value);
-      if (is_allowed && sets)
-        variable = value;
-      return is_allowed;
-    };
-    AssertThrow(read(default_value, /*sets=*/true),
-                dealii::ExcMessage(entry + " cannot have its default"));
-    entries.push_back(
-      {name + '/' + entry, default_value, allowed.words, read, default_value});
-    return entries.back();
-  }
 } // namespace PlateImpact

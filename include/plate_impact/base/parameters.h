@@ -14,7 +14,7 @@
 /// by `plate-impact defaults`. SI units.
 namespace PlateImpact
 {
-  class Entries;
+  struct Entries;
   struct PlateFile;
 
   /// What the entry Plate/Outline says.
@@ -76,8 +76,8 @@ namespace PlateImpact
     /// of edges that hold the deflection
     std::vector<OnEdge<InPlaneSupport>> in_plane_supports = {
       {"", InPlaneSupport::held}};
-    DeflectionTheory      deflection   = DeflectionTheory::linear;
-    std::array<double, 2> impact_point = {{0., 0.}}; ///< from the centre
+    bool                  has_large_deflection = false; ///< von Karman
+    std::array<double, 2> impact_point = {{0., 0.}};    ///< from the centre
     Outline               outline;
     Layup                 layup;
     PlyParameters         ply;
@@ -93,12 +93,6 @@ namespace PlateImpact
     is_laminate() const
     {
       return !layup.angles.empty();
-    }
-
-    bool
-    has_large_deflection() const
-    {
-      return deflection == DeflectionTheory::large;
     }
 
     bool
@@ -359,8 +353,8 @@ namespace PlateImpact
   {
     std::array<std::string, 3> entries;
     std::array<std::string, 3> values;
-    SweepCombination           combination;
-    SweepAdaptation            adapt;
+    bool                       is_product; ///< every value with every other
+    bool                       adapts_each_point; ///< or the worst one of them
     bool                       estimate_error;
     bool                       write_histories;
 

@@ -25,9 +25,8 @@ namespace PlateImpact
   /// A unit with the prefix that makes values easy to read: of 3.43e-5 s it
   /// makes 34.3 µs. Forces and the like read better as 1301 N than as 1.301 kN:
   /// numbers from 1 to 1e5 have no prefix.
-  class PrefixedUnit
+  struct PrefixedUnit
   {
-  public:
     /// @param unit   of SI without prefix, such as "s"
     /// @param value  the largest to show; 0 or not finite: no prefix
     PrefixedUnit(const std::string &unit, double value);
@@ -43,18 +42,11 @@ namespace PlateImpact
     std::string
     text(double value) const
     {
-      return rounded(factor * value) + ' ' + prefixed;
+      return rounded(factor * value) + ' ' + name;
     }
 
-    const std::string &
-    name() const
-    {
-      return prefixed;
-    }
-
-  private:
-    std::string prefixed;
-    double      factor;
+    std::string name; ///< with the prefix
+    double      factor = 1.;
   };
 
 

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "plate_impact/base/parameters.h"
-#include "plate_impact/contact/zener.h"
+#include "plate_impact/scene/sweep_scene.h"
 
 #include <iosfwd>
 #include <optional>
@@ -19,6 +18,7 @@ namespace PlateImpact
     std::string text;  ///< every value used, as a scene that repeats the run
     Parameters  given; ///< with the zeros that let the program choose
     std::optional<ZenerImpact> expected; ///< of an impactor
+    SweepPlan                  sweep;
     std::vector<std::pair<std::string, std::string>>
       inputs; ///< entries by their paths, with the values used
   };

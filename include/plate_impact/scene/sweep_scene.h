@@ -1,9 +1,7 @@
 #pragma once
 
-#include "plate_impact/base/text.h"
 #include "plate_impact/contact/zener.h"
 #include "plate_impact/scene/scene_reader.h"
-#include "plate_impact/scene/sweep_plan.h"
 
 #include <cstddef>
 #include <optional>
@@ -12,6 +10,63 @@
 
 namespace PlateImpact
 {
+  /// An entry of the scene and the values that it takes in a sweep.
+  struct SweptEntry
+  {
+    std::string              path;   ///< Section/Entry
+    std::string              unit;   ///< "m/s", "-" for pure numbers, or empty
+    std::string              origin; ///< of the values, "scene.prm:12"
+    std::vector<std::string> values;
+  };
+
+
+  /// The points of a sweep: the swept entries and how their values combine.
+  struct SweepPlan
+  {
+    /// Points beyond this number are refused.
+    static constexpr std::size_t max_points = 1000000;
+
+    /// Adds to the reader's mistakes values that are no number where the entry
+    /// holds one, or no word that it knows; numbers beyond what an entry allows
+    /// only make their points invalid.
+    explicit SweepPlan(SceneReader &reader);
+
+    /// Whether an entry, "Section/Entry", is swept.
+    bool
+    sweeps(const std::string &path) const;
+
+    /// Whether points may adapt their mesh.
+    /// @param parameters  of what is not swept
+    bool
+    may_adapt(const Parameters &parameters) const
+    {
+      return parameters.adaptivity.is_adaptive() ||
+        sweeps("Adaptivity/Strategy");
+    }
+
+    /// Their paths, for a sentence.
+    std::string
+    names() const;
+
+    /// The value of every entry at a point. In a product the values of the last
+    /// entry change fastest.
+    std::vector<std::string>
+    values(std::size_t point) const;
+
+    std::vector<SweptEntry> entries;
+
+    /// Every value with every other, as opposed to lists that are paired up.
+    bool        is_product;
+    std::size_t n_points = 0; ///< 0 without an entry, or with mistakes
+
+  private:
+    void
+    read_entry(const std::string &number, SceneReader &reader);
+    void
+    combine(SceneReader &reader);
+  };
+
+
   /// A point of a sweep that has passed every check.
   struct SweepPoint
   {
