@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <ostream>
 
 namespace PlateImpact
 {
@@ -285,8 +284,8 @@ namespace PlateImpact
 
 
 
-  void
-  print_expectation(std::ostream &out, const Scene &scene)
+  std::string
+  expectation_in_words(const Scene &scene)
   {
     const Parameters &parameters = scene.parameters;
     ExpectationText   text{scene.name + " is a valid scene.\n"};
@@ -309,6 +308,6 @@ namespace PlateImpact
         text.text += "\nExpected\n";
         add_frequencies(text, parameters);
       }
-    out << text.text;
+    return text.text;
   }
 } // namespace PlateImpact

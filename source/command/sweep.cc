@@ -104,11 +104,11 @@ namespace PlateImpact
     class SweepRecord
     {
     public:
-      SweepRecord(SweepScene &scene, const SweepOptions &options)
+      SweepRecord(SweepScene &scene, const bool resume, const bool quiet)
         : scene(scene)
-        , console(options.quiet)
+        , console(quiet)
         , directory(scene.parameters.output.directory)
-        , table(prepared(directory, scene, options), scene.plan, options.resume)
+        , table(prepared(directory, scene, resume), scene.plan, resume)
       {}
 
       std::vector<std::size_t>
@@ -208,9 +208,9 @@ namespace PlateImpact
       static const ResultDirectory &
       prepared(const ResultDirectory &directory,
                const SweepScene      &scene,
-               const SweepOptions    &options)
+               const bool             resume)
       {
-        if (options.resume)
+        if (resume)
           check_scene_to_resume(directory, scene);
         else
           directory.clear();
@@ -259,9 +259,10 @@ namespace PlateImpact
 
 
   void
-  run_sweep(SweepScene         &scene,
-            const SweepOptions &options,
-            Processes          &processes)
+  run_sweep(SweepScene &scene,
+            const bool  resume,
+            const bool  quiet,
+            Processes  &processes)
   {
     // mpirun has its own way to end processes
     if (processes.size > 1)
@@ -274,7 +275,7 @@ namespace PlateImpact
     if (processes.rank == 0)
       try
         {
-          record = std::make_unique<SweepRecord>(scene, options);
+          record = std::make_unique<SweepRecord>(scene, resume, quiet);
           to_do  = record->points_to_do();
         }
       catch (...)
