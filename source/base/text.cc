@@ -97,17 +97,6 @@ namespace PlateImpact
 
 
   std::string
-  deviation(const double value, const double other)
-  {
-    const double ratio = value / other;
-    return ratio > 0.5 && ratio < 2. ?
-      fmt::format("{:+.3g} %", 100. * (ratio - 1.)) :
-      about(ratio) + " times";
-  }
-
-
-
-  std::string
   about(const double value, const std::string &unit)
   {
     const PrefixedUnit prefixed(unit, value);

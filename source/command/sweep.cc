@@ -28,17 +28,17 @@ namespace PlateImpact
 {
   namespace
   {
-    /// A scene without what may differ between a sweep and its continuation:
-    /// comments and the name of the directory.
-    std::string
+    /// The lines of a scene without what may differ between a sweep and its
+    /// continuation: comments and the name of the directory.
+    std::vector<std::string>
     essence(std::istream &scene)
     {
-      std::string text;
+      std::vector<std::string> lines;
       for (std::string line; std::getline(scene, line);)
         if (!line.empty() && line[0] != '#' &&
             line.find("set Directory ") == std::string::npos)
-          text += line + '\n';
-      return text;
+          lines.push_back(dealii::Utilities::trim(line));
+      return lines;
     }
 
 
@@ -48,18 +48,19 @@ namespace PlateImpact
     check_scene_to_resume(const ResultDirectory &directory,
                           const SweepScene      &scene)
     {
-      std::ifstream before(directory / "scene.prm");
-      if (!before)
+      std::ifstream      file(directory / "scene.prm");
+      std::istringstream text(scene.text);
+      if (!file)
         return;
-      std::istringstream now(scene.text);
-      std::istringstream a(essence(before)), b(essence(now));
-      for (std::string line_before, line; std::getline(b, line);)
-        if (!std::getline(a, line_before) || line != line_before)
-          throw InputError({"--resume: " + (directory / "scene.prm").string() +
-                            " belongs to another sweep: it has '" +
-                            dealii::Utilities::trim(line_before) + "' where " +
-                            scene.name + " has '" +
-                            dealii::Utilities::trim(line) + "'"});
+      auto       before = essence(file);
+      const auto now    = essence(text);
+      before.resize(std::max(before.size(), now.size()));
+      const auto [line, line_before] =
+        std::mismatch(now.begin(), now.end(), before.begin());
+      if (line != now.end())
+        throw InputError({"--resume: " + (directory / "scene.prm").string() +
+                          " belongs to another sweep: it has '" + *line_before +
+                          "' where " + scene.name + " has '" + *line + "'"});
     }
 
 

@@ -75,11 +75,6 @@ namespace PlateImpact
     return rounded(100. * fraction) + " %";
   }
 
-  /// How far a value is from another: "+0.56 %", or "12.6 times" where it is
-  /// more than twice it or less than half.
-  std::string
-  deviation(double value, double other);
-
   /// An estimate or advice.
   inline std::string
   about(const double value)
@@ -104,13 +99,6 @@ namespace PlateImpact
   {
     const char *plural = noun.back() == 'h' ? "es" : "s";
     return fmt::format("{} {}{}", n, noun, n == 1 ? "" : plural);
-  }
-
-  /// A time that was measured: "0.37 s".
-  inline std::string
-  wall_time(const double seconds)
-  {
-    return fmt::format("{:.2f} s", seconds);
   }
 
   /// A time that someone waits: "12 s", "3 min".
