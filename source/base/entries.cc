@@ -129,36 +129,6 @@ namespace PlateImpact
 
 
 
-  bool
-  Entry::set(const std::string &new_value, const std::string &new_origin)
-  {
-    is_known = read(new_value, /*sets=*/true);
-    if (is_known)
-      {
-        value  = new_value;
-        origin = new_origin;
-      }
-    return is_known;
-  }
-
-
-
-  std::string
-  Entry::section() const
-  {
-    return path.substr(0, path.find('/'));
-  }
-
-
-
-  std::string
-  Entry::name() const
-  {
-    return path.substr(path.find('/') + 1);
-  }
-
-
-
   std::string
   Entry::unit() const
   {
@@ -166,27 +136,6 @@ namespace PlateImpact
     return !meaning.empty() && meaning.back() == ']' ?
       meaning.substr(begin, meaning.size() - begin - 1) :
       "";
-  }
-
-
-
-  Entry *
-  Entries::find(const std::string &path)
-  {
-    for (Entry &entry : all)
-      if (entry.path == path)
-        return &entry;
-    return nullptr;
-  }
-
-
-
-  Entry &
-  Entries::at(const std::string &path)
-  {
-    Entry *const entry = find(path);
-    AssertThrow(entry != nullptr, ExcMessage("no entry " + path));
-    return *entry;
   }
 
 

@@ -182,9 +182,9 @@ namespace PlateImpact
   void
   SceneChecker::check_shape()
   {
-    const double half_side = 0.5 *
-      std::min(geometry_of(plate)->side_length(0),
-               geometry_of(plate)->side_length(1));
+    const auto   geometry = geometry_of(plate);
+    const double a = geometry->side_length(0), b = geometry->side_length(1);
+    const double half_side = 0.5 * std::min(a, b);
     if (plate.thickness > half_side)
       refuse({"Plate/Thickness", "Plate/Side lengths"},
              "m is too thick for a plate theory; expected at most half the "
@@ -199,29 +199,21 @@ namespace PlateImpact
     check_edges("Plate/Support", edges_of(plate.supports));
     check_edges("Plate/In-plane support", edges_of(plate.in_plane_supports));
     check_extent();
-    const double to_edge = parameters.has_impactor() ?
-      geometry_of(plate)->distance_to_edge() :
-      half_side;
+    const double to_edge =
+      parameters.has_impactor() ? geometry->distance_to_edge() : half_side;
     if (to_edge <= 0. && plate.is_from_file())
       return refuse({"Plate/Impact point", "Plate/Outline"},
                     "m lies outside of the plate of " + plate.outline.file +
                       ", or on an edge; expected a point from the middle of "
                       "its " +
-                      number(geometry_of(plate)->side_length(0)) + " x " +
-                      number(geometry_of(plate)->side_length(1)) + " m");
+                      number(a) + " x " + number(b) + " m");
     if (to_edge <= 0.)
       return refuse({"Plate/Impact point", "Plate/Side lengths"},
-                    plate.is_circle() ?
-                      "m lies outside of the plate; expected less than its "
-                      "radius, " +
-                        number(0.5 * geometry_of(plate)->side_length(0)) +
-                        " m, from the centre" :
-                      "m lies outside of the plate; expected less than half of "
-                      "the sides, " +
-                        number(0.5 * geometry_of(plate)->side_length(0)) +
-                        ", " +
-                        number(0.5 * geometry_of(plate)->side_length(1)) +
-                        " m");
+                    "m lies outside of the plate; expected less than " +
+                      (plate.is_circle() ? "its radius, " + number(0.5 * a) +
+                           " m, from the centre" :
+                                           "half of the sides, " +
+                           number(0.5 * a) + ", " + number(0.5 * b) + " m"));
     if (contact.has_patch() && contact.patch_radius > to_edge)
       refuse({"Contact/Patch radius",
               "Plate/Side lengths",

@@ -176,16 +176,6 @@ namespace PlateImpact
 
 
 
-  bool
-  SweepPlan::sweeps(const std::string &path) const
-  {
-    return std::any_of(entries.begin(), entries.end(), [&](const auto &entry) {
-      return entry.path == path;
-    });
-  }
-
-
-
   std::string
   SweepPlan::names() const
   {

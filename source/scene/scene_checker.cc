@@ -27,14 +27,6 @@ namespace PlateImpact
 
 
 
-  bool
-  SceneChecker::is_given(const std::string &path) const
-  {
-    return entries.at(path).origin != "default";
-  }
-
-
-
   void
   SceneChecker::choose_contact()
   {

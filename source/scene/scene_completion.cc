@@ -16,17 +16,6 @@
 namespace PlateImpact
 {
   void
-  SceneChecker::choose(const std::string &path,
-                       double            &variable,
-                       const double       value)
-  {
-    variable                = value;
-    entries.at(path).chosen = shortest(value);
-  }
-
-
-
-  void
   SceneChecker::complete()
   {
     if (!reader.mistakes.empty() || !parameters.has_impactor())

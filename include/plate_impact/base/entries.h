@@ -135,7 +135,16 @@ namespace PlateImpact
 
     /// @return whether the value is allowed; if not, the entry keeps its own
     bool
-    set(const std::string &new_value, const std::string &new_origin);
+    set(const std::string &new_value, const std::string &new_origin)
+    {
+      is_known = read(new_value, /*sets=*/true);
+      if (is_known)
+        {
+          value  = new_value;
+          origin = new_origin;
+        }
+      return is_known;
+    }
 
     /// A sentence about the value, for a user.
     std::string
@@ -152,9 +161,17 @@ namespace PlateImpact
     }
 
     std::string
-    section() const;
+    section() const
+    {
+      return path.substr(0, path.find('/'));
+    }
+
     std::string
-    name() const;
+    name() const
+    {
+      return path.substr(path.find('/') + 1);
+    }
+
     /// Empty without one.
     std::string
     unit() const;
@@ -193,10 +210,21 @@ namespace PlateImpact
 
     /// Null for a path without an entry.
     Entry *
-    find(const std::string &path);
+    find(const std::string &path)
+    {
+      for (Entry &entry : all)
+        if (entry.path == path)
+          return &entry;
+      return nullptr;
+    }
 
     Entry &
-    at(const std::string &path);
+    at(const std::string &path)
+    {
+      Entry *const entry = find(path);
+      AssertThrow(entry != nullptr, dealii::ExcMessage("no entry " + path));
+      return *entry;
+    }
 
     /// All, as a scene in deal.II's format.
     std::string

@@ -3,6 +3,7 @@
 #include "plate_impact/contact/zener.h"
 #include "plate_impact/scene/scene_reader.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -34,7 +35,14 @@ namespace PlateImpact
 
     /// Whether an entry, "Section/Entry", is swept.
     bool
-    sweeps(const std::string &path) const;
+    sweeps(const std::string &path) const
+    {
+      return std::any_of(entries.begin(),
+                         entries.end(),
+                         [&path](const SweptEntry &entry) {
+                           return entry.path == path;
+                         });
+    }
 
     /// Whether points may adapt their mesh.
     /// @param parameters  of what is not swept

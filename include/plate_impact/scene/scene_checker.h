@@ -1,5 +1,6 @@
 #pragma once
 
+#include "plate_impact/base/text.h"
 #include "plate_impact/contact/zener.h"
 #include "plate_impact/scene/scene_reader.h"
 
@@ -40,12 +41,19 @@ namespace PlateImpact
     refuse(const std::vector<std::string> &involved, const std::string &text);
 
     bool
-    is_given(const std::string &path) const;
+    is_given(const std::string &path) const
+    {
+      return entries.at(path).origin != "default";
+    }
 
     /// Fills an entry in.
     /// @param variable  of the parameters, that holds its value
     void
-    choose(const std::string &path, double &variable, double value);
+    choose(const std::string &path, double &variable, const double value)
+    {
+      variable                = value;
+      entries.at(path).chosen = shortest(value);
+    }
 
     /// Law, load and local response that fit the rest of the scene, where they
     /// are not given.
