@@ -99,9 +99,21 @@ namespace PlateImpact
   Allowed<bool>
   truth()
   {
-    static const std::vector<Word<bool>> words = {{true, "true"},
-                                                  {false, "false"}};
-    return one_of(words);
+    return {"true | false", [](const std::string &text, bool &value) {
+              value = text == "true";
+              return value || text == "false";
+            }};
+  }
+
+
+
+  Allowed<bool>
+  second_of(const std::string &first, const std::string &second)
+  {
+    return {first + " | " + second, [=](const std::string &text, bool &value) {
+              value = text == second;
+              return value || text == first;
+            }};
   }
 
 

@@ -55,14 +55,13 @@ namespace PlateImpact
   make_stress_recovery(const Parameters       &parameters,
                        const Triangulation<2> &mesh)
   {
-    const double line = parameters.contact.load_is_line() ?
-      0.5 * parameters.impactor.length :
-      -1.;
-    const bool   is_interior =
-      parameters.adaptivity.recovery_patches == RecoveryPatches::interior;
-    const auto                geometry = geometry_of(parameters.plate);
-    const std::array<bool, 2> mirrors  = {
-       {geometry->is_symmetric(0), geometry->is_symmetric(1)}};
+    const double line        = parameters.contact.load_is_line() ?
+             0.5 * parameters.impactor.length :
+             -1.;
+    const bool   is_interior = parameters.adaptivity.patches_are_interior;
+    const auto   geometry    = geometry_of(parameters.plate);
+    const std::array<bool, 2> mirrors = {
+      {geometry->is_symmetric(0), geometry->is_symmetric(1)}};
     return StressRecovery(mesh, [=](const Point<2> &point) {
       const bool is_on_plane =
         (mirrors[0] && point[0] == 0.) || (mirrors[1] && point[1] == 0.);
@@ -83,7 +82,7 @@ namespace PlateImpact
       discretization,
       recovery,
       singular_cells(parameters, discretization.mesh()),
-      parameters.adaptivity.cells_at_singularities == SingularCells::counted,
+      parameters.adaptivity.singular_cells_count,
       kept_interval);
     return row_of(parameters.adaptivity.indicator, indicators)
       .make(discretization, std::move(by_recovery));
@@ -94,18 +93,4 @@ namespace PlateImpact
   template <>
   const std::vector<Word<ErrorIndicator>>
     Choices<ErrorIndicator>::words = words_of(indicators);
-
-
-
-  template <>
-  const std::vector<Word<SingularCells>> Choices<SingularCells>::words = {
-    {SingularCells::left_out, "left out"},
-    {SingularCells::counted, "counted"}};
-
-
-
-  template <>
-  const std::vector<Word<RecoveryPatches>> Choices<RecoveryPatches>::words = {
-    {RecoveryPatches::mirrored, "mirrored"},
-    {RecoveryPatches::interior, "interior"}};
 } // namespace PlateImpact

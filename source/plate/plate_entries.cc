@@ -57,11 +57,6 @@ namespace PlateImpact
 
 
 
-    const std::vector<Word<bool>> deflection_theories = {{false, "linear"},
-                                                         {true, "large"}};
-
-
-
     /// Angles of "0/90_2/45s", with the bracket that may be around all but
     /// the s; or nothing.
     Allowed<Layup>
@@ -144,7 +139,7 @@ namespace PlateImpact
              "file can differ, for example rim: clamped, hole: free.");
     entry("Deflection",
           "linear",
-          one_of(deflection_theories),
+          second_of("linear", "large"),
           has_large_deflection)
       .means("linear: small deflections. large: von Karman's theory, for "
              "deflections of more than a fifth of the thickness: the plate "

@@ -93,7 +93,7 @@ namespace PlateImpact
 
 
   SweepPlan::SweepPlan(SceneReader &reader)
-    : is_product(reader.parameters.sweep.is_product)
+    : is_product(!reader.parameters.sweep.is_zip)
   {
     const std::size_t n_mistakes = reader.mistakes.size();
     for (unsigned int n = 1; n <= reader.parameters.sweep.entries.size(); ++n)
@@ -289,16 +289,6 @@ namespace PlateImpact
 
 
 
-  namespace
-  {
-    const std::vector<Word<bool>> combinations = {{true, "product"},
-                                                  {false, "zip"}},
-                                  adaptations  = {{false, "worst point"},
-                                                  {true, "each point"}};
-  } // namespace
-
-
-
   void
   SweepParameters::declare_entries(Entries &all)
   {
@@ -318,10 +308,13 @@ namespace PlateImpact
              "first:last:number of equidistant values, such as 0.5:5:20. "
              "Semicolons separate values that contain commas, such as side "
              "lengths.");
-    entry("Combination", "product", one_of(combinations), is_product)
+    entry("Combination", "product", second_of("product", "zip"), is_zip)
       .means("product: every value with every other; zip: the first values of "
              "all lists, the second ones, and so on.");
-    entry("Adapt", "worst point", one_of(adaptations), adapts_each_point)
+    entry("Adapt",
+          "worst point",
+          second_of("worst point", "each point"),
+          adapts_each_point)
       .means("worst point: points that share plate and load are computed on "
              "the last mesh of the one with the shortest contact; each point: "
              "on a mesh of its own.");

@@ -135,19 +135,6 @@ namespace PlateImpact
     Kelly
   };
 
-  /// What becomes of cells at a point load, and of cells at the minimum size.
-  enum class SingularCells
-  {
-    left_out,
-    counted
-  };
-
-  enum class RecoveryPatches
-  {
-    mirrored,
-    interior
-  };
-
 
   /// A choice and its word, as a user types and reads it.
   template <typename Choice>
@@ -185,10 +172,6 @@ namespace PlateImpact
   const std::vector<Word<SolverType>> Choices<SolverType>::words;
   template <>
   const std::vector<Word<ErrorIndicator>> Choices<ErrorIndicator>::words;
-  template <>
-  const std::vector<Word<SingularCells>> Choices<SingularCells>::words;
-  template <>
-  const std::vector<Word<RecoveryPatches>> Choices<RecoveryPatches>::words;
   template <>
   const std::vector<Word<ComparedStrategy>> Choices<ComparedStrategy>::words;
 

@@ -41,6 +41,8 @@ namespace PlateImpact
   whole_number(unsigned int first, unsigned int last);
   Allowed<bool>
   truth();
+  Allowed<bool>
+  second_of(const std::string &first, const std::string &second);
   Allowed<std::string>
   any_text(const std::string &words);
 
