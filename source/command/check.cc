@@ -31,15 +31,6 @@ namespace PlateImpact
 
 
 
-    /// A count with two digits: more would not be known.
-    std::string
-    roughly(const double count)
-    {
-      return rounded(count < 10. ? std::round(count) : count, 2);
-    }
-
-
-
     void
     add_impact(ExpectationText   &text,
                const Parameters  &parameters,
@@ -159,6 +150,10 @@ namespace PlateImpact
              const Expectation &expected)
     try
       {
+        // more than two digits would not be known
+        const auto roughly = [](const double count) {
+          return rounded(count < 10. ? std::round(count) : count, 2);
+        };
         const Expectation::Cost cost = expected.cost(parameters);
         const Stretching stretching  = expected.zener.section.stretching();
         const double     n_fields    = stretching == Stretching::none ? 3. : 5.;

@@ -25,68 +25,57 @@ namespace PlateImpact
 
 
 
-    /// Whether a value is of the kind that an entry holds.
-    bool
-    is_of_kind(const std::string &value, const Entry &entry)
-    {
-      const std::size_t n_numbers = numbers_in(entry.default_value).size();
-      return entry.read(value, /*sets=*/false) ||
-        (n_numbers > 0 && numbers_in(value).size() == n_numbers);
-    }
-
-
-
-    /// Adds the values of a range first:last:number.
-    /// @return the mistake, empty when there is none
-    std::string
-    append_range(const std::string &text, std::vector<std::string> &values)
+    /// The values of a range first:last:number.
+    /// @throws InputError with what is wrong with it
+    std::vector<std::string>
+    values_of_range(const std::string &text)
     {
       const std::vector<double> range = numbers_in(text, ':');
       if (range.size() != 3 || range[0] == range[1] ||
           range[2] != std::floor(range[2]) || range[2] < 2. ||
           range[2] > SweepPlan::max_points)
-        return fmt::format("'{}' is no range; expected first:last:number, two "
-                           "numbers that differ and a whole number of values "
-                           "from 2 to {}",
-                           text,
-                           SweepPlan::max_points);
+        throw InputError(
+          {fmt::format("'{}' is no range; expected first:last:number, two "
+                       "numbers that differ and a whole number of values "
+                       "from 2 to {}",
+                       text,
+                       SweepPlan::max_points)});
       // the digits of a decimal number, not the round-off of its sum
-      const double n = range[2] - 1.;
+      const double             n = range[2] - 1.;
+      std::vector<std::string> values;
       for (unsigned int i = 0; i <= n; ++i)
         values.push_back(
           fmt::format("{:.15g}",
                       range[0] * ((n - i) / n) + range[1] * (i / n)));
-      return {};
+      return values;
     }
 
 
 
-    /// Takes a list of values and ranges apart.
-    /// @return the mistake, empty when there is none
-    std::string
-    append_values(const std::string        &text,
-                  const Entry              &entry,
-                  std::vector<std::string> &values)
+    /// Takes a list of values and ranges apart. A value is of the kind that the
+    /// entry holds: allowed, or as many numbers.
+    /// @throws InputError with what is wrong with it
+    std::vector<std::string>
+    values_in(const std::string &text, const Entry &entry)
     {
+      const std::size_t n_numbers = numbers_in(entry.default_value).size();
       const char separator = text.find(';') != std::string::npos ? ';' : ',';
+      std::vector<std::string> values;
       for (const std::string &item : split_list(text, separator))
-        if (item.find(':') != std::string::npos &&
-            numbers_in(entry.default_value).size() == 1)
-          {
-            if (const std::string mistake = append_range(item, values);
-                !mistake.empty())
-              return mistake;
-          }
-        else if (is_of_kind(item, entry))
+        if (item.find(':') != std::string::npos && n_numbers == 1)
+          for (const std::string &value : values_of_range(item))
+            values.push_back(value);
+        else if (entry.read(item, /*sets=*/false) ||
+                 (n_numbers > 0 && numbers_in(item).size() == n_numbers))
           values.push_back(item);
         else
-          return (item.empty() ?
-                    "a value is missing" :
-                    "'" + item + "' is no value of " + entry.path) +
-            "; expected values separated by commas, or by semicolons where "
-            "they have commas themselves, each: " +
-            entry.allowed;
-      return {};
+          throw InputError(
+            {(item.empty() ? "a value is missing" :
+                             "'" + item + "' is no value of " + entry.path) +
+             "; expected values separated by commas, or by semicolons where "
+             "they have commas themselves, each: " +
+             entry.allowed});
+      return values;
     }
   } // namespace
 
@@ -135,12 +124,15 @@ namespace PlateImpact
       return refuse(entry, "is swept twice");
     if (list.value.empty())
       return refuse(entry, "has no values; expected them in " + list.path);
-    SweptEntry result{path, swept->unit(), list.origin, {}};
-    if (const std::string mistake =
-          append_values(list.value, *swept, result.values);
-        !mistake.empty())
-      return refuse(list, "is not allowed: " + mistake);
-    entries.push_back(result);
+    try
+      {
+        entries.push_back(
+          {path, swept->unit(), list.origin, values_in(list.value, *swept)});
+      }
+    catch (const InputError &mistake)
+      {
+        refuse(list, std::string("is not allowed: ") + mistake.what());
+      }
   }
 
 
