@@ -2,8 +2,6 @@
 
 #include <deal.II/base/parameter_handler.h>
 
-#include "plate_impact/base/text.h"
-
 #include <charconv>
 #include <cmath>
 #include <sstream>
@@ -26,61 +24,16 @@ namespace PlateImpact
       return error == std::errc() && last == end &&
         std::isfinite(static_cast<double>(value));
     }
-
-
-
-    Allowed<double>
-    number_of(const std::string                 &range,
-              const std::function<bool(double)> &is_in_range)
-    {
-      return {"a number" + range, [=](const std::string &text, double &value) {
-                return to_number(text, value) && is_in_range(value);
-              }};
-    }
   } // namespace
 
 
 
   Allowed<double>
-  any_number()
+  number_of(const std::string &words, const std::function<bool(double)> &is_met)
   {
-    return number_of("", [](double) { return true; });
-  }
-
-
-
-  Allowed<double>
-  number_above(const double bound)
-  {
-    return number_of(" above " + shortest(bound),
-                     [=](const double x) { return x > bound; });
-  }
-
-
-
-  Allowed<double>
-  number_from(const double first)
-  {
-    return number_of(" not below " + shortest(first),
-                     [=](const double x) { return x >= first; });
-  }
-
-
-
-  Allowed<double>
-  number_up_to(const double lower, const double upper)
-  {
-    return number_of(fmt::format(" above {} and up to {}", lower, upper),
-                     [=](const double x) { return x > lower && x <= upper; });
-  }
-
-
-
-  Allowed<double>
-  number_between(const double lower, const double upper)
-  {
-    return number_of(fmt::format(" above {} and below {}", lower, upper),
-                     [=](const double x) { return x > lower && x < upper; });
+    return {"a number" + words, [=](const std::string &text, double &value) {
+              return to_number(text, value) && is_met(value);
+            }};
   }
 
 
@@ -96,39 +49,6 @@ namespace PlateImpact
 
 
 
-  Allowed<bool>
-  truth()
-  {
-    return {"true | false", [](const std::string &text, bool &value) {
-              value = text == "true";
-              return value || text == "false";
-            }};
-  }
-
-
-
-  Allowed<bool>
-  second_of(const std::string &first, const std::string &second)
-  {
-    return {first + " | " + second, [=](const std::string &text, bool &value) {
-              value = text == second;
-              return value || text == first;
-            }};
-  }
-
-
-
-  Allowed<std::string>
-  any_text(const std::string &words)
-  {
-    return {words, [](const std::string &text, std::string &value) {
-              value = text;
-              return true;
-            }};
-  }
-
-
-
   std::vector<std::string>
   split_list(const std::string &text, const char separator)
   {
@@ -137,17 +57,6 @@ namespace PlateImpact
     if (text.empty() || text.back() == separator)
       items.push_back("");
     return items;
-  }
-
-
-
-  std::string
-  Entry::unit() const
-  {
-    const std::size_t begin = meaning.rfind('[') + 1;
-    return !meaning.empty() && meaning.back() == ']' ?
-      meaning.substr(begin, meaning.size() - begin - 1) :
-      "";
   }
 
 

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
-#include <cmath>
-#include <cstdlib>
 
 namespace PlateImpact
 {
@@ -22,23 +20,6 @@ namespace PlateImpact
       std::clamp(int(std::floor(std::log10(largest) / 3. + 1e-9)), -4, 4);
     name   = prefixes[power + 4] + unit;
     factor = std::pow(10., -3 * power);
-  }
-
-
-
-  std::string
-  number(const double value)
-  {
-    return std::isfinite(value) ? fmt::format("{:.6g}", value) : "–";
-  }
-
-
-
-  std::string
-  rounded(const double value, const int digits)
-  {
-    return number(
-      std::strtod(fmt::format("{:.{}e}", value, digits - 1).c_str(), nullptr));
   }
 
 
@@ -97,15 +78,6 @@ namespace PlateImpact
 
 
   std::string
-  about(const double value, const std::string &unit)
-  {
-    const PrefixedUnit prefixed(unit, value);
-    return about(prefixed(value)) + ' ' + prefixed.name;
-  }
-
-
-
-  std::string
   shortest(const double value)
   {
     char       text[32];
@@ -143,17 +115,5 @@ namespace PlateImpact
   {
     using dealii::Utilities::replace_in_string;
     return replace_in_string(replace_in_string(text, "µ", "u"), "±", "+-");
-  }
-
-
-
-  std::string
-  column(const std::size_t            width,
-         const char                  *format,
-         const std::optional<double> &value)
-  {
-    // never without a blank before it
-    return ' ' +
-      right(width - 1, value ? fmt::format(fmt::runtime(format), *value) : "-");
   }
 } // namespace PlateImpact

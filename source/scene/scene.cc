@@ -87,8 +87,32 @@ namespace PlateImpact
     const std::size_t n_mistakes = reader.mistakes.size();
     for (unsigned int n = 1; n <= reader.parameters.sweep.entries.size(); ++n)
       read_entry(std::to_string(n), reader);
-    if (reader.mistakes.size() == n_mistakes && !entries.empty())
-      combine(reader);
+    if (reader.mistakes.size() > n_mistakes || entries.empty())
+      return;
+    std::vector<std::size_t> sizes;
+    double                   n = 1.;
+    for (const SweptEntry &entry : entries)
+      {
+        sizes.push_back(entry.values.size());
+        n = is_product ? n * sizes.back() : sizes.front();
+      }
+    Entry combination = reader.entries.at("Sweep/Combination");
+    if (combination.origin == "default")
+      combination.origin = entries.front().origin;
+    if (!is_product &&
+        std::count(sizes.begin(), sizes.end(), sizes[0]) <
+          static_cast<long>(sizes.size()))
+      reader.mistakes.push_back(combination.refusal(
+        fmt::format("needs lists of one length; they have {} values",
+                    fmt::join(sizes, " and "))));
+    else if (n > max_points)
+      reader.mistakes.push_back(combination.refusal(
+        fmt::format("makes {:.0f} points, {}; expected at most {}",
+                    n,
+                    fmt::join(sizes, is_product ? " x " : " and "),
+                    max_points)));
+    else
+      n_points = static_cast<std::size_t>(n);
   }
 
 
@@ -133,48 +157,6 @@ namespace PlateImpact
       {
         refuse(list, std::string("is not allowed: ") + mistake.what());
       }
-  }
-
-
-
-  void
-  SweepPlan::combine(SceneReader &reader)
-  {
-    std::vector<std::size_t> sizes;
-    double                   n = 1.;
-    for (const SweptEntry &entry : entries)
-      {
-        sizes.push_back(entry.values.size());
-        n = is_product ? n * sizes.back() : sizes.front();
-      }
-    Entry combination = reader.entries.at("Sweep/Combination");
-    if (combination.origin == "default")
-      combination.origin = entries.front().origin;
-    if (!is_product &&
-        std::count(sizes.begin(), sizes.end(), sizes[0]) <
-          static_cast<long>(sizes.size()))
-      reader.mistakes.push_back(combination.refusal(
-        fmt::format("needs lists of one length; they have {} values",
-                    fmt::join(sizes, " and "))));
-    else if (n > max_points)
-      reader.mistakes.push_back(combination.refusal(
-        fmt::format("makes {:.0f} points, {}; expected at most {}",
-                    n,
-                    fmt::join(sizes, is_product ? " x " : " and "),
-                    max_points)));
-    else
-      n_points = static_cast<std::size_t>(n);
-  }
-
-
-
-  std::string
-  SweepPlan::names() const
-  {
-    std::vector<std::string> paths;
-    for (const SweptEntry &entry : entries)
-      paths.push_back(entry.path);
-    return fmt::format("{}", fmt::join(paths, ", "));
   }
 
 

@@ -3,6 +3,7 @@
 #include <deal.II/base/exceptions.h>
 
 #include "plate_impact/base/choices.h"
+#include "plate_impact/base/text.h"
 
 #include <array>
 #include <fmt/format.h>
@@ -26,25 +27,76 @@ namespace PlateImpact
   };
 
 
-  // numbers are finite
+  /// Finite numbers that fulfil a condition, which the words tell.
   Allowed<double>
-  any_number();
-  Allowed<double>
-  number_above(double bound);
-  Allowed<double>
-  number_from(double first);
-  Allowed<double>
-  number_up_to(double lower, double upper); ///< the lower excluded
-  Allowed<double>
-  number_between(double lower, double upper); ///< both excluded
+  number_of(const std::string                 &words,
+            const std::function<bool(double)> &is_met);
+
+  inline Allowed<double>
+  any_number()
+  {
+    return number_of("", [](double) { return true; });
+  }
+
+  inline Allowed<double>
+  number_above(const double bound)
+  {
+    return number_of(" above " + shortest(bound),
+                     [=](const double x) { return x > bound; });
+  }
+
+  inline Allowed<double>
+  number_from(const double first)
+  {
+    return number_of(" not below " + shortest(first),
+                     [=](const double x) { return x >= first; });
+  }
+
+  inline Allowed<double>
+  number_up_to(const double lower, const double upper)
+  {
+    return number_of(fmt::format(" above {} and up to {}", lower, upper),
+                     [=](const double x) { return x > lower && x <= upper; });
+  }
+
+  inline Allowed<double>
+  number_between(const double lower, const double upper)
+  {
+    return number_of(fmt::format(" above {} and below {}", lower, upper),
+                     [=](const double x) { return x > lower && x < upper; });
+  }
+
   Allowed<unsigned int>
   whole_number(unsigned int first, unsigned int last);
-  Allowed<bool>
-  truth();
-  Allowed<bool>
-  second_of(const std::string &first, const std::string &second);
-  Allowed<std::string>
-  any_text(const std::string &words);
+
+  inline Allowed<bool>
+  truth()
+  {
+    return {"true | false", [](const std::string &text, bool &value) {
+              value = text == "true";
+              return value || text == "false";
+            }};
+  }
+
+  /// Whether it is the second of two words.
+  inline Allowed<bool>
+  second_of(const std::string &first, const std::string &second)
+  {
+    return {first + " | " + second, [=](const std::string &text, bool &value) {
+              value = text == second;
+              return value || text == first;
+            }};
+  }
+
+  inline Allowed<std::string>
+  any_text(const std::string &words)
+  {
+    return {words, [](const std::string &text, std::string &value) {
+              value = text;
+              return true;
+            }};
+  }
+
 
   /// A word of a table with rows that begin with choice and word.
   template <typename Row>
@@ -176,7 +228,13 @@ namespace PlateImpact
 
     /// Empty without one.
     std::string
-    unit() const;
+    unit() const
+    {
+      const std::size_t begin = meaning.rfind('[') + 1;
+      return !meaning.empty() && meaning.back() == ']' ?
+        meaning.substr(begin, meaning.size() - begin - 1) :
+        "";
+    }
   };
 
 

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <fmt/format.h>
 #include <optional>
 #include <string>
@@ -13,13 +15,20 @@
 namespace PlateImpact
 {
   /// A number of six digits; a dash when it is not finite.
-  std::string
-  number(double value);
+  inline std::string
+  number(const double value)
+  {
+    return std::isfinite(value) ? fmt::format("{:.6g}", value) : "–";
+  }
 
   /// A number of some significant digits, without an exponent where six would
   /// need none: 1310, not 1.31e+03.
-  std::string
-  rounded(double value, int digits = 4);
+  inline std::string
+  rounded(const double value, const int digits = 4)
+  {
+    return number(
+      std::strtod(fmt::format("{:.{}e}", value, digits - 1).c_str(), nullptr));
+  }
 
 
   /// A unit with the prefix that makes values easy to read: of 3.43e-5 s it
@@ -81,8 +90,12 @@ namespace PlateImpact
   {
     return rounded(value, 3);
   }
-  std::string
-  about(double value, const std::string &unit);
+  inline std::string
+  about(const double value, const std::string &unit)
+  {
+    const PrefixedUnit prefixed(unit, value);
+    return about(prefixed(value)) + ' ' + prefixed.name;
+  }
   inline std::string
   about_percentage(const double fraction)
   {
@@ -124,8 +137,13 @@ namespace PlateImpact
 
   /// A number, or a dash, at the right end.
   /// @param format  of {fmt}, as "{:.2f}"
-  std::string
-  column(std::size_t                  width,
+  inline std::string
+  column(const std::size_t            width,
          const char                  *format,
-         const std::optional<double> &value);
+         const std::optional<double> &value)
+  {
+    // never without a blank before it
+    return ' ' +
+      right(width - 1, value ? fmt::format(fmt::runtime(format), *value) : "-");
+  }
 } // namespace PlateImpact

@@ -55,7 +55,13 @@ namespace PlateImpact
 
     /// Their paths, for a sentence.
     std::string
-    names() const;
+    names() const
+    {
+      std::string text;
+      for (const SweptEntry &entry : entries)
+        text += (text.empty() ? "" : ", ") + entry.path;
+      return text;
+    }
 
     /// The value of every entry at a point. In a product the values of the last
     /// entry change fastest.
@@ -71,8 +77,6 @@ namespace PlateImpact
   private:
     void
     read_entry(const std::string &number, SceneReader &reader);
-    void
-    combine(SceneReader &reader);
   };
 
 
