@@ -102,15 +102,16 @@ namespace PlateImpact
     if (!is_product &&
         std::count(sizes.begin(), sizes.end(), sizes[0]) <
           static_cast<long>(sizes.size()))
-      reader.mistakes.push_back(combination.refusal(
+      reader.refuse(
+        combination,
         fmt::format("needs lists of one length; they have {} values",
-                    fmt::join(sizes, " and "))));
+                    fmt::join(sizes, " and ")));
     else if (n > max_points)
-      reader.mistakes.push_back(combination.refusal(
-        fmt::format("makes {:.0f} points, {}; expected at most {}",
-                    n,
-                    fmt::join(sizes, is_product ? " x " : " and "),
-                    max_points)));
+      reader.refuse(combination,
+                    fmt::format("makes {:.0f} points, {}; expected at most {}",
+                                n,
+                                fmt::join(sizes, is_product ? " x " : " and "),
+                                max_points));
     else
       n_points = static_cast<std::size_t>(n);
   }
@@ -120,34 +121,31 @@ namespace PlateImpact
   void
   SweepPlan::read_entry(const std::string &number, SceneReader &reader)
   {
-    const Entry &entry        = reader.entries.at("Sweep/Entry " + number),
-                &list         = reader.entries.at("Sweep/Values " + number);
-    const std::string &path   = entry.value;
-    const auto         refuse = [&reader](const Entry       &refused,
-                                  const std::string &text) {
-      reader.mistakes.push_back(refused.refusal(text));
-    };
+    const Entry &entry      = reader.entries.at("Sweep/Entry " + number),
+                &list       = reader.entries.at("Sweep/Values " + number);
+    const std::string &path = entry.value;
     if (path.empty())
       {
         if (!list.value.empty())
-          refuse(list, "has no " + entry.path + " to go with");
+          reader.refuse(list, "has no " + entry.path + " to go with");
         return;
       }
     const std::size_t slash   = path.find('/');
     const std::string section = path.substr(0, slash);
     if (slash == std::string::npos)
-      return refuse(entry, "is not of the form Section/Entry");
+      return reader.refuse(entry, "is not of the form Section/Entry");
     const Entry *const swept = reader.entries.find(path);
     if (swept == nullptr)
-      return refuse(entry,
-                    "is not allowed: " +
-                      reader.unknown(section, path.substr(slash + 1)));
+      return reader.refuse(entry,
+                           "is not allowed: " +
+                             reader.unknown(section, path.substr(slash + 1)));
     if (section == "Output" || section == "Sweep" || section == "Comparison")
-      return refuse(entry, "is not an entry that can be swept");
+      return reader.refuse(entry, "is not an entry that can be swept");
     if (sweeps(path))
-      return refuse(entry, "is swept twice");
+      return reader.refuse(entry, "is swept twice");
     if (list.value.empty())
-      return refuse(entry, "has no values; expected them in " + list.path);
+      return reader.refuse(entry,
+                           "has no values; expected them in " + list.path);
     try
       {
         entries.push_back(
@@ -155,7 +153,7 @@ namespace PlateImpact
       }
     catch (const InputError &mistake)
       {
-        refuse(list, std::string("is not allowed: ") + mistake.what());
+        reader.refuse(list, std::string("is not allowed: ") + mistake.what());
       }
   }
 
@@ -212,8 +210,7 @@ namespace PlateImpact
       {
         Entry &entry = reader.entries.at(swept.path);
         if (entry.origin == "--set")
-          reader.mistakes.push_back(
-            entry.refusal("has no meaning: the entry is swept"));
+          reader.refuse(entry, "has no meaning: the entry is swept");
         entry.origin   = swept.origin;
         entry.is_known = false;
       }

@@ -234,9 +234,10 @@ namespace PlateImpact
     const Entry    &directory = entries.at("Output/Directory");
     std::error_code error;
     if (fs::equivalent(name, fs::path(directory.value) / "scene.prm", error))
-      mistakes.push_back(directory.refusal(
+      refuse(
+        directory,
         "holds the scene itself, which the results would replace; expected "
-        "another directory or file name"));
+        "another directory or file name");
   }
 
 

@@ -200,13 +200,6 @@ namespace PlateImpact
       return is_known;
     }
 
-    /// A sentence about the value, for a user.
-    std::string
-    refusal(const std::string &text) const
-    {
-      return origin + ": " + path + " = " + value + ' ' + text;
-    }
-
     /// The value in words.
     const std::string &
     text() const

@@ -29,6 +29,14 @@ namespace PlateImpact
     void
     set(const std::vector<Assignment> &assignments);
 
+    /// Adds a mistake in the value of an entry.
+    void
+    refuse(const Entry &entry, const std::string &text)
+    {
+      mistakes.push_back(entry.origin + ": " + entry.path + " = " +
+                         entry.value + ' ' + text);
+    }
+
     /// The sentence for a section or an entry of it that does not exist.
     std::string
     unknown(const std::string &section, const std::string &entry) const;
