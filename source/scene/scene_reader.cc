@@ -19,43 +19,6 @@ namespace PlateImpact
 
   namespace
   {
-    /// The file taken apart, with the changes of the command line after it.
-    SceneFile
-    scan(const std::string                &path,
-         const std::vector<std::string>   &overrides,
-         const std::optional<std::string> &output)
-    {
-      std::ifstream in(path);
-      SceneFile     file;
-      if (in.is_open())
-        file = scan_scene(in, path);
-      std::error_code unknown;
-      if (!in.is_open() || in.bad())
-        file.mistakes = {path +
-                         (fs::exists(path, unknown) ?
-                            ": the scene cannot be read" :
-                            ": there is no such scene")};
-
-      const auto add = [&file](const Assignment &assignment) {
-        file.assignments.push_back(assignment);
-        file.sections.push_back(assignment);
-      };
-      for (const std::string &text : overrides)
-        try
-          {
-            add(parse_override(text));
-          }
-        catch (const InputError &error)
-          {
-            file.mistakes.push_back(error.what());
-          }
-      if (output)
-        add({"Output", "Directory", *output, "--output"});
-      return file;
-    }
-
-
-
     bool
     has_section(const Entries &entries, const std::string &section)
     {
@@ -223,16 +186,38 @@ namespace PlateImpact
                            const std::optional<std::string> &output)
     : SceneReader(path)
   {
-    const SceneFile file = scan(path, overrides, output);
+    std::ifstream   in(path);
+    std::error_code error;
+    SceneFile       file = scan_scene(in, path);
     mistakes             = file.mistakes;
+    if (!in.is_open() || in.bad())
+      mistakes = {path +
+                  (fs::exists(path, error) ? ": the scene cannot be read" :
+                                             ": there is no such scene")};
+
+    // what the command line changes comes after the file
+    const auto add = [&file](const Assignment &assignment) {
+      file.assignments.push_back(assignment);
+      file.sections.push_back(assignment);
+    };
+    for (const std::string &text : overrides)
+      try
+        {
+          add(parse_override(text));
+        }
+      catch (const InputError &mistake)
+        {
+          mistakes.push_back(mistake.what());
+        }
+    if (output)
+      add({"Output", "Directory", *output, "--output"});
     for (const Assignment &opening : file.sections)
       if (!has_section(entries, opening.section))
         mistakes.push_back(opening.origin + ": " +
                            unknown(opening.section, opening.entry));
     set(file.assignments);
     // the results must not replace the scene
-    const Entry    &directory = entries.at("Output/Directory");
-    std::error_code error;
+    const Entry &directory = entries.at("Output/Directory");
     if (fs::equivalent(name, fs::path(directory.value) / "scene.prm", error))
       refuse(
         directory,
