@@ -107,9 +107,10 @@ namespace PlateImpact
     complete_time();
     void
     complete_contact();
-    /// Refuses a force that the local response of a layer does not hold.
+    /// The same for the local response of a layer; refuses a force that it does
+    /// not hold.
     void
-    check_layer(bool radius_is_given);
+    complete_layer();
     void
     complete_mesh();
 
