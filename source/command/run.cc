@@ -117,19 +117,6 @@ namespace PlateImpact
 
 
 
-    /// How far a value is from another: "+0.56 %", or "12.6 times" where it is
-    /// more than twice it or less than half.
-    std::string
-    deviation(const double value, const double other)
-    {
-      const double ratio = value / other;
-      return ratio > 0.5 && ratio < 2. ?
-        fmt::format("{:+.3g} %", 100. * (ratio - 1.)) :
-        about(ratio) + " times";
-    }
-
-
-
     /// @param results  the files to look at first
     std::string
     end_in_words(const Parameters  &parameters,

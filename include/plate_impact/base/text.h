@@ -102,6 +102,17 @@ namespace PlateImpact
     return about(100. * fraction) + " %";
   }
 
+  /// How far a value is from another: "+0.56 %", or "12.6 times" where it is
+  /// more than twice it or less than half.
+  inline std::string
+  deviation(const double value, const double other)
+  {
+    const double ratio = value / other;
+    return ratio > 0.5 && ratio < 2. ?
+      fmt::format("{:+.3g} %", 100. * (ratio - 1.)) :
+      about(ratio) + " times";
+  }
+
   /// The shortest text that reads back as the same number.
   std::string
   shortest(double value);
