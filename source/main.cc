@@ -7,7 +7,6 @@
 #include "plate_impact/base/version.h"
 #include "plate_impact/command/commands.h"
 #include "plate_impact/output/console.h"
-#include "plate_impact/scene/scene.h"
 
 #include <CLI/CLI.hpp>
 
@@ -39,49 +38,50 @@ namespace
     std::optional<std::string> output;
     std::vector<std::string>   overrides;
     std::string                marking;
-    SweepOptions               sweep; ///< `quiet` is every command's
+    bool                       resume = false, quiet = false;
   };
 
 
 
+  /// Of all commands that read a scene.
   void
-  add_scene(CLI::App &command, Arguments &arguments)
+  add_options(CLI::App &app, Arguments &arguments)
   {
-    command.add_option("scene", arguments.path, "Parameter file (.prm)")
-      ->required();
-    command
-      .add_option("-s,--set",
-                  arguments.overrides,
-                  "Entry to change: \"Section/Entry=value\"; may be repeated")
-      ->allow_extra_args(false);
-  }
-
-
-
-  void
-  add_run_options(CLI::App &command, Arguments &arguments)
-  {
-    add_scene(command, arguments);
-    command.add_option("-o,--output",
-                       arguments.output,
-                       "Directory of the results, in place of the scene's");
-    command.add_flag(
-      "-q,--quiet",
-      arguments.sweep.quiet,
-      "Print warnings and errors only, and of a run one line "
-      "for scripts: peak_force=... bar=... outcome=... trust=...");
-  }
-
-
-
-  void
-  add_marking(CLI::App &command, Arguments &arguments)
-  {
-    command.add_option(
-      "--marking",
-      arguments.marking,
-      "Command that is given a JSON file with the mesh and its errors, and "
-      "prints which cells to refine and to coarsen, or their sizes");
+    for (const char *const name : {"run", "compare", "sweep", "check"})
+      {
+        CLI::App &command = *app.get_subcommand(name);
+        command.add_option("scene", arguments.path, "Parameter file (.prm)")
+          ->required();
+        command
+          .add_option("-s,--set",
+                      arguments.overrides,
+                      "Entry to change: \"Section/Entry=value\"; may be "
+                      "repeated")
+          ->allow_extra_args(false);
+      }
+    for (const char *const name : {"run", "compare", "sweep"})
+      {
+        CLI::App &command = *app.get_subcommand(name);
+        command.add_option("-o,--output",
+                           arguments.output,
+                           "Directory of the results, in place of the scene's");
+        command.add_flag(
+          "-q,--quiet",
+          arguments.quiet,
+          "Print warnings and errors only, and of a run one line "
+          "for scripts: peak_force=... bar=... outcome=... trust=...");
+      }
+    for (const char *const name : {"run", "compare"})
+      app.get_subcommand(name)->add_option(
+        "--marking",
+        arguments.marking,
+        "Command that is given a JSON file with the mesh and its errors, and "
+        "prints which cells to refine and to coarsen, or their sizes");
+    app.get_subcommand("sweep")->add_flag(
+      "--resume",
+      arguments.resume,
+      "Continue an interrupted sweep: keep the points that are in its "
+      "directory");
   }
 
 
@@ -95,7 +95,7 @@ namespace
     const Scene scene =
       read_scene(arguments.path, arguments.overrides, arguments.output);
     throw_if_interrupted(); // results of before stay
-    command(scene, arguments.sweep.quiet, arguments.marking);
+    command(scene, arguments.quiet, arguments.marking);
   }
 
 
@@ -109,19 +109,17 @@ namespace
       std::cerr.setstate(std::ios::failbit);
     SweepScene scene(arguments.path, arguments.overrides, arguments.output);
     throw_if_interrupted();
-    run_sweep(scene, arguments.sweep, processes);
+    run_sweep(scene, arguments.resume, arguments.quiet, processes);
   }
 
 
 
-  /// Calls a function whose result is what it prints.
+  /// For commands whose result is what they print.
   void
-  print(const std::function<void(std::ostream &)> &function)
+  print(const std::string &text)
   {
     throw_if_interrupted();
-    function(std::cout);
-    throw_if_interrupted();
-    std::cout.flush();
+    std::cout << text << std::flush;
     if (!std::cout)
       throw ComputationError("the standard output cannot be written");
   }
@@ -129,27 +127,15 @@ namespace
 
 
   void
-  check(const Arguments &arguments)
-  {
-    const Scene scene = read_scene(arguments.path, arguments.overrides);
-    print([&](std::ostream &out) { print_expectation(out, scene); });
-  }
-
-
-
-  void
   add_commands(CLI::App &app, Arguments &arguments)
   {
-    const auto add =
-      [&app](const char                  *name,
-             const char                  *description,
-             const char                  *footer,
-             const std::function<void()> &callback) -> CLI::App & {
-      return *app.add_subcommand(name, description)
-                ->footer(footer)
-                ->callback(callback);
+    const auto add = [&app](const char                  *name,
+                            const char                  *description,
+                            const char                  *footer,
+                            const std::function<void()> &callback) {
+      app.add_subcommand(name, description)->footer(footer)->callback(callback);
     };
-    CLI::App &of_run = add(
+    add(
       "run",
       "Compute the impact that a scene describes",
       "Writes report.html, summary.json, contact_history.csv, scene.prm and what "
@@ -158,18 +144,14 @@ namespace
       "Example:\n"
       "  plate-impact run my.prm --set \"Impactor/Velocity=2\" --output fast",
       [&] { compute(run_scene, arguments); });
-    add_run_options(of_run, arguments);
-    add_marking(of_run, arguments);
-    CLI::App &of_compare = add(
+    add(
       "compare",
       "Compare strategies and elements: error against run time",
       "Reads the scene's section Comparison; writes comparison.html, "
       "comparison.csv\nand comparison.json. Ctrl-C leaves what is done, in whole "
       "files.",
       [&] { compute(compare_scene, arguments); });
-    add_run_options(of_compare, arguments);
-    add_marking(of_compare, arguments);
-    CLI::App &of_sweep = add(
+    add(
       "sweep",
       "Compute many impacts: the entries and values of the scene's Sweep "
       "section; under mpirun on all its processes",
@@ -182,22 +164,20 @@ namespace
       "  end\n"
       "Writes sweep.html and sweep.csv. `plate-impact check` says what it costs.",
       [&] { sweep(arguments); });
-    add_run_options(of_sweep, arguments);
-    of_sweep.add_flag("--resume",
-                      arguments.sweep.resume,
-                      "Continue an interrupted sweep: keep the points that are "
-                      "in its directory");
-    add_scene(add("check",
-                  "Check a scene and say what to expect of it",
-                  "Takes a second or two and writes nothing. It takes longer "
-                  "under heavy impactors and where the plate stretches.",
-                  [&] { check(arguments); }),
-              arguments);
+    add("check",
+        "Check a scene and say what to expect of it",
+        "Takes a second or two and writes nothing. It takes longer under heavy "
+        "impactors and where the plate stretches.",
+        [&] {
+          print(expectation_in_words(
+            read_scene(arguments.path, arguments.overrides)));
+        });
     add(
       "defaults",
       "Print every entry with its meaning, unit and default, as a valid scene",
       "Example:\n  plate-impact defaults > my.prm",
-      [] { print(print_defaults); });
+      [] { print(SceneReader().entries.text(/*with_meanings=*/true)); });
+    add_options(app, arguments);
   }
 
 

@@ -47,9 +47,9 @@ namespace PlateImpact
                                 const InPlaneSupport in_plane,
                                 const double         thickness)
     {
-      PlateParameters plate   = unit_plate(support, thickness);
-      plate.deflection        = DeflectionTheory::large;
-      plate.in_plane_supports = {{"", in_plane}};
+      PlateParameters plate      = unit_plate(support, thickness);
+      plate.has_large_deflection = true;
+      plate.in_plane_supports    = {{"", in_plane}};
       return plate;
     }
 

@@ -89,7 +89,7 @@ namespace PlateImpact
       EXPECT_EQ(text(-0.25, "m"), "-250 mm");
       EXPECT_EQ(text(0., "m"), "0 m");
       EXPECT_EQ(text(1e-30, "s"), "1e-18 ps");
-      EXPECT_EQ(PrefixedUnit("m", std::nan("")).name(), "m");
+      EXPECT_EQ(PrefixedUnit("m", std::nan("")).name, "m");
       EXPECT_EQ(percentage(0.0246771), "2.468 %");
     }
 

@@ -202,9 +202,8 @@ namespace PlateImpact
 
     TEST(Scene, DefaultsAreAValidScene)
     {
-      std::ostringstream text;
-      print_defaults(text);
-      EXPECT_EQ(SceneText(text.str()).read().text, SceneText("").read().text);
+      const std::string text = SceneReader().entries.text(true);
+      EXPECT_EQ(SceneText(text).read().text, SceneText("").read().text);
     }
 
 

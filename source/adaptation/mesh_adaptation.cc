@@ -243,8 +243,8 @@ namespace PlateImpact
              "recovered field.");
     entry("Recovery patches",
           "mirrored",
-          one_of<RecoveryPatches>(),
-          recovery_patches)
+          second_of("mirrored", "interior"),
+          patches_are_interior)
       .means("Where the patches of the recovery lie. mirrored: around every "
              "vertex, continued across planes of symmetry by mirror images. "
              "interior: around interior vertices only; vertices on the edges "
@@ -279,8 +279,8 @@ namespace PlateImpact
         "load and a point load. [m, m, -]");
     entry("Cells at singularities",
           "left out",
-          one_of<SingularCells>(),
-          cells_at_singularities)
+          second_of("left out", "counted"),
+          singular_cells_count)
       .means("For Goal = energy norm. left out: eta and the number of cells n "
              "leave out the cells at a point load, and xi' may stay above 1 in "
              "cells at the Minimum cell size. counted, as in the paper: all "

@@ -50,9 +50,7 @@ namespace PlateImpact
       outcome(const CycleResult &result) const override
       {
         const unsigned int n_exempt =
-          adaptivity.cells_at_singularities == SingularCells::left_out ?
-          result.cells_at_minimum_size :
-          0;
+          adaptivity.singular_cells_count ? 0 : result.cells_at_minimum_size;
         if (is_met(result) && result.cells_above_limit == n_exempt)
           return Outcome::target_reached;
         return {};

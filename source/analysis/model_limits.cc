@@ -151,7 +151,7 @@ namespace PlateImpact
     const double deflection = history.max_plate_displacement(),
                  to_edge    = geometry_of(plate).distance_to_edge,
                  thickness  = plate.thickness;
-    if (plate.has_large_deflection())
+    if (plate.has_large_deflection)
       check_slopes(deflection / to_edge);
     else
       {

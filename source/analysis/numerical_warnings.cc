@@ -140,7 +140,7 @@ namespace PlateImpact
         about(largest_cell, "m"),
         about(length, "m"),
         adaptivity.goal == AdaptationGoal::peak_force ||
-            !adaptivity.is_adaptive() || impact.plate.has_large_deflection() ?
+            !adaptivity.is_adaptive() || impact.plate.has_large_deflection ?
           "cells of at most half of it" :
           "Adaptivity/Goal = peak force, whose first mesh has small cells at "
           "the load, and more Maximum cycles"));

@@ -2,12 +2,9 @@
 
 #include <deal.II/base/parameter_handler.h>
 
-#include "plate_impact/base/text.h"
-
 #include <charconv>
 #include <cmath>
 #include <sstream>
-#include <utility>
 
 namespace PlateImpact
 {
@@ -27,61 +24,16 @@ namespace PlateImpact
       return error == std::errc() && last == end &&
         std::isfinite(static_cast<double>(value));
     }
-
-
-
-    Allowed<double>
-    number_of(const std::string                 &range,
-              const std::function<bool(double)> &is_in_range)
-    {
-      return {"a number" + range, [=](const std::string &text, double &value) {
-                return to_number(text, value) && is_in_range(value);
-              }};
-    }
   } // namespace
 
 
 
   Allowed<double>
-  any_number()
+  number_of(const std::string &words, const std::function<bool(double)> &is_met)
   {
-    return number_of("", [](double) { return true; });
-  }
-
-
-
-  Allowed<double>
-  number_above(const double bound)
-  {
-    return number_of(" above " + shortest(bound),
-                     [=](const double x) { return x > bound; });
-  }
-
-
-
-  Allowed<double>
-  number_from(const double first)
-  {
-    return number_of(" not below " + shortest(first),
-                     [=](const double x) { return x >= first; });
-  }
-
-
-
-  Allowed<double>
-  number_up_to(const double lower, const double upper)
-  {
-    return number_of(fmt::format(" above {} and up to {}", lower, upper),
-                     [=](const double x) { return x > lower && x <= upper; });
-  }
-
-
-
-  Allowed<double>
-  number_between(const double lower, const double upper)
-  {
-    return number_of(fmt::format(" above {} and below {}", lower, upper),
-                     [=](const double x) { return x > lower && x < upper; });
+    return {"a number" + words, [=](const std::string &text, double &value) {
+              return to_number(text, value) && is_met(value);
+            }};
   }
 
 
@@ -97,27 +49,6 @@ namespace PlateImpact
 
 
 
-  Allowed<bool>
-  truth()
-  {
-    static const std::vector<Word<bool>> words = {{true, "true"},
-                                                  {false, "false"}};
-    return one_of(words);
-  }
-
-
-
-  Allowed<std::string>
-  any_text(const std::string &words)
-  {
-    return {words, [](const std::string &text, std::string &value) {
-              value = text;
-              return true;
-            }};
-  }
-
-
-
   std::vector<std::string>
   split_list(const std::string &text, const char separator)
   {
@@ -126,76 +57,6 @@ namespace PlateImpact
     if (text.empty() || text.back() == separator)
       items.push_back("");
     return items;
-  }
-
-
-
-  bool
-  Entry::set(const std::string &new_value, const std::string &new_origin)
-  {
-    is_known = read(new_value, /*sets=*/true);
-    if (is_known)
-      {
-        value  = new_value;
-        origin = new_origin;
-      }
-    return is_known;
-  }
-
-
-
-  std::string
-  Entry::section() const
-  {
-    return path.substr(0, path.find('/'));
-  }
-
-
-
-  std::string
-  Entry::name() const
-  {
-    return path.substr(path.find('/') + 1);
-  }
-
-
-
-  std::string
-  Entry::unit() const
-  {
-    const std::size_t begin = meaning.rfind('[') + 1;
-    return !meaning.empty() && meaning.back() == ']' ?
-      meaning.substr(begin, meaning.size() - begin - 1) :
-      "";
-  }
-
-
-
-  const Entry *
-  Entries::find(const std::string &path) const
-  {
-    for (const Entry &entry : all)
-      if (entry.path == path)
-        return &entry;
-    return nullptr;
-  }
-
-
-
-  const Entry &
-  Entries::at(const std::string &path) const
-  {
-    const Entry *const entry = find(path);
-    AssertThrow(entry != nullptr, ExcMessage("no entry " + path));
-    return *entry;
-  }
-
-
-
-  Entry &
-  Entries::at(const std::string &path)
-  {
-    return const_cast<Entry &>(std::as_const(*this).at(path));
   }
 
 

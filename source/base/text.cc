@@ -5,14 +5,11 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
-#include <cmath>
-#include <cstdlib>
 
 namespace PlateImpact
 {
   PrefixedUnit::PrefixedUnit(const std::string &unit, const double value)
-    : prefixed(unit)
-    , factor(1.)
+    : name(unit)
   {
     const double      largest    = std::abs(value);
     const std::string prefixes[] = {"p", "n", "µ", "m", "", "k", "M", "G", "T"};
@@ -21,25 +18,8 @@ namespace PlateImpact
       return;
     const int power =
       std::clamp(int(std::floor(std::log10(largest) / 3. + 1e-9)), -4, 4);
-    prefixed = prefixes[power + 4] + unit;
-    factor   = std::pow(10., -3 * power);
-  }
-
-
-
-  std::string
-  number(const double value)
-  {
-    return std::isfinite(value) ? fmt::format("{:.6g}", value) : "–";
-  }
-
-
-
-  std::string
-  rounded(const double value, const int digits)
-  {
-    return number(
-      std::strtod(fmt::format("{:.{}e}", value, digits - 1).c_str(), nullptr));
+    name   = prefixes[power + 4] + unit;
+    factor = std::pow(10., -3 * power);
   }
 
 
@@ -82,8 +62,8 @@ namespace PlateImpact
     return fmt::format("{:.{}f} {} ± {}",
                        prefixed(value),
                        digits_of_error(shown),
-                       prefixed.name(),
-                       rounded_up(shown, prefixed.name()));
+                       prefixed.name,
+                       rounded_up(shown, prefixed.name));
   }
 
 
@@ -92,27 +72,7 @@ namespace PlateImpact
   error_in_words(const double error, const std::string &unit)
   {
     const PrefixedUnit prefixed(unit, error);
-    return rounded_up(prefixed(error), prefixed.name());
-  }
-
-
-
-  std::string
-  deviation(const double value, const double other)
-  {
-    const double ratio = value / other;
-    return ratio > 0.5 && ratio < 2. ?
-      fmt::format("{:+.3g} %", 100. * (ratio - 1.)) :
-      about(ratio) + " times";
-  }
-
-
-
-  std::string
-  about(const double value, const std::string &unit)
-  {
-    const PrefixedUnit prefixed(unit, value);
-    return about(prefixed(value)) + ' ' + prefixed.name();
+    return rounded_up(prefixed(error), prefixed.name);
   }
 
 
@@ -155,17 +115,5 @@ namespace PlateImpact
   {
     using dealii::Utilities::replace_in_string;
     return replace_in_string(replace_in_string(text, "µ", "u"), "±", "+-");
-  }
-
-
-
-  std::string
-  column(const std::size_t            width,
-         const char                  *format,
-         const std::optional<double> &value)
-  {
-    // never without a blank before it
-    return ' ' +
-      right(width - 1, value ? fmt::format(fmt::runtime(format), *value) : "-");
   }
 } // namespace PlateImpact

@@ -64,11 +64,11 @@ namespace PlateImpact
       if (!reference.history)
         text += ", given";
       else
-        text += fmt::format(" +- {} for its mesh: {} cells, eta = {}, {}",
+        text += fmt::format(" +- {} for its mesh: {} cells, eta = {}, {:.2f} s",
                             about_percentage(reference.uncertainty),
                             reference.cells,
                             about_percentage(*reference.eta),
-                            wall_time(reference.seconds));
+                            reference.seconds);
       if (reference.time_step_error)
         text += fmt::format("\nTime step   the same on all meshes, with an "
                             "error of {} of the peak force",

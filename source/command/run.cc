@@ -41,127 +41,118 @@ namespace PlateImpact
 
 
 
-    /// What `run` prints: lines of text with their ends.
-    class RunText
+    /// The name of the scene and the head of the table of cycles.
+    std::string
+    head_of(const Scene &scene, const PrefixedUnit &time_unit)
     {
-    public:
-      /// @param scene  must outlive the text
-      explicit RunText(const Scene &scene)
-        : scene(scene)
-        , time_unit("s",
-                    std::max(scene.parameters.time.end_time,
-                             100. * scene.parameters.time.time_step))
-      {}
-
-      /// The name of the scene and the head of the table of cycles.
-      std::string
-      begin() const
-      {
-        std::string text;
+      std::string text;
 #ifdef DEBUG
-        text = "DEBUG build, many times slower; configure with "
-               "CMAKE_BUILD_TYPE=Release for results\n";
+      text = "DEBUG build, many times slower; configure with "
+             "CMAKE_BUILD_TYPE=Release for results\n";
 #endif
-        return text + emphasized(scene.name, Emphasis::bold) +
-          "\ncycle  cells unknowns  eta % max xi' peak force N  +- %" +
-          right(8, "at " + in_ascii(time_unit.name())) +
-          right(9, "end " + in_ascii(time_unit.name())) + " seconds\n";
-      }
+      const std::string unit = in_ascii(time_unit.name);
+      return text + emphasized(scene.name, Emphasis::bold) +
+        "\ncycle  cells unknowns  eta % max xi' peak force N  +- %" +
+        right(8, "at " + unit) + right(9, "end " + unit) + " seconds\n";
+    }
 
-      /// One line per mesh.
-      std::string
-      cycle(const CycleResult &result) const
-      {
-        std::optional<double> eta, xi, peak, bar, peak_time, contact_end;
-        if (result.error)
-          {
-            eta = 100. * result.error->eta;
-            xi  = result.error_ratios->max_element();
-          }
-        if (result.history)
-          {
-            peak = result.history->peak().force;
-            if (result.peak_force_bar)
-              bar = 100. * result.peak_force_bar->total();
-            peak_time = time_unit(result.history->peak().time);
-            if (const auto end = result.history->first_contact_end())
-              contact_end = time_unit(*end);
-          }
-        return column(5, "{:.0f}", result.cycle) +
-          column(7, "{:.0f}", result.cells) +
-          column(9, "{:.0f}", result.degrees_of_freedom) +
-          column(7, "{:.2f}", eta) + column(8, "{:.2f}", xi) +
-          column(13, "{:.6g}", peak) + column(6, "{:.2g}", bar) +
-          column(8, "{:.4g}", peak_time) + column(9, "{:.5g}", contact_end) +
-          column(8, "{:.2f}", result.cumulative_seconds()) + '\n';
-      }
 
-      /// @param results  the files to look at first
-      std::string
-      end(const Outcome      outcome,
-          const CycleResult &last,
-          const Verdict     &verdict,
-          const std::string &results) const
-      {
-        std::string text = '\n' +
-          line("Outcome",
-               emphasized(word_for(outcome), emphasis_of(verdict.convergence)) +
-                 outcome_of(outcome, last));
-        if (!last.history)
-          return text + line("Results", results);
-        text += line("Peak force",
-                     emphasized(in_ascii(verdict.force), Emphasis::bold));
-        if (last.verification)
-          text += line("Verified",
-                       number(last.verification->peak_force) + " N on " +
-                         counted(last.verification->cells, "cell") + ", " +
-                         deviation(last.verification->peak_force,
-                                   last.history->peak().force) +
-                         " away");
-        text += line("Model",
-                     emphasized(in_ascii(model_in_words(verdict)),
-                                emphasis_of(verdict.model)));
-        for (const auto &[name, sentence] :
-             {std::make_pair("Contact", verdict.warnings.contact),
-              std::make_pair("Damage", verdict.warnings.damage)})
-          if (!sentence.empty())
-            text += line(name, in_ascii(sentence));
-        text += line("Response",
-                     "local, of a " +
-                       in_ascii(local_response_in_words(scene.parameters)));
-        return text + line("Results", results);
-      }
 
-    private:
-      std::string
-      outcome_of(const Outcome outcome, const CycleResult &last) const
-      {
-        const AdaptivityParameters &adaptivity = scene.parameters.adaptivity;
-        const bool  for_peak = adaptivity.goal == AdaptationGoal::peak_force;
-        std::string text;
-        if (for_peak && last.peak_force_bar)
-          text = ", peak force to " +
-            about_percentage(last.peak_force_bar->total()) + " (target " +
-            percentage(adaptivity.target()) + ')';
-        else if (last.error)
-          text = ", eta " + percentage(last.error->eta) + " (target " +
-            percentage(adaptivity.target_error) + ')';
-        if (for_peak)
-          return text;
-        if (last.error && last.error->eta <= adaptivity.target_error &&
-            outcome != Outcome::target_reached &&
-            last.error_ratios->max_element() >= 1.)
-          text += ", largest xi' " + about(last.error_ratios->max_element()) +
-            " (limit 1)";
-        if (last.cells_at_minimum_size > 0)
-          text += " (cells at the minimum size that keep xi' >= 1: " +
-            std::to_string(last.cells_at_minimum_size) + ')';
+    std::string
+    line_of(const CycleResult &result, const PrefixedUnit &time_unit)
+    {
+      std::optional<double> eta, xi, peak, bar, peak_time, contact_end;
+      if (result.error)
+        {
+          eta = 100. * result.error->eta;
+          xi  = result.error_ratios->max_element();
+        }
+      if (result.history)
+        {
+          peak = result.history->peak().force;
+          if (result.peak_force_bar)
+            bar = 100. * result.peak_force_bar->total();
+          peak_time = time_unit(result.history->peak().time);
+          if (const auto end = result.history->first_contact_end())
+            contact_end = time_unit(*end);
+        }
+      return column(5, "{:.0f}", result.cycle) +
+        column(7, "{:.0f}", result.cells) +
+        column(9, "{:.0f}", result.degrees_of_freedom) +
+        column(7, "{:.2f}", eta) + column(8, "{:.2f}", xi) +
+        column(13, "{:.6g}", peak) + column(6, "{:.2g}", bar) +
+        column(8, "{:.4g}", peak_time) + column(9, "{:.5g}", contact_end) +
+        column(8, "{:.2f}", result.cumulative_seconds()) + '\n';
+    }
+
+
+
+    /// What the errors of the last mesh are, behind the outcome.
+    std::string
+    errors_of(const CycleResult          &last,
+              const Outcome               outcome,
+              const AdaptivityParameters &adaptivity)
+    {
+      const bool  for_peak = adaptivity.goal == AdaptationGoal::peak_force;
+      std::string text;
+      if (for_peak && last.peak_force_bar)
+        text = ", peak force to " +
+          about_percentage(last.peak_force_bar->total()) + " (target " +
+          percentage(adaptivity.target()) + ')';
+      else if (last.error)
+        text = ", eta " + percentage(last.error->eta) + " (target " +
+          percentage(adaptivity.target_error) + ')';
+      if (for_peak)
         return text;
-      }
+      if (last.error && last.error->eta <= adaptivity.target_error &&
+          outcome != Outcome::target_reached &&
+          last.error_ratios->max_element() >= 1.)
+        text += ", largest xi' " + about(last.error_ratios->max_element()) +
+          " (limit 1)";
+      if (last.cells_at_minimum_size > 0)
+        text += " (cells at the minimum size that keep xi' >= 1: " +
+          std::to_string(last.cells_at_minimum_size) + ')';
+      return text;
+    }
 
-      const Scene       &scene;
-      const PrefixedUnit time_unit; ///< for the end time
-    };
+
+
+    /// @param results  the files to look at first
+    std::string
+    end_in_words(const Parameters  &parameters,
+                 const Outcome      outcome,
+                 const CycleResult &last,
+                 const Verdict     &verdict,
+                 const std::string &results)
+    {
+      std::string text = '\n' +
+        line("Outcome",
+             emphasized(word_for(outcome), emphasis_of(verdict.convergence)) +
+               errors_of(last, outcome, parameters.adaptivity));
+      if (!last.history)
+        return text + line("Results", results);
+      text +=
+        line("Peak force", emphasized(in_ascii(verdict.force), Emphasis::bold));
+      if (last.verification)
+        text += line("Verified",
+                     number(last.verification->peak_force) + " N on " +
+                       counted(last.verification->cells, "cell") + ", " +
+                       deviation(last.verification->peak_force,
+                                 last.history->peak().force) +
+                       " away");
+      text += line("Model",
+                   emphasized(in_ascii(model_in_words(verdict)),
+                              emphasis_of(verdict.model)));
+      for (const auto &[name, sentence] :
+           {std::make_pair("Contact", verdict.warnings.contact),
+            std::make_pair("Damage", verdict.warnings.damage)})
+        if (!sentence.empty())
+          text += line(name, in_ascii(sentence));
+      text +=
+        line("Response",
+             "local, of a " + in_ascii(local_response_in_words(parameters)));
+      return text + line("Results", results);
+    }
 
 
 
@@ -216,10 +207,13 @@ namespace PlateImpact
         const bool         quiet,
         AdaptationControl &control)
     {
-      const RunText text(scene);
-      Console       console(quiet);
-      console.print(text.begin());
-      ImpactAnalysis   analysis(scene.parameters);
+      const Parameters  &parameters = scene.parameters;
+      const PrefixedUnit time_unit("s",
+                                   std::max(parameters.time.end_time,
+                                            100. * parameters.time.time_step));
+      Console            console(quiet);
+      console.print(head_of(scene, time_unit));
+      ImpactAnalysis   analysis(parameters);
       AnalysisListener listener;
       listener.stage = [&](const unsigned int cycle, const std::string &what) {
         throw_if_interrupted();
@@ -232,21 +226,24 @@ namespace PlateImpact
         };
       listener.cycle = [&](Cycle &cycle) {
         output.write_cycle(cycle);
-        console.print(text.cycle(cycle.result));
+        console.print(line_of(cycle.result, time_unit));
       };
       const Outcome outcome = analysis.run(control, listener);
-      if (scene.parameters.adaptivity.verify)
+      if (parameters.adaptivity.verify)
         analysis.verify();
       Cycle &last     = analysis.last_cycle();
       auto   warnings = analysis.all_warnings();
-      add_frequencies(scene.parameters.output.natural_frequencies,
+      add_frequencies(parameters.output.natural_frequencies,
                       last,
                       warnings.numerical);
       const Verdict verdict =
-        verdict_of(scene.parameters, outcome, last.result, warnings);
+        verdict_of(parameters, outcome, last.result, warnings);
       output.finish(outcome, warnings.all(), verdict, last);
-      console.print(
-        text.end(outcome, last.result, verdict, output.directory.main_files()));
+      console.print(end_in_words(parameters,
+                                 outcome,
+                                 last.result,
+                                 verdict,
+                                 output.directory.main_files()));
       if (quiet)
         std::cout << line_for_scripts(outcome, last.result, verdict)
                   << std::flush;

@@ -28,17 +28,17 @@ namespace PlateImpact
 {
   namespace
   {
-    /// A scene without what may differ between a sweep and its continuation:
-    /// comments and the name of the directory.
-    std::string
+    /// The lines of a scene without what may differ between a sweep and its
+    /// continuation: comments and the name of the directory.
+    std::vector<std::string>
     essence(std::istream &scene)
     {
-      std::string text;
+      std::vector<std::string> lines;
       for (std::string line; std::getline(scene, line);)
         if (!line.empty() && line[0] != '#' &&
             line.find("set Directory ") == std::string::npos)
-          text += line + '\n';
-      return text;
+          lines.push_back(dealii::Utilities::trim(line));
+      return lines;
     }
 
 
@@ -48,18 +48,19 @@ namespace PlateImpact
     check_scene_to_resume(const ResultDirectory &directory,
                           const SweepScene      &scene)
     {
-      std::ifstream before(directory / "scene.prm");
-      if (!before)
+      std::ifstream      file(directory / "scene.prm");
+      std::istringstream text(scene.text);
+      if (!file)
         return;
-      std::istringstream now(scene.text);
-      std::istringstream a(essence(before)), b(essence(now));
-      for (std::string line_before, line; std::getline(b, line);)
-        if (!std::getline(a, line_before) || line != line_before)
-          throw InputError({"--resume: " + (directory / "scene.prm").string() +
-                            " belongs to another sweep: it has '" +
-                            dealii::Utilities::trim(line_before) + "' where " +
-                            scene.name + " has '" +
-                            dealii::Utilities::trim(line) + "'"});
+      auto       before = essence(file);
+      const auto now    = essence(text);
+      before.resize(std::max(before.size(), now.size()));
+      const auto [line, line_before] =
+        std::mismatch(now.begin(), now.end(), before.begin());
+      if (line != now.end())
+        throw InputError({"--resume: " + (directory / "scene.prm").string() +
+                          " belongs to another sweep: it has '" + *line_before +
+                          "' where " + scene.name + " has '" + *line + "'"});
     }
 
 
@@ -104,11 +105,11 @@ namespace PlateImpact
     class SweepRecord
     {
     public:
-      SweepRecord(SweepScene &scene, const SweepOptions &options)
+      SweepRecord(SweepScene &scene, const bool resume, const bool quiet)
         : scene(scene)
-        , console(options.quiet)
+        , console(quiet)
         , directory(scene.parameters.output.directory)
-        , table(prepared(directory, scene, options), scene.plan, options.resume)
+        , table(prepared(directory, scene, resume), scene.plan, resume)
       {}
 
       std::vector<std::size_t>
@@ -131,7 +132,7 @@ namespace PlateImpact
           counted(plan.n_points, "point") + " of " + plan.names() + " on " +
           counted(n_groups, "plate");
         if (plan.may_adapt(scene.parameters))
-          text += scene.parameters.sweep.adapt == SweepAdaptation::each_point ?
+          text += scene.parameters.sweep.adapts_each_point ?
             ", a mesh for each point" :
             ", each mesh adapted for its shortest contact";
         // of an interrupted sweep
@@ -208,9 +209,9 @@ namespace PlateImpact
       static const ResultDirectory &
       prepared(const ResultDirectory &directory,
                const SweepScene      &scene,
-               const SweepOptions    &options)
+               const bool             resume)
       {
-        if (options.resume)
+        if (resume)
           check_scene_to_resume(directory, scene);
         else
           directory.clear();
@@ -259,9 +260,10 @@ namespace PlateImpact
 
 
   void
-  run_sweep(SweepScene         &scene,
-            const SweepOptions &options,
-            Processes          &processes)
+  run_sweep(SweepScene &scene,
+            const bool  resume,
+            const bool  quiet,
+            Processes  &processes)
   {
     // mpirun has its own way to end processes
     if (processes.size > 1)
@@ -274,7 +276,7 @@ namespace PlateImpact
     if (processes.rank == 0)
       try
         {
-          record = std::make_unique<SweepRecord>(scene, options);
+          record = std::make_unique<SweepRecord>(scene, resume, quiet);
           to_do  = record->points_to_do();
         }
       catch (...)

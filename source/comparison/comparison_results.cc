@@ -141,7 +141,7 @@ namespace PlateImpact
     in_words(const ComparedMesh &mesh)
     {
       return std::to_string(mesh.cells) + " cells after " +
-        wall_time(mesh.cumulative_seconds);
+        fmt::format("{:.2f} s", mesh.cumulative_seconds);
     }
 
 

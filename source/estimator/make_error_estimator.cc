@@ -53,11 +53,10 @@ namespace PlateImpact
   make_stress_recovery(const Parameters       &parameters,
                        const Triangulation<2> &mesh)
   {
-    const double line = parameters.contact.load_is_line() ?
-      0.5 * parameters.impactor.length :
-      -1.;
-    const bool   is_interior =
-      parameters.adaptivity.recovery_patches == RecoveryPatches::interior;
+    const double line        = parameters.contact.load_is_line() ?
+             0.5 * parameters.impactor.length :
+             -1.;
+    const bool   is_interior = parameters.adaptivity.patches_are_interior;
     const std::array<bool, 2> mirrors =
       geometry_of(parameters.plate).is_symmetric;
     return StressRecovery(mesh, [=](const Point<2> &point) {
@@ -80,7 +79,7 @@ namespace PlateImpact
       discretization,
       recovery,
       singular_cells(parameters, discretization.mesh()),
-      parameters.adaptivity.cells_at_singularities == SingularCells::counted,
+      parameters.adaptivity.singular_cells_count,
       kept_interval);
     return row_of(parameters.adaptivity.indicator, indicators)
       .make(discretization, std::move(by_recovery));
@@ -91,18 +90,4 @@ namespace PlateImpact
   template <>
   const std::vector<Word<ErrorIndicator>>
     Choices<ErrorIndicator>::words = words_of(indicators);
-
-
-
-  template <>
-  const std::vector<Word<SingularCells>> Choices<SingularCells>::words = {
-    {SingularCells::left_out, "left out"},
-    {SingularCells::counted, "counted"}};
-
-
-
-  template <>
-  const std::vector<Word<RecoveryPatches>> Choices<RecoveryPatches>::words = {
-    {RecoveryPatches::mirrored, "mirrored"},
-    {RecoveryPatches::interior, "interior"}};
 } // namespace PlateImpact

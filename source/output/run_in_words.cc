@@ -56,7 +56,7 @@ namespace PlateImpact
         return "";
       return ", " + supports_in_words(plate.in_plane_supports) +
         " in its plane" +
-        (plate.has_large_deflection() ? ", with large deflections" : "");
+        (plate.has_large_deflection ? ", with large deflections" : "");
     }
   } // namespace
 

@@ -57,12 +57,6 @@ namespace PlateImpact
 
 
 
-    const std::vector<Word<DeflectionTheory>> deflection_theories = {
-      {DeflectionTheory::linear, "linear"},
-      {DeflectionTheory::large, "large"}};
-
-
-
     /// Angles of "0/90_2/45s", with the bracket that may be around all but
     /// the s; or nothing.
     Allowed<Layup>
@@ -143,7 +137,10 @@ namespace PlateImpact
              "and the tangential rotation (hard support), 'soft simply "
              "supported' the deflection only. The edges of an outline from a "
              "file can differ, for example rim: clamped, hole: free.");
-    entry("Deflection", "linear", one_of(deflection_theories), deflection)
+    entry("Deflection",
+          "linear",
+          second_of("linear", "large"),
+          has_large_deflection)
       .means("linear: small deflections. large: von Karman's theory, for "
              "deflections of more than a fifth of the thickness: the plate "
              "stretches, and membrane forces stiffen it. It adds in-plane "

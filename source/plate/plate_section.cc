@@ -89,7 +89,7 @@ namespace PlateImpact
         poissons_ratio        = nu;
         shear_modulus         = E / (2. * (1. + nu));
       }
-    if (plate.has_large_deflection())
+    if (plate.has_large_deflection)
       stretching = Stretching::large;
     else if (is_unsymmetric())
       stretching = Stretching::linear;

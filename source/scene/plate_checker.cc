@@ -110,33 +110,30 @@ namespace PlateImpact
 
 
 
-  template <typename Support>
   void
-  SceneChecker::check_edges(const std::string                  &entry,
-                            const std::vector<OnEdge<Support>> &supports)
+  SceneChecker::check_edges(const std::string              &entry,
+                            const std::vector<std::string> &named)
   {
-    const bool is_named = !supports.front().edge.empty();
+    const bool is_named = !named.front().empty();
     if (!plate.is_from_file())
       {
         if (is_named)
           refuse({entry, "Plate/Outline"},
                  "names edges, which only an outline from a file has; expected "
                  "one word, or two for the x and the y edges");
-        else if (plate.is_circle() && supports.size() > 1)
+        else if (plate.is_circle() && named.size() > 1)
           refuse({entry, "Plate/Outline"},
                  "are two supports, and a circle has one edge; expected one "
                  "word");
         return;
       }
     const auto              &edges = plate.file->edges;
-    std::vector<std::string> named, quoted;
-    for (const OnEdge<Support> &support : supports)
-      named.push_back(support.edge);
+    std::vector<std::string> quoted;
     for (const std::string &edge : edges)
       quoted.push_back(edge.empty() ? "sides in no physical group" :
                                       "'" + edge + "'");
     const std::string names = fmt::format("{}", fmt::join(quoted, ", "));
-    if (!is_named && supports.size() > 1)
+    if (!is_named && named.size() > 1)
       return refuse({entry, "Plate/Outline"},
                     "are two supports without edges; expected one word, or "
                     "pairs edge: word for the edges of " +
@@ -185,40 +182,38 @@ namespace PlateImpact
   void
   SceneChecker::check_shape()
   {
-    const double half_side = 0.5 *
-      std::min(geometry_of(plate).side_lengths[0],
-               geometry_of(plate).side_lengths[1]);
+    const auto  &geometry = geometry_of(plate);
+    const double a = geometry.side_lengths[0], b = geometry.side_lengths[1];
+    const double half_side = 0.5 * std::min(a, b);
     if (plate.thickness > half_side)
       refuse({"Plate/Thickness", "Plate/Side lengths"},
              "m is too thick for a plate theory; expected at most half the "
              "shorter side, " +
                number(half_side) + " m");
-    check_edges("Plate/Support", plate.supports);
-    check_edges("Plate/In-plane support", plate.in_plane_supports);
+    const auto edges_of = [](const auto &supports) {
+      std::vector<std::string> edges;
+      for (const auto &support : supports)
+        edges.push_back(support.edge);
+      return edges;
+    };
+    check_edges("Plate/Support", edges_of(plate.supports));
+    check_edges("Plate/In-plane support", edges_of(plate.in_plane_supports));
     check_extent();
-    const double to_edge = parameters.has_impactor() ?
-      geometry_of(plate).distance_to_edge :
-      half_side;
+    const double to_edge =
+      parameters.has_impactor() ? geometry.distance_to_edge : half_side;
     if (to_edge <= 0. && plate.is_from_file())
       return refuse({"Plate/Impact point", "Plate/Outline"},
                     "m lies outside of the plate of " + plate.outline.file +
                       ", or on an edge; expected a point from the middle of "
                       "its " +
-                      number(geometry_of(plate).side_lengths[0]) + " x " +
-                      number(geometry_of(plate).side_lengths[1]) + " m");
+                      number(a) + " x " + number(b) + " m");
     if (to_edge <= 0.)
       return refuse({"Plate/Impact point", "Plate/Side lengths"},
-                    plate.is_circle() ?
-                      "m lies outside of the plate; expected less than its "
-                      "radius, " +
-                        number(0.5 * geometry_of(plate).side_lengths[0]) +
-                        " m, from the centre" :
-                      "m lies outside of the plate; expected less than half of "
-                      "the sides, " +
-                        number(0.5 * geometry_of(plate).side_lengths[0]) +
-                        ", " +
-                        number(0.5 * geometry_of(plate).side_lengths[1]) +
-                        " m");
+                    "m lies outside of the plate; expected less than " +
+                      (plate.is_circle() ? "its radius, " + number(0.5 * a) +
+                           " m, from the centre" :
+                                           "half of the sides, " +
+                           number(0.5 * a) + ", " + number(0.5 * b) + " m"));
     if (contact.has_patch() && contact.patch_radius > to_edge)
       refuse({"Contact/Patch radius",
               "Plate/Side lengths",

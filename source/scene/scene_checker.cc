@@ -21,30 +21,8 @@ namespace PlateImpact
         if (origin == "default")
           origin = entry.origin;
       }
-    mistakes.push_back(origin + ": " + involved.front() + " = " +
-                       entries.at(involved.front()).text() + " " + text);
-  }
-
-
-
-  bool
-  SceneChecker::is_given(const std::string &path) const
-  {
-    return entries.at(path).origin != "default";
-  }
-
-
-
-  template <typename Choice>
-  void
-  SceneChecker::choose_unless_given(const std::string &path,
-                                    Choice            &variable,
-                                    const Choice       value)
-  {
-    if (is_given(path))
-      return;
-    variable                = value;
-    entries.at(path).chosen = word_for(value);
+    reader.mistakes.push_back(origin + ": " + involved.front() + " = " +
+                              entries.at(involved.front()).text() + " " + text);
   }
 
 
@@ -52,6 +30,13 @@ namespace PlateImpact
   void
   SceneChecker::choose_contact()
   {
+    const auto choose_unless_given =
+      [this](const std::string &path, auto &variable, const auto value) {
+        if (is_given(path))
+          return;
+        variable                = value;
+        entries.at(path).chosen = word_for(value);
+      };
     if (impactor.is_cylinder())
       {
         choose_unless_given("Contact/Law", contact.law, ForceLaw::line);
@@ -67,9 +52,9 @@ namespace PlateImpact
 
 
 
-  SceneChecker::SceneChecker(Entries &entries, const Parameters &given)
-    : parameters(given)
-    , entries(entries)
+  SceneChecker::SceneChecker(SceneReader &reader)
+    : parameters(reader.parameters)
+    , reader(reader)
   {
     const bool has_outline = read_plate();
     choose_contact();
@@ -197,7 +182,7 @@ namespace PlateImpact
              "is below half of Newmark gamma, so that the scheme is unstable "
              "on fine meshes; expected at least " +
                number(0.5 * time.newmark_gamma));
-    if (plate.has_large_deflection() && !time.is_average_acceleration())
+    if (plate.has_large_deflection && !time.is_average_acceleration())
       refuse({"Plate/Deflection", "Time/Newmark beta", "Time/Newmark gamma"},
              "is integrated by the midpoint rule, which conserves energy; "
              "expected Newmark beta = 0.25 and Newmark gamma = 0.5");
@@ -239,7 +224,7 @@ namespace PlateImpact
                "and Coarsened share of " + what + " are together more than 1");
     if (adaptivity.goal != AdaptationGoal::peak_force)
       return;
-    if (plate.has_large_deflection())
+    if (plate.has_large_deflection)
       refuse({"Adaptivity/Goal", "Plate/Deflection"},
              "needs Plate/Deflection = linear, because its error estimate "
              "holds for linear plates only; expected Goal = energy norm for "
@@ -261,11 +246,10 @@ namespace PlateImpact
   SceneChecker::check_comparison()
   {
     const auto refuse_repetition = [this](const std::string &path,
-                                          auto               choices) {
-      std::sort(choices.begin(), choices.end());
-      const auto twice = std::adjacent_find(choices.begin(), choices.end());
-      if (twice != choices.end())
-        refuse({path}, "names " + word_for(*twice) + " twice");
+                                          const auto        &choices) {
+      for (const auto &choice : choices)
+        if (std::count(choices.begin(), choices.end(), choice) > 1)
+          return refuse({path}, "names " + word_for(choice) + " twice");
     };
     const ComparisonParameters &comparison = parameters.comparison;
     refuse_repetition("Comparison/Strategies", comparison.strategies);

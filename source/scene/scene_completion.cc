@@ -16,20 +16,9 @@
 namespace PlateImpact
 {
   void
-  SceneChecker::choose(const std::string &path,
-                       double            &variable,
-                       const double       value)
-  {
-    variable                = value;
-    entries.at(path).chosen = shortest(value);
-  }
-
-
-
-  void
   SceneChecker::complete()
   {
-    if (!mistakes.empty() || !parameters.has_impactor())
+    if (!reader.mistakes.empty() || !parameters.has_impactor())
       return;
     complete_impactor();
     if (!expected)
@@ -103,8 +92,28 @@ namespace PlateImpact
 
 
   void
-  SceneChecker::check_layer(const bool radius_is_given)
+  SceneChecker::complete_layer()
   {
+    const bool radius_is_given = contact.patch_radius > 0.;
+    if (!radius_is_given)
+      {
+        // the functional with div theta stands in for radii that are too small
+        const double to_edge = geometry_of(plate).distance_to_edge;
+        const double radius  = plate.thickness *
+          std::max(0.2,
+                   LayerResponse(PlateSection(plate), contact.load_distribution)
+                     .patch_radius());
+        if (radius > to_edge)
+          return refuse({"Plate/Impact point",
+                         "Plate/Side lengths",
+                         "Contact/Patch radius"},
+                        "m is only " + number(to_edge) +
+                          " m from an edge, less than the radius of the load "
+                          "patch, " +
+                          number(radius) +
+                          " m; expected a point farther from the edge");
+        choose("Contact/Patch radius", contact.patch_radius, radius);
+      }
     const double largest = make_contact(parameters).largest_force();
     if (expected->peak.force <= largest)
       return;
@@ -113,8 +122,7 @@ namespace PlateImpact
       "; expected ";
     if (radius_is_given)
       refuse({"Contact/Patch radius", "Contact/Local response"},
-             "m is so small that the local response of a layer holds "
-             "up to " +
+             "m is so small that the local response of a layer holds up to " +
                forces + "0, a larger radius, or Local response = half-space");
     else
       refuse({plate.is_laminate() ? "Ply/Transverse modulus" :
@@ -123,8 +131,8 @@ namespace PlateImpact
               "Impactor/Radius",
               "Impactor/Young's modulus",
               "Plate/Thickness"},
-             "makes the contact as wide as the plate is thick: the "
-             "local response of a layer holds up to " +
+             "makes the contact as wide as the plate is thick: the local "
+             "response of a layer holds up to " +
                forces +
                "a stiffer plate, a slower or smaller impactor, or "
                "Contact/Local response = half-space");
@@ -140,53 +148,29 @@ namespace PlateImpact
         .radius(expected->peak.force, expected->peak.indentation);
     if (!contact.has_patch())
       return;
-    const bool is_layer = contact.local_response == LocalResponse::layer;
+    if (contact.local_response == LocalResponse::layer)
+      return complete_layer();
     if (contact.patch_radius > 0.)
-      {
-        if (is_layer)
-          check_layer(/*radius_is_given=*/true);
-        return;
-      }
-    const double thickness = plate.thickness;
-    const double to_edge   = geometry_of(plate).distance_to_edge;
-    if (is_layer)
-      {
-        // the functional with div theta stands in for radii that are too small
-        const double of_layer = thickness *
-          std::max(0.2,
-                   LayerResponse(PlateSection(plate), contact.load_distribution)
-                     .patch_radius());
-        if (of_layer > to_edge)
-          return refuse({"Plate/Impact point",
-                         "Plate/Side lengths",
-                         "Contact/Patch radius"},
-                        "m is only " + number(to_edge) +
-                          " m from an edge, less than the radius of the load "
-                          "patch, " +
-                          number(of_layer) +
-                          " m; expected a point farther from the edge");
-        choose("Contact/Patch radius", contact.patch_radius, of_layer);
-        return check_layer(/*radius_is_given=*/false);
-      }
+      return;
     const double radius = impactor.contact_radius;
-    if (radius > to_edge)
+    if (radius > geometry_of(plate).distance_to_edge)
       return refuse({"Contact/Patch radius",
                      "Plate/Side lengths",
                      "Impactor/Radius",
                      "Impactor/Velocity"},
-                    "lets the program choose the Hertz contact radius, "
-                    "which is " +
+                    "lets the program choose the Hertz contact radius, which "
+                    "is " +
                       number(radius) +
-                      " m and reaches beyond the plate; "
-                      "expected a larger plate, or a smaller "
-                      "or slower impactor");
+                      " m and reaches beyond the plate; expected a larger "
+                      "plate, or a smaller or slower impactor");
     // one of few, so that similar impactors share their load; what that changes
     // of the radius, half a per cent at most, is a ten thousandth of the force
     // of the steel case
+    const double steps =
+      std::lround(64. * std::log2(radius / plate.thickness)) / 64.;
     choose("Contact/Patch radius",
            contact.patch_radius,
-           thickness *
-             std::exp2(std::lround(64. * std::log2(radius / thickness)) / 64.));
+           plate.thickness * std::exp2(steps));
   }
 
 

@@ -62,8 +62,10 @@ namespace PlateImpact
         const std::string rest    = simplified(line.substr(command.size()));
         if (command == "subsection")
           open(rest);
+        else if (command == "end" && rest.empty() && open_sections.empty())
+          mistake("'end' without a 'subsection' before it");
         else if (command == "end" && rest.empty())
-          close();
+          open_sections.pop_back();
         else if (command == "set")
           set(rest);
         else
@@ -93,24 +95,13 @@ namespace PlateImpact
       {
         if (name_of_section.empty())
           mistake("'subsection' needs a name");
-        else
-          {
-            if (!open_sections.empty())
-              mistake("subsection " + name_of_section +
-                      " begins within subsection " + open_sections.back() +
-                      "; an 'end' is missing before it");
-            scene.sections.push_back({name_of_section, "", "", origin});
-          }
+        else if (!open_sections.empty())
+          mistake("subsection " + name_of_section +
+                  " begins within subsection " + open_sections.back() +
+                  "; an 'end' is missing before it");
+        if (!name_of_section.empty())
+          scene.sections.push_back({name_of_section, "", "", origin});
         open_sections.push_back(name_of_section);
-      }
-
-      void
-      close()
-      {
-        if (open_sections.empty())
-          mistake("'end' without a 'subsection' before it");
-        else
-          open_sections.pop_back();
       }
 
       void
@@ -120,8 +111,7 @@ namespace PlateImpact
         const std::string entry  = simplified(text.substr(0, equals));
         if (equals == std::string::npos || entry.empty())
           return mistake("'set " + text +
-                         "' is not of the form 'set ENTRY = "
-                         "VALUE'");
+                         "' is not of the form 'set ENTRY = VALUE'");
         if (open_sections.empty())
           return mistake("'" + entry + "' is set outside of any subsection");
         const std::string &section = open_sections.back();

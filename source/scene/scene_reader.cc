@@ -19,61 +19,6 @@ namespace PlateImpact
 
   namespace
   {
-    /// Mistakes in the order of the lines of the file; others after them.
-    void
-    sort_by_line(std::vector<std::string> &mistakes, const std::string &file)
-    {
-      const auto line = [&file](const std::string &mistake) {
-        return mistake.compare(0, file.size() + 1, file + ":") == 0 ?
-          std::strtoul(mistake.c_str() + file.size() + 1, nullptr, 10) :
-          std::numeric_limits<unsigned long>::max();
-      };
-      std::stable_sort(mistakes.begin(),
-                       mistakes.end(),
-                       [&line](const std::string &a, const std::string &b) {
-                         return line(a) < line(b);
-                       });
-    }
-
-
-
-    /// The file taken apart, with the changes of the command line after it.
-    SceneFile
-    scan(const std::string                &path,
-         const std::vector<std::string>   &overrides,
-         const std::optional<std::string> &output)
-    {
-      std::ifstream in(path);
-      SceneFile     file;
-      if (in.is_open())
-        file = scan_scene(in, path);
-      std::error_code unknown;
-      if (!in.is_open() || in.bad())
-        file.mistakes = {path +
-                         (fs::exists(path, unknown) ?
-                            ": the scene cannot be read" :
-                            ": there is no such scene")};
-
-      const auto add = [&file](const Assignment &assignment) {
-        file.assignments.push_back(assignment);
-        file.sections.push_back(assignment);
-      };
-      for (const std::string &text : overrides)
-        try
-          {
-            add(parse_override(text));
-          }
-        catch (const InputError &error)
-          {
-            file.mistakes.push_back(error.what());
-          }
-      if (output)
-        add({"Output", "Directory", *output, "--output"});
-      return file;
-    }
-
-
-
     bool
     has_section(const Entries &entries, const std::string &section)
     {
@@ -195,9 +140,8 @@ namespace PlateImpact
 
 
   std::string
-  unknown(const Entries     &entries,
-          const std::string &section,
-          const std::string &name)
+  SceneReader::unknown(const std::string &section,
+                       const std::string &name) const
   {
     std::vector<std::string> sections, names;
     std::string              elsewhere;
@@ -242,29 +186,50 @@ namespace PlateImpact
                            const std::optional<std::string> &output)
     : SceneReader(path)
   {
-    const SceneFile file = scan(path, overrides, output);
+    std::ifstream   in(path);
+    std::error_code error;
+    SceneFile       file = scan_scene(in, path);
     mistakes             = file.mistakes;
+    if (!in.is_open() || in.bad())
+      mistakes = {path +
+                  (fs::exists(path, error) ? ": the scene cannot be read" :
+                                             ": there is no such scene")};
+
+    // what the command line changes comes after the file
+    const auto add = [&file](const Assignment &assignment) {
+      file.assignments.push_back(assignment);
+      file.sections.push_back(assignment);
+    };
+    for (const std::string &text : overrides)
+      try
+        {
+          add(parse_override(text));
+        }
+      catch (const InputError &mistake)
+        {
+          mistakes.push_back(mistake.what());
+        }
+    if (output)
+      add({"Output", "Directory", *output, "--output"});
     for (const Assignment &opening : file.sections)
       if (!has_section(entries, opening.section))
         mistakes.push_back(opening.origin + ": " +
-                           unknown(entries, opening.section, opening.entry));
-    add_mistakes(set(file.assignments));
+                           unknown(opening.section, opening.entry));
+    set(file.assignments);
     // the results must not replace the scene
-    const Entry    &directory = entries.at("Output/Directory");
-    std::error_code error;
+    const Entry &directory = entries.at("Output/Directory");
     if (fs::equivalent(name, fs::path(directory.value) / "scene.prm", error))
-      mistakes.push_back(directory.origin + ": " + directory.path + " = " +
-                         directory.value +
-                         " holds the scene itself, which the results would "
-                         "replace; expected another directory or file name");
+      refuse(
+        directory,
+        "holds the scene itself, which the results would replace; expected "
+        "another directory or file name");
   }
 
 
 
-  std::vector<std::string>
+  void
   SceneReader::set(const std::vector<Assignment> &assignments)
   {
-    std::vector<std::string> refused;
     for (const Assignment &assignment : assignments)
       {
         if (!has_section(entries, assignment.section))
@@ -278,29 +243,19 @@ namespace PlateImpact
             fs::is_regular_file(beside, error))
           value = beside.string();
 
-        if (entries.find(path) == nullptr)
-          refused.push_back(
-            assignment.origin + ": " +
-            unknown(entries, assignment.section, assignment.entry));
+        Entry *const entry = entries.find(path);
+        if (entry == nullptr)
+          mistakes.push_back(assignment.origin + ": " +
+                             unknown(assignment.section, assignment.entry));
         else if (!can_be_set(value))
-          refused.push_back(refusal + value +
-                            " contains a character that is not allowed in a "
-                            "scene: '#' or a control character");
-        else if (!entries.at(path).set(value, assignment.origin))
-          refused.push_back(refusal + (value.empty() ? "(nothing)" : value) +
-                            " is not allowed; expected " +
-                            entries.at(path).allowed +
-                            hint_for(value, entries.at(path)));
+          mistakes.push_back(refusal + value +
+                             " contains a character that is not allowed in a "
+                             "scene: '#' or a control character");
+        else if (!entry->set(value, assignment.origin))
+          mistakes.push_back(refusal + (value.empty() ? "(nothing)" : value) +
+                             " is not allowed; expected " + entry->allowed +
+                             hint_for(value, *entry));
       }
-    return refused;
-  }
-
-
-
-  void
-  SceneReader::add_mistakes(const std::vector<std::string> &more)
-  {
-    mistakes.insert(mistakes.end(), more.begin(), more.end());
   }
 
 
@@ -310,7 +265,17 @@ namespace PlateImpact
   {
     if (mistakes.empty())
       return;
-    sort_by_line(mistakes, name);
+    // those without a line come after the others
+    const auto line = [this](const std::string &mistake) {
+      return mistake.compare(0, name.size() + 1, name + ":") == 0 ?
+        std::strtoul(mistake.c_str() + name.size() + 1, nullptr, 10) :
+        std::numeric_limits<unsigned long>::max();
+    };
+    std::stable_sort(mistakes.begin(),
+                     mistakes.end(),
+                     [&line](const std::string &a, const std::string &b) {
+                       return line(a) < line(b);
+                     });
     throw InputError(mistakes);
   }
 } // namespace PlateImpact

@@ -77,7 +77,7 @@ namespace PlateImpact
   {
     const Parameters &parameters = point.parameters;
     if (parameters.adaptivity.is_adaptive() &&
-        parameters.sweep.adapt == SweepAdaptation::each_point)
+        parameters.sweep.adapts_each_point)
       return analyse(parameters, nullptr);
 
     if (current_group != group)

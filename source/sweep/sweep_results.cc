@@ -315,7 +315,7 @@ namespace PlateImpact
                              scene_in_words(scene.parameters));
     if (scene.plan.may_adapt(scene.parameters))
       study["words"].push_back(
-        scene.parameters.sweep.adapt == SweepAdaptation::each_point ?
+        scene.parameters.sweep.adapts_each_point ?
           "Every point has a mesh of its own." :
           "The points of a plate share the mesh that was adapted for the one "
           "with the shortest contact.");

@@ -3,7 +3,6 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -34,12 +33,6 @@ namespace PlateImpact
     sliding,
     held_along,
     held_across
-  };
-
-  enum class DeflectionTheory
-  {
-    linear,
-    large ///< von Karman
   };
 
   enum class ImpactorShape
@@ -134,44 +127,12 @@ namespace PlateImpact
       return strategy == other.strategy && goal == other.goal &&
         is_outside == other.is_outside;
     }
-
-    bool
-    operator<(const ComparedStrategy &other) const
-    {
-      return std::tie(strategy, goal, is_outside) <
-        std::tie(other.strategy, other.goal, other.is_outside);
-    }
   };
 
   enum class ErrorIndicator
   {
     SPR,
     Kelly
-  };
-
-  /// What becomes of cells at a point load, and of cells at the minimum size.
-  enum class SingularCells
-  {
-    left_out,
-    counted
-  };
-
-  enum class RecoveryPatches
-  {
-    mirrored,
-    interior
-  };
-
-  enum class SweepCombination
-  {
-    product,
-    zip
-  };
-
-  enum class SweepAdaptation
-  {
-    worst_point,
-    each_point
   };
 
 
@@ -211,10 +172,6 @@ namespace PlateImpact
   const std::vector<Word<SolverType>> Choices<SolverType>::words;
   template <>
   const std::vector<Word<ErrorIndicator>> Choices<ErrorIndicator>::words;
-  template <>
-  const std::vector<Word<SingularCells>> Choices<SingularCells>::words;
-  template <>
-  const std::vector<Word<RecoveryPatches>> Choices<RecoveryPatches>::words;
   template <>
   const std::vector<Word<ComparedStrategy>> Choices<ComparedStrategy>::words;
 

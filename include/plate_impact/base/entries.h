@@ -3,6 +3,7 @@
 #include <deal.II/base/exceptions.h>
 
 #include "plate_impact/base/choices.h"
+#include "plate_impact/base/text.h"
 
 #include <array>
 #include <fmt/format.h>
@@ -26,45 +27,142 @@ namespace PlateImpact
   };
 
 
-  // numbers are finite
+  /// Finite numbers that fulfil a condition, which the words tell.
   Allowed<double>
-  any_number();
-  Allowed<double>
-  number_above(double bound);
-  Allowed<double>
-  number_from(double first);
-  Allowed<double>
-  number_up_to(double lower, double upper); ///< the lower excluded
-  Allowed<double>
-  number_between(double lower, double upper); ///< both excluded
+  number_of(const std::string                 &words,
+            const std::function<bool(double)> &is_met);
+
+  inline Allowed<double>
+  any_number()
+  {
+    return number_of("", [](double) { return true; });
+  }
+
+  inline Allowed<double>
+  number_above(const double bound)
+  {
+    return number_of(" above " + shortest(bound),
+                     [=](const double x) { return x > bound; });
+  }
+
+  inline Allowed<double>
+  number_from(const double first)
+  {
+    return number_of(" not below " + shortest(first),
+                     [=](const double x) { return x >= first; });
+  }
+
+  inline Allowed<double>
+  number_up_to(const double lower, const double upper)
+  {
+    return number_of(fmt::format(" above {} and up to {}", lower, upper),
+                     [=](const double x) { return x > lower && x <= upper; });
+  }
+
+  inline Allowed<double>
+  number_between(const double lower, const double upper)
+  {
+    return number_of(fmt::format(" above {} and below {}", lower, upper),
+                     [=](const double x) { return x > lower && x < upper; });
+  }
+
   Allowed<unsigned int>
   whole_number(unsigned int first, unsigned int last);
-  Allowed<bool>
-  truth();
-  Allowed<std::string>
-  any_text(const std::string &words);
+
+  inline Allowed<bool>
+  truth()
+  {
+    return {"true | false", [](const std::string &text, bool &value) {
+              value = text == "true";
+              return value || text == "false";
+            }};
+  }
+
+  /// Whether it is the second of two words.
+  inline Allowed<bool>
+  second_of(const std::string &first, const std::string &second)
+  {
+    return {first + " | " + second, [=](const std::string &text, bool &value) {
+              value = text == second;
+              return value || text == first;
+            }};
+  }
+
+  inline Allowed<std::string>
+  any_text(const std::string &words)
+  {
+    return {words, [](const std::string &text, std::string &value) {
+              value = text;
+              return true;
+            }};
+  }
+
 
   /// A word of a table with rows that begin with choice and word.
   template <typename Row>
   auto
-  one_of(const std::vector<Row> &rows);
+  one_of(const std::vector<Row> &rows)
+  {
+    using Choice = decltype(Row::choice);
+    std::string words;
+    for (const Row &row : rows)
+      words += (words.empty() ? "" : " | ") + row.word;
+    return Allowed<Choice>{words,
+                           [&rows](const std::string &text, Choice &choice) {
+                             for (const Row &row : rows)
+                               if (row.word == text)
+                                 {
+                                   choice = row.choice;
+                                   return true;
+                                 }
+                             return false;
+                           }};
+  }
+
   /// A word of a kind.
   template <typename Choice>
   Allowed<Choice>
-  one_of();
-
-  /// Values of one kind, separated by commas.
-  template <typename T>
-  Allowed<std::vector<T>>
-  list(const Allowed<T> &item, std::size_t first, std::size_t last);
-  template <typename T>
-  Allowed<std::array<T, 2>>
-  pair_of(const Allowed<T> &item);
+  one_of()
+  {
+    return one_of(Choices<Choice>::words);
+  }
 
   /// The items between separators, without blanks at their ends; an empty one
   /// after a separator at the end.
   std::vector<std::string>
   split_list(const std::string &text, char separator = ',');
+
+  /// Values of one kind, separated by commas.
+  template <typename T>
+  Allowed<std::vector<T>>
+  list(const Allowed<T> &item, const std::size_t first, const std::size_t last)
+  {
+    return {(first == last ? fmt::format("{}", first) :
+                             fmt::format("{} to {}", first, last)) +
+              " values separated by commas, each: " + item.words,
+            [=](const std::string &text, std::vector<T> &values) {
+              values.clear();
+              for (const std::string &one : split_list(text))
+                if (!item.read(one, values.emplace_back()))
+                  return false;
+              return values.size() >= first && values.size() <= last;
+            }};
+  }
+
+  template <typename T>
+  Allowed<std::array<T, 2>>
+  pair_of(const Allowed<T> &item)
+  {
+    const Allowed<std::vector<T>> two = list(item, 2, 2);
+    return {two.words,
+            [two](const std::string &text, std::array<T, 2> &values) {
+              std::vector<T> items;
+              if (!two.read(text, items))
+                return false;
+              values = {{items[0], items[1]}};
+              return true;
+            }};
+  }
 
 
   /// An entry, bound to a variable.
@@ -91,7 +189,16 @@ namespace PlateImpact
 
     /// @return whether the value is allowed; if not, the entry keeps its own
     bool
-    set(const std::string &new_value, const std::string &new_origin);
+    set(const std::string &new_value, const std::string &new_origin)
+    {
+      is_known = read(new_value, /*sets=*/true);
+      if (is_known)
+        {
+          value  = new_value;
+          origin = new_origin;
+        }
+      return is_known;
+    }
 
     /// The value in words.
     const std::string &
@@ -101,54 +208,76 @@ namespace PlateImpact
     }
 
     std::string
-    section() const;
+    section() const
+    {
+      return path.substr(0, path.find('/'));
+    }
+
     std::string
-    name() const;
+    name() const
+    {
+      return path.substr(path.find('/') + 1);
+    }
+
     /// Empty without one.
     std::string
-    unit() const;
+    unit() const
+    {
+      const std::size_t begin = meaning.rfind('[') + 1;
+      return !meaning.empty() && meaning.back() == ']' ?
+        meaning.substr(begin, meaning.size() - begin - 1) :
+        "";
+    }
   };
 
 
-  class Entries
+  struct Entries
   {
-  public:
-    /// Declares entries of a section, one a call.
-    class Section
+    /// What declares the entries of a section, one a call: sets the variable to
+    /// the default. To be followed by what the entry means.
+    auto
+    section(const std::string &section)
     {
-    public:
-      Section(const std::string &name, std::vector<Entry> &entries)
-        : name(name)
-        , entries(entries)
-      {}
-
-      /// Sets the variable to the default. To be followed by what it means.
-      template <typename T>
-      Entry &
-      operator()(const std::string &entry,
-                 const std::string &default_value,
-                 const Allowed<T>  &allowed,
-                 T                 &variable) const;
-
-    private:
-      const std::string   name;
-      std::vector<Entry> &entries;
-    };
-
-    Section
-    section(const std::string &name)
-    {
-      return {name, all};
+      return [this, section](const std::string &name,
+                             const std::string &default_value,
+                             const auto        &allowed,
+                             auto              &variable) -> Entry & {
+        const auto read = [read = allowed.read,
+                           &variable](const std::string &text,
+                                      const bool         sets) {
+          std::decay_t<decltype(variable)> value{};
+          const bool                       is_allowed = read(text, value);
+          if (is_allowed && sets)
+            variable = value;
+          return is_allowed;
+        };
+        AssertThrow(read(default_value, /*sets=*/true),
+                    dealii::ExcMessage(name + " cannot have its default"));
+        return all.emplace_back(Entry{section + '/' + name,
+                                      default_value,
+                                      allowed.words,
+                                      read,
+                                      default_value});
+      };
     }
 
     /// Null for a path without an entry.
-    const Entry *
-    find(const std::string &path) const;
+    Entry *
+    find(const std::string &path)
+    {
+      for (Entry &entry : all)
+        if (entry.path == path)
+          return &entry;
+      return nullptr;
+    }
 
-    const Entry &
-    at(const std::string &path) const;
     Entry &
-    at(const std::string &path);
+    at(const std::string &path)
+    {
+      Entry *const entry = find(path);
+      AssertThrow(entry != nullptr, dealii::ExcMessage("no entry " + path));
+      return *entry;
+    }
 
     /// All, as a scene in deal.II's format.
     std::string
@@ -156,94 +285,4 @@ namespace PlateImpact
 
     std::vector<Entry> all; ///< in the order of declaration
   };
-
-
-
-  template <typename Row>
-  auto
-  one_of(const std::vector<Row> &rows)
-  {
-    using Choice = decltype(Row::choice);
-    std::string words;
-    for (const Row &row : rows)
-      words += (words.empty() ? "" : " | ") + row.word;
-    return Allowed<Choice>{words,
-                           [&rows](const std::string &text, Choice &choice) {
-                             for (const Row &row : rows)
-                               if (row.word == text)
-                                 {
-                                   choice = row.choice;
-                                   return true;
-                                 }
-                             return false;
-                           }};
-  }
-
-
-
-  template <typename Choice>
-  Allowed<Choice>
-  one_of()
-  {
-    return one_of(Choices<Choice>::words);
-  }
-
-
-
-  template <typename T>
-  Allowed<std::vector<T>>
-  list(const Allowed<T> &item, const std::size_t first, const std::size_t last)
-  {
-    return {(first == last ? fmt::format("{}", first) :
-                             fmt::format("{} to {}", first, last)) +
-              " values separated by commas, each: " + item.words,
-            [=](const std::string &text, std::vector<T> &values) {
-              values.clear();
-              for (const std::string &one : split_list(text))
-                if (!item.read(one, values.emplace_back()))
-                  return false;
-              return values.size() >= first && values.size() <= last;
-            }};
-  }
-
-
-
-  template <typename T>
-  Allowed<std::array<T, 2>>
-  pair_of(const Allowed<T> &item)
-  {
-    const Allowed<std::vector<T>> two = list(item, 2, 2);
-    return {two.words,
-            [two](const std::string &text, std::array<T, 2> &values) {
-              std::vector<T> items;
-              if (!two.read(text, items))
-                return false;
-              values = {{items[0], items[1]}};
-              return true;
-            }};
-  }
-
-
-
-  template <typename T>
-  Entry &
-  Entries::Section::operator()(const std::string &entry,
-                               const std::string &default_value,
-                               const Allowed<T>  &allowed,
-                               T                 &variable) const
-  {
-    const auto read = [read = allowed.read, &variable](const std::string &text,
-                                                       const bool sets) {
-      T          value{};
-      const bool is_allowed = read(text, value);
-      if (is_allowed && sets)
-        variable = value;
-      return is_allowed;
-    };
-    AssertThrow(read(default_value, /*sets=*/true),
-                dealii::ExcMessage(entry + " cannot have its default"));
-    entries.push_back(
-      {name + '/' + entry, default_value, allowed.words, read, default_value});
-    return entries.back();
-  }
 } // namespace PlateImpact

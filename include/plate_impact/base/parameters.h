@@ -14,7 +14,7 @@
 /// by `plate-impact defaults`. SI units.
 namespace PlateImpact
 {
-  class Entries;
+  struct Entries;
   struct PlateFile;
 
   /// What the entry Plate/Outline says.
@@ -76,8 +76,8 @@ namespace PlateImpact
     /// of edges that hold the deflection
     std::vector<OnEdge<InPlaneSupport>> in_plane_supports = {
       {"", InPlaneSupport::held}};
-    DeflectionTheory      deflection   = DeflectionTheory::linear;
-    std::array<double, 2> impact_point = {{0., 0.}}; ///< from the centre
+    bool                  has_large_deflection = false; ///< von Karman
+    std::array<double, 2> impact_point = {{0., 0.}};    ///< from the centre
     Outline               outline;
     Layup                 layup;
     PlyParameters         ply;
@@ -93,12 +93,6 @@ namespace PlateImpact
     is_laminate() const
     {
       return !layup.angles.empty();
-    }
-
-    bool
-    has_large_deflection() const
-    {
-      return deflection == DeflectionTheory::large;
     }
 
     bool
@@ -287,7 +281,7 @@ namespace PlateImpact
     AdaptationStrategy strategy;
     AdaptationGoal     goal;
     ErrorIndicator     indicator;
-    RecoveryPatches    recovery_patches;
+    bool               patches_are_interior;
     double             target_error;
     double             target_peak_force_error;
     bool               verify;
@@ -295,15 +289,16 @@ namespace PlateImpact
     unsigned int       maximum_cells;
     double             size_exponent;
     SingularPoints     singular_points;
-    SingularCells      cells_at_singularities;
-    double             minimum_cell_size;
-    bool               minimum_cell_size_is_chosen = false; ///< by the program
-    double             maximum_cell_size;
-    double             refined_share_of_error;
-    double             coarsened_share_of_error;
-    double             refined_share_of_cells;
-    double             coarsened_share_of_cells;
-    unsigned int       sampling_interval;
+    /// those at a point load in eta and n, those at the minimum size in xi'
+    bool         singular_cells_count;
+    double       minimum_cell_size;
+    bool         minimum_cell_size_is_chosen = false; ///< by the program
+    double       maximum_cell_size;
+    double       refined_share_of_error;
+    double       coarsened_share_of_error;
+    double       refined_share_of_cells;
+    double       coarsened_share_of_cells;
+    unsigned int sampling_interval;
 
     void
     declare_entries(Entries &entries);
@@ -359,8 +354,8 @@ namespace PlateImpact
   {
     std::array<std::string, 3> entries;
     std::array<std::string, 3> values;
-    SweepCombination           combination;
-    SweepAdaptation            adapt;
+    bool                       is_zip; ///< or every value with every other
+    bool                       adapts_each_point; ///< or the worst one of them
     bool                       estimate_error;
     bool                       write_histories;
 

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <fmt/format.h>
 #include <optional>
 #include <string>
@@ -13,21 +15,27 @@
 namespace PlateImpact
 {
   /// A number of six digits; a dash when it is not finite.
-  std::string
-  number(double value);
+  inline std::string
+  number(const double value)
+  {
+    return std::isfinite(value) ? fmt::format("{:.6g}", value) : "–";
+  }
 
   /// A number of some significant digits, without an exponent where six would
   /// need none: 1310, not 1.31e+03.
-  std::string
-  rounded(double value, int digits = 4);
+  inline std::string
+  rounded(const double value, const int digits = 4)
+  {
+    return number(
+      std::strtod(fmt::format("{:.{}e}", value, digits - 1).c_str(), nullptr));
+  }
 
 
   /// A unit with the prefix that makes values easy to read: of 3.43e-5 s it
   /// makes 34.3 µs. Forces and the like read better as 1301 N than as 1.301 kN:
   /// numbers from 1 to 1e5 have no prefix.
-  class PrefixedUnit
+  struct PrefixedUnit
   {
-  public:
     /// @param unit   of SI without prefix, such as "s"
     /// @param value  the largest to show; 0 or not finite: no prefix
     PrefixedUnit(const std::string &unit, double value);
@@ -43,18 +51,11 @@ namespace PlateImpact
     std::string
     text(double value) const
     {
-      return rounded(factor * value) + ' ' + prefixed;
+      return rounded(factor * value) + ' ' + name;
     }
 
-    const std::string &
-    name() const
-    {
-      return prefixed;
-    }
-
-  private:
-    std::string prefixed;
-    double      factor;
+    std::string name; ///< with the prefix
+    double      factor = 1.;
   };
 
 
@@ -83,23 +84,33 @@ namespace PlateImpact
     return rounded(100. * fraction) + " %";
   }
 
-  /// How far a value is from another: "+0.56 %", or "12.6 times" where it is
-  /// more than twice it or less than half.
-  std::string
-  deviation(double value, double other);
-
   /// An estimate or advice.
   inline std::string
   about(const double value)
   {
     return rounded(value, 3);
   }
-  std::string
-  about(double value, const std::string &unit);
+  inline std::string
+  about(const double value, const std::string &unit)
+  {
+    const PrefixedUnit prefixed(unit, value);
+    return about(prefixed(value)) + ' ' + prefixed.name;
+  }
   inline std::string
   about_percentage(const double fraction)
   {
     return about(100. * fraction) + " %";
+  }
+
+  /// How far a value is from another: "+0.56 %", or "12.6 times" where it is
+  /// more than twice it or less than half.
+  inline std::string
+  deviation(const double value, const double other)
+  {
+    const double ratio = value / other;
+    return ratio > 0.5 && ratio < 2. ?
+      fmt::format("{:+.3g} %", 100. * (ratio - 1.)) :
+      about(ratio) + " times";
   }
 
   /// The shortest text that reads back as the same number.
@@ -112,13 +123,6 @@ namespace PlateImpact
   {
     const char *plural = noun.back() == 'h' ? "es" : "s";
     return fmt::format("{} {}{}", n, noun, n == 1 ? "" : plural);
-  }
-
-  /// A time that was measured: "0.37 s".
-  inline std::string
-  wall_time(const double seconds)
-  {
-    return fmt::format("{:.2f} s", seconds);
   }
 
   /// A time that someone waits: "12 s", "3 min".
@@ -144,8 +148,13 @@ namespace PlateImpact
 
   /// A number, or a dash, at the right end.
   /// @param format  of {fmt}, as "{:.2f}"
-  std::string
-  column(std::size_t                  width,
+  inline std::string
+  column(const std::size_t            width,
          const char                  *format,
-         const std::optional<double> &value);
+         const std::optional<double> &value)
+  {
+    // never without a blank before it
+    return ' ' +
+      right(width - 1, value ? fmt::format(fmt::runtime(format), *value) : "-");
+  }
 } // namespace PlateImpact

@@ -1,53 +1,41 @@
 #pragma once
 
 #include "plate_impact/scene/scene.h"
-#include "plate_impact/scene/sweep_scene.h"
 #include "plate_impact/sweep/processes.h"
 
-#include <iosfwd>
+#include <string>
 
+/// What `run`, `compare`, `sweep` and `check` do. Where they are quiet, only
+/// warnings and errors are printed, and of a run a line for scripts. Files that
+/// were written before a ComputationError are valid.
 namespace PlateImpact
 {
   /// Computes the impact of a scene cycle by cycle, and writes and prints what
   /// is found.
-  /// @param quiet    only warnings and errors are printed, and a line for
-  ///                 scripts
   /// @param marking  a command that says what the next mesh is to be
   ///                 (OutsideMarking); empty: none
-  /// @throws ComputationError; files written so far are then valid, and
-  ///         summary.json tells of the failure
+  /// @throws ComputationError, of which summary.json tells
   void
-  run_scene(const Scene &scene, bool quiet, const std::string &marking = "");
+  run_scene(const Scene &scene, bool quiet, const std::string &marking);
 
   /// Computes the comparison of a scene, and writes and prints what is found:
   /// comparison.csv, a row per mesh as soon as it is known; comparison.json
   /// with the reference and who reaches which error first, and comparison.html,
   /// after every curve.
-  /// @param quiet    only warnings and errors are printed
   /// @param marking  a command whose meshes are compared as well
   ///                 (OutsideMarking); empty: none
   /// @throws InputError for a scene without an impactor
-  /// @throws ComputationError; files written so far are then valid
   void
-  compare_scene(Scene scene, bool quiet, const std::string &marking = "");
-
-
-  struct SweepOptions
-  {
-    bool resume = false; ///< continue an interrupted sweep
-    bool quiet  = false; ///< print warnings and errors only
-  };
+  compare_scene(Scene scene, bool quiet, const std::string &marking);
 
   /// Computes the points of a sweep, spread over all processes, and writes and
   /// prints what is found. A point that fails has its reason in its row.
+  /// @param resume  continues an interrupted sweep
   /// @throws InputError when there is a sweep to resume, of another scene
   /// @throws ComputationError when results cannot be written, or when every
   ///         point failed
   void
-  run_sweep(SweepScene         &scene,
-            const SweepOptions &options,
-            Processes          &processes);
-
+  run_sweep(SweepScene &scene, bool resume, bool quiet, Processes &processes);
 
   /// What to expect of a scene before paying for it: peak force and contact
   /// time on a coarse mesh, which takes some hundredths of a second; beside
@@ -57,6 +45,6 @@ namespace PlateImpact
   /// step and end time, a rough cost by the first two meshes of the run, what a
   /// sweep of it computes, and where the impact leaves the model.
   /// @throws ComputationError when the impact cannot be computed
-  void
-  print_expectation(std::ostream &out, const Scene &scene);
+  std::string
+  expectation_in_words(const Scene &scene);
 } // namespace PlateImpact

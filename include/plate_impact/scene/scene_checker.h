@@ -1,8 +1,8 @@
 #pragma once
 
-#include "plate_impact/base/entries.h"
-#include "plate_impact/base/parameters.h"
+#include "plate_impact/base/text.h"
 #include "plate_impact/contact/zener.h"
+#include "plate_impact/scene/scene_reader.h"
 
 #include <optional>
 #include <string>
@@ -17,9 +17,9 @@ namespace PlateImpact
   public:
     /// Checks entries against each other, with words in place of those not
     /// given that follow from others.
-    /// @param entries  must outlive the checker; what involves one that is not
-    ///                 known is not judged
-    SceneChecker(Entries &entries, const Parameters &given);
+    /// @param reader  must outlive the checker, and gets the mistakes; what
+    ///                involves an entry that is not known is not judged
+    explicit SceneChecker(SceneReader &reader);
 
     SceneChecker(const SceneChecker &) = delete;
 
@@ -33,8 +33,6 @@ namespace PlateImpact
     /// Empty without an impactor or before complete().
     std::optional<ZenerImpact> expected;
 
-    std::vector<std::string> mistakes; ///< a sentence each
-
   private:
     /// Adds a mistake in the value of the first entry, unless one of those
     /// involved is not known. Its place is that of the first of them which the
@@ -43,29 +41,36 @@ namespace PlateImpact
     refuse(const std::vector<std::string> &involved, const std::string &text);
 
     bool
-    is_given(const std::string &path) const;
+    is_given(const std::string &path) const
+    {
+      return entries.at(path).origin != "default";
+    }
 
     /// Fills an entry in.
     /// @param variable  of the parameters, that holds its value
     void
-    choose(const std::string &path, double &variable, double value);
-
-    /// The same with a word, unless the scene gives the entry.
-    template <typename Choice>
-    void
-    choose_unless_given(const std::string &path,
-                        Choice            &variable,
-                        Choice             value);
+    choose(const std::string &path, double &variable, const double value)
+    {
+      variable                = value;
+      entries.at(path).chosen = shortest(value);
+    }
 
     /// Law, load and local response that fit the rest of the scene, where they
     /// are not given.
     void
     choose_contact();
-
     /// Asks about a modulus in GPa and a density in g/cm^3.
     /// @param body  Plate or Impactor
     void
     ask_for_units(const std::string &body, double modulus, double density);
+    void
+    check_contact();
+    void
+    check_time();
+    void
+    check_mesh();
+    void
+    check_comparison();
 
     // of the plate, in plate_checker.cc
 
@@ -82,10 +87,10 @@ namespace PlateImpact
     /// Outline, supports and what must lie within; needs the load's shape.
     void
     check_shape();
-    template <typename Support>
+    /// @param named  the edges that the entry names
     void
-    check_edges(const std::string                  &entry,
-                const std::vector<OnEdge<Support>> &supports);
+    check_edges(const std::string              &entry,
+                const std::vector<std::string> &named);
     void
     check_extent();
     /// Moves the singular points that the scene names to where the mesh has
@@ -93,15 +98,6 @@ namespace PlateImpact
     /// @param turn  of the plate about its centre [rad]
     void
     place_singular_points(double turn);
-
-    void
-    check_contact();
-    void
-    check_time();
-    void
-    check_mesh();
-    void
-    check_comparison();
 
     // of what is 0, in scene_completion.cc
 
@@ -111,13 +107,15 @@ namespace PlateImpact
     complete_time();
     void
     complete_contact();
-    /// Refuses a force that the local response of a layer does not hold.
+    /// The same for the local response of a layer; refuses a force that it does
+    /// not hold.
     void
-    check_layer(bool radius_is_given);
+    complete_layer();
     void
     complete_mesh();
 
-    Entries              &entries;
+    SceneReader          &reader;
+    Entries              &entries    = reader.entries;
     PlateParameters      &plate      = parameters.plate;
     ImpactorParameters   &impactor   = parameters.impactor;
     ContactParameters    &contact    = parameters.contact;

@@ -10,18 +10,10 @@
 
 namespace PlateImpact
 {
-  /// The sentence for a section or an entry of it that does not exist.
-  std::string
-  unknown(const Entries     &entries,
-          const std::string &section,
-          const std::string &name);
-
-
   /// A scene file and what the command line sets on top of it, every value
   /// checked by itself.
-  class SceneReader
+  struct SceneReader
   {
-  public:
     /// The defaults.
     explicit SceneReader(const std::string &path = "");
 
@@ -31,14 +23,23 @@ namespace PlateImpact
 
     SceneReader(const SceneReader &) = delete;
 
-    /// Sets entries and returns a sentence for each that cannot be. A file that
-    /// one names is looked for beside the scene first. Those of a section that
-    /// does not exist are passed over: the section is the one mistake.
-    std::vector<std::string>
+    /// Sets entries, those that cannot be are mistakes. A file that one names
+    /// is looked for beside the scene first. Those of a section that does not
+    /// exist are passed over: the section is the one mistake.
+    void
     set(const std::vector<Assignment> &assignments);
 
+    /// Adds a mistake in the value of an entry.
     void
-    add_mistakes(const std::vector<std::string> &more);
+    refuse(const Entry &entry, const std::string &text)
+    {
+      mistakes.push_back(entry.origin + ": " + entry.path + " = " +
+                         entry.value + ' ' + text);
+    }
+
+    /// The sentence for a section or an entry of it that does not exist.
+    std::string
+    unknown(const std::string &section, const std::string &entry) const;
 
     /// @throws InputError with the mistakes in the order of the lines of the
     ///         file, unless there are none
@@ -47,7 +48,7 @@ namespace PlateImpact
 
     const std::string        name; ///< of the file, as given
     Parameters               parameters;
-    Entries                  entries; ///< of the parameters
-    std::vector<std::string> mistakes;
+    Entries                  entries;  ///< of the parameters
+    std::vector<std::string> mistakes; ///< a sentence each
   };
 } // namespace PlateImpact

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "plate_impact/analysis/cycle_result.h"
-#include "plate_impact/scene/sweep_scene.h"
+#include "plate_impact/scene/scene.h"
 #include "plate_impact/sweep/sweep_groups.h"
 #include "plate_impact/sweep/sweep_results.h"
 #include "plate_impact/transient/plate_model.h"

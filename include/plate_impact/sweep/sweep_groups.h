@@ -1,6 +1,6 @@
 #pragma once
 
-#include "plate_impact/scene/sweep_plan.h"
+#include "plate_impact/scene/scene.h"
 
 #include <cstddef>
 #include <vector>

@@ -2,7 +2,7 @@
 
 #include "plate_impact/contact/contact_history.h"
 #include "plate_impact/output/result_directory.h"
-#include "plate_impact/scene/sweep_scene.h"
+#include "plate_impact/scene/scene.h"
 
 #include <cstddef>
 #include <fstream>
