@@ -2,7 +2,7 @@
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/scene/scene.h"
 #include "plate_impact/scene/sweep_scene.h"
-#include "plate_impact/sweep/sweep_groups.h"
+#include "plate_impact/sweep/sweep_computation.h"
 #include "program_fixture.h"
 
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 #include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/scene/scene_reader.h"
 #include "plate_impact/scene/sweep_plan.h"
-#include "plate_impact/sweep/sweep_groups.h"
+#include "plate_impact/sweep/sweep_computation.h"
 
 #include <algorithm>
 #include <cmath>

@@ -44,7 +44,7 @@ namespace PlateImpact
           if (curve.end.rfind("failed", 0) == 0)
             warnings.push_back(name + " " + curve.end);
           for (const ComparedMesh &mesh : curve.meshes)
-            if (reference.eta && mesh.eta < *reference.eta)
+            if (reference.computed && mesh.eta < reference.computed->error->eta)
               {
                 warnings.push_back(name + ": cycle " +
                                    std::to_string(mesh.cycle) +
@@ -61,18 +61,18 @@ namespace PlateImpact
     text_of(const Reference &reference)
     {
       std::string text = "Reference   " + number(reference.peak_force) + " N";
-      if (!reference.history)
+      if (!reference.computed)
         text += ", given";
       else
         text += fmt::format(" +- {} for its mesh: {} cells, eta = {}, {}",
                             about_percentage(reference.uncertainty),
-                            reference.cells,
-                            about_percentage(*reference.eta),
+                            reference.computed->cells,
+                            about_percentage(reference.computed->error->eta),
                             wall_time(reference.seconds));
-      if (reference.time_step_error)
+      if (reference.computed && reference.computed->time_error)
         text += fmt::format("\nTime step   the same on all meshes, with an "
                             "error of {} of the peak force",
-                            about_percentage(*reference.time_step_error));
+                            about_percentage(*reference.computed->time_error));
       return text +
         "\n\ncycle  cells unknowns  eta % peak force N  error %  +- % seconds\n";
     }

@@ -1,6 +1,7 @@
 #include "plate_impact/output/output.h"
 
 #include <deal.II/base/timer.h>
+#include <deal.II/grid/grid_tools.h>
 
 #include "plate_impact/adaptation/cell_sizes.h"
 #include "plate_impact/adaptation/mesh_adaptation.h"
@@ -8,12 +9,13 @@
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/base/version.h"
-#include "plate_impact/output/field_files.h"
-#include "plate_impact/page/mesh_picture.h"
+#include "plate_impact/output/plate_fields.h"
 #include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
 #include "plate_impact/plate/plate_section.h"
 
+#include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace PlateImpact
@@ -43,16 +45,114 @@ namespace PlateImpact
 
 
 
+    /// Of xi' in pictures of meshes.
+    constexpr double lowest = 0.1, highest = 10.;
+
+    /// Colour of xi' on a logarithmic scale: blue below the limit of 1, white
+    /// at it, red above.
     std::string
-    caption_of(const CycleResult &result, const bool is_quarter)
+    colour(const double xi)
     {
-      return fmt::format("Cycle {}: {} cells{}.{}",
+      const double s =
+        std::log(std::clamp(xi, lowest, highest)) / std::log(highest);
+      const Point<3> white(247., 247., 247.),
+        end = s < 0. ? Point<3>(33., 102., 172.) : Point<3>(178., 24., 43.);
+      const Point<3> mixed = white + std::abs(s) * (end - white);
+      return fmt::format("rgb({:.0f},{:.0f},{:.0f})",
+                         mixed[0],
+                         mixed[1],
+                         mixed[2]);
+    }
+
+
+
+    std::string
+    svg_text(const double left, const double top, const std::string &text)
+    {
+      return fmt::format("<text x=\"{:.8g}\" y=\"{:.8g}\">{}</text>\n",
+                         left,
+                         top,
+                         text);
+    }
+
+
+
+    void
+    write_scale(std::ostream &out, const double left, const double top)
+    {
+      const double       height = 300.;
+      const unsigned int n      = 40;
+      out << svg_text(left, top - 12, "local error ratio xi&#8242;");
+      for (unsigned int i = 0; i < n; ++i)
+        out << fmt::format(
+          "<rect x=\"{:.8g}\" y=\"{:.8g}\" width=\"18\" height=\"{:.8g}\" fill=\"{}\"/>\n",
+          left,
+          top + height * i / n,
+          height / n + 0.5,
+          colour(highest * std::pow(lowest / highest, (i + 0.5) / n)));
+      for (const double tick : {10., 3., 1., 0.3, 0.1})
+        out << svg_text(
+          left + 24,
+          top + 4 +
+            height * std::log(highest / tick) / std::log(highest / lowest),
+          fmt::format("{:g}{}", tick, tick == 1. ? " (limit)" : ""));
+    }
+
+
+
+    /// A mesh with its cells coloured by xi', where that is known, and a scale.
+    void
+    write_mesh_svg(std::ostream &out, const Cycle &cycle)
+    {
+      const CycleResult &result = cycle.result;
+      const auto         box =
+        GridTools::compute_bounding_box(cycle.mesh()).get_boundary_points();
+      const Tensor<1, 2> extent    = box.second - box.first;
+      const bool         has_scale = result.error_ratios.has_value();
+      const double       margin = 20., header = 34.,
+                   scale  = 600. / std::max(extent[0], extent[1]);
+      const double bottom = header + margin + extent[1] * scale;
+      const double right  = 2 * margin + extent[0] * scale;
+      out
+        << fmt::format(
+             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.8g} {1:.8g}\" width=\"{0:.8g}\" height=\"{1:.8g}\" font-family=\"sans-serif\" font-size=\"13\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
+             std::max(right + (has_scale ? 150. : 0.), 420.),
+             std::max(bottom + margin,
+                      has_scale ? header + 2 * margin + 330. : 0.))
+        << svg_text(
+             margin,
+             header - 8,
+             fmt::format("Cycle {}: {} cells{}.{}",
                          result.cycle,
                          result.cells,
                          result.error ?
                            ", eta = " + about_percentage(result.error->eta) :
                            "",
-                         is_quarter ? " Impact at the lower left corner." : "");
+                         geometry_of(cycle.parameters.plate)->n_parts() == 4. ?
+                           " Impact at the lower left corner." :
+                           ""))
+        << "<g class=\"mesh\" stroke=\"#444\" stroke-width=\"0.6\">\n";
+      for (const auto &cell : cycle.mesh().active_cell_iterators())
+        {
+          out << "<polygon points=\"";
+          for (const unsigned int v : {0, 1, 3, 2})
+            {
+              const Tensor<1, 2> place = scale * (cell->vertex(v) - box.first);
+              out << fmt::format("{}{:.2f},{:.2f}",
+                                 v == 0 ? "" : " ",
+                                 margin + place[0],
+                                 bottom - place[1]);
+            }
+          out << "\" fill=\""
+              << (has_scale ? colour(result.error_ratios
+                                       ->elements[cell->active_cell_index()]) :
+                              "none")
+              << "\"/>\n";
+        }
+      out << "</g>\n";
+      if (has_scale)
+        write_scale(out, right, header + margin + 24.);
+      out << "</svg>\n";
     }
 
 
@@ -231,12 +331,7 @@ namespace PlateImpact
                            });
     if (scene.parameters.output.write_meshes)
       directory.write_file("mesh" + suffix + ".svg", [&](std::ostream &out) {
-        write_mesh_svg(
-          out,
-          mesh,
-          caption_of(result,
-                     geometry_of(scene.parameters.plate)->n_parts() == 4.),
-          result.element_errors());
+        write_mesh_svg(out, cycle);
       });
     if (scene.parameters.output.write_report)
       report.add_cycle(cycle);

@@ -5,9 +5,8 @@
 #include "plate_impact/base/text.h"
 #include "plate_impact/estimator/peak_force_error.h"
 #include "plate_impact/estimator/recovered_field.h"
-#include "plate_impact/output/deflection_film.h"
+#include "plate_impact/output/plate_fields.h"
 #include "plate_impact/output/run_in_words.h"
-#include "plate_impact/page/mesh_picture.h"
 #include "plate_impact/plate/plate_mesh.h"
 #include "plate_impact/plate/plate_section.h"
 

@@ -148,7 +148,7 @@ function makeMeshView(pictures, controls) {
     Object.assign(view, { factor: Math.max(width, height) / (r > 0 ? 10 * r : Math.max(width, height) / 16), x, y });
     show();
   };
-  addZoomButtons(controls, zoom, reset, contact);
+  controls.append(...zoomButtons(zoom, reset, contact));
   const move = (right, down, length) => {
     view.x += length * right;
     view.y += length * down;
@@ -164,10 +164,7 @@ function makeMeshView(pictures, controls) {
 /** A mesh whose cells are coloured later, y upwards, with the load patch and what a view needs of it: the
     length of a metre and where the contact, the origin, is. */
 function meshPicture({ title, vertices, cells }, patch) {
-  const extent = [0, 1].map((d) => {
-    const values = vertices.filter((_, i) => i % 2 === d);
-    return [values.reduce((a, b) => Math.min(a, b)), values.reduce((a, b) => Math.max(a, b))];
-  });
+  const extent = [0, 1].map((d) => rangeOf(vertices.filter((_, i) => i % 2 === d)));
   const [width, height] = extent.map(([low, high]) => high - low), unit = 400 / Math.max(width, height);
   const [x, y] = [-unit * extent[0][0], unit * extent[1][1]];
   const picture = svgElement('svg', { viewBox: `-1 -1 ${unit * width + 2} ${unit * height + 2}`, role: 'img', 'aria-label': `Mesh, ${title}`,

@@ -42,11 +42,6 @@ function assignment({ path, unit }, value, between) {
   return path.split('/')[1] + between + value + (unit && unit !== '-' ? ` ${unit}` : '');
 }
 
-function rangeOf({ values }) {
-  const known = values.filter((value) => value !== null);
-  return [known.reduce((a, b) => Math.min(a, b)), known.reduce((a, b) => Math.max(a, b))];
-}
-
 /** A quantity over an entry, a curve for each name; points with warnings are dots of their own. */
 function curvesOf(results, quantity, x, names, points) {
   const numbered = (curve) => curve.map((point, i) => ({ point, x: x.values[i], y: quantity.values[point] }));
@@ -72,7 +67,7 @@ function panelsOf(results, panels, size) {
   if (a.isNumeric && b.isNumeric && Math.min(nA, nB) > 3)
     return element('div', { className: `grid ${size}` }, panels.map((panel) => {
       const points = indices(nB).flatMap((j) => indices(nA).map((i) => point(panel, i, j)));
-      return makeMap({ title: panel.title || panel.quantity.name, valueTitle: panel.quantity.title, x: a, y: b, range: rangeOf(panel.quantity),
+      return makeMap({ title: panel.title || panel.quantity.name, valueTitle: panel.quantity.title, x: a, y: b, range: rangeOf(panel.quantity.values),
         values: points.map((p) => panel.quantity.values[p]), marked: indices(points.length).filter((k) => results.warned.has(points[k])) });
     }));
   const aIsFamily = b.isNumeric && (!a.isNumeric || (nA < nB && nA <= mostCurves));
@@ -81,7 +76,7 @@ function panelsOf(results, panels, size) {
   return plotGrid(panels.map((panel) => {
     const plot = curvesOf(results, panel.quantity, x, names, names.map((_, s) =>
       x.values.map((_, i) => aIsFamily ? point(panel, s, i) : point(panel, i, s))));
-    return panel.title ? { ...plot, title: panel.title, y: { title: panel.quantity.unit, range: rangeOf(panel.quantity) } } : plot;
+    return panel.title ? { ...plot, title: panel.title, y: { title: panel.quantity.unit, range: rangeOf(panel.quantity.values) } } : plot;
   }), size);
 }
 

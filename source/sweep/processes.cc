@@ -4,7 +4,6 @@
 
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/interrupt.h"
-#include "plate_impact/sweep/sweep_computation.h"
 
 #include <boost/serialization/is_bitwise_serializable.hpp>
 #include <boost/serialization/vector.hpp>

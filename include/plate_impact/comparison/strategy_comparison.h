@@ -27,17 +27,10 @@ namespace PlateImpact
     /// tolerance of Ritz vectors. 0 where the scene gives the peak force.
     double uncertainty = 0.;
 
-    /// Of the peak force, a fraction: what the time step leaves, which all
-    /// meshes share. None where it was not estimated.
-    std::optional<double> time_step_error;
-
-    std::optional<double> contact_end; ///< of the first contact [s]
-
-    /// Of the computed reference.
-    std::optional<double>         eta;
-    std::optional<ContactHistory> history;
-    unsigned int                  cells = 0, degrees_of_freedom = 0;
-    double                        seconds = 0.;
+    /// None where the scene gives the peak force. The time step, which all
+    /// meshes share, leaves its `time_error`.
+    std::optional<CycleResult> computed;
+    double                     seconds = 0.; ///< that it has taken
 
     /// Where a field is to compare with: not under a point load, whose energy
     /// has no limit.
@@ -115,26 +108,13 @@ namespace PlateImpact
   /// Who reaches a threshold.
   struct ThresholdRow
   {
-    double ComparedMesh::*error; ///< of the peak force, or eta
-    double                threshold;
-    bool                  is_comparable; ///< above the reference's uncertainty
+    bool   is_of_eta; ///< or of the error of the peak force
+    double threshold;
+    bool   is_comparable; ///< above the reference's uncertainty
     /// Curves that reach it and stay below, the fastest first; none where it is
     /// not comparable. Of eta, those whose meshes are made for it: by force, a
     /// plate is watched no longer than its peak takes.
     std::vector<Achievement> achievements;
-
-    bool
-    is_of_eta() const
-    {
-      return error == &ComparedMesh::eta;
-    }
-
-    /// Of the error, in words.
-    std::string
-    quantity() const
-    {
-      return is_of_eta() ? "eta" : "peak force error";
-    }
   };
 
 
@@ -190,12 +170,6 @@ namespace PlateImpact
     std::vector<ComparisonCurve> curves;
 
   private:
-    /// Whether there is nothing to learn from a comparison.
-    bool
-    is_close_to_reference(const CycleResult          &result,
-                          const AdaptivityParameters &adaptivity) const;
-    std::vector<Achievement>
-    achievements(double threshold, double ComparedMesh::*error) const;
     Parameters
     parameters_of(const ComparedStrategy &strategy, ElementType element) const;
     void

@@ -4,7 +4,7 @@
 #include "plate_impact/analysis/outcome.h"
 #include "plate_impact/output/report.h"
 #include "plate_impact/output/result_directory.h"
-#include "plate_impact/output/verdict.h"
+#include "plate_impact/output/run_in_words.h"
 #include "plate_impact/scene/scene.h"
 
 #include <string>

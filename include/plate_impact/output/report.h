@@ -2,7 +2,7 @@
 
 #include "plate_impact/analysis/cycle.h"
 #include "plate_impact/contact/contact_history.h"
-#include "plate_impact/output/verdict.h"
+#include "plate_impact/output/run_in_words.h"
 #include "plate_impact/page/page.h"
 #include "plate_impact/scene/scene.h"
 
