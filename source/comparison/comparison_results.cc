@@ -80,16 +80,16 @@ namespace PlateImpact
 
 
 
-    Json
-    to_json(const ComparisonCurve &curve)
+    /// Whether neither is ahead: identical meshes, or times that differ by less
+    /// than a tenth, as they do from run to run.
+    bool
+    are_tied(const Achievement &a, const Achievement &b)
     {
-      Json json = {{"strategy", curve.strategy_name()},
-                   {"element", word_for(curve.element)},
-                   {"end", curve.end},
-                   {"meshes", Json::array()}};
-      for (const ComparedMesh &mesh : curve.meshes)
-        json["meshes"].push_back(to_json(mesh));
-      return json;
+      const ComparedMesh &one = *a.mesh, &other = *b.mesh;
+      const double ratio = one.cumulative_seconds / other.cumulative_seconds;
+      return (one.cycle == other.cycle && one.cells == other.cells &&
+              one.peak_force == other.peak_force) ||
+        (ratio > 0.9 && ratio < 1. / 0.9);
     }
 
 
@@ -224,7 +224,14 @@ namespace PlateImpact
                  {"curves", Json::array()},
                  {"thresholds", Json::array()}};
     for (const ComparisonCurve &curve : comparison.curves)
-      json["curves"].push_back(to_json(curve));
+      {
+        json["curves"].push_back({{"strategy", curve.strategy_name()},
+                                  {"element", word_for(curve.element)},
+                                  {"end", curve.end},
+                                  {"meshes", Json::array()}});
+        for (const ComparedMesh &mesh : curve.meshes)
+          json["curves"].back()["meshes"].push_back(to_json(mesh));
+      }
     for (const ThresholdRow &row : comparison.thresholds())
       json["thresholds"].push_back(to_json(row, comparison.curves));
     return json;

@@ -110,18 +110,6 @@ namespace PlateImpact
 
 
 
-  bool
-  are_tied(const Achievement &a, const Achievement &b)
-  {
-    const ComparedMesh &one = *a.mesh, &other = *b.mesh;
-    const double ratio = one.cumulative_seconds / other.cumulative_seconds;
-    return (one.cycle == other.cycle && one.cells == other.cells &&
-            one.peak_force == other.peak_force) ||
-      (ratio > 0.9 && ratio < 1. / 0.9);
-  }
-
-
-
   Parameters
   StrategyComparison::parameters_of(const ComparedStrategy &strategy,
                                     const ElementType       element) const

@@ -172,33 +172,66 @@ namespace PlateImpact
         }
       const auto &names = PlateSection(plate).stress_names();
       for (std::size_t k = 0; k < names.size(); ++k)
-        cycle["max_" + names[k]] = stresses.col(k).maxCoeff();
-      for (Eigen::Index ply = 0; ply < stresses.rows(); ++ply)
         {
-          Json of_ply;
-          of_ply["ply"]   = ply + 1;
-          of_ply["angle"] = plate.layup.angles[ply];
-          for (std::size_t k = 0; k < names.size(); ++k)
-            of_ply[names[k]] = stresses(ply, k);
-          cycle["plies"].push_back(of_ply);
+          cycle["max_" + names[k]] = stresses.col(k).maxCoeff();
+          for (Eigen::Index ply = 0; ply < stresses.rows(); ++ply)
+            {
+              Json &of_ply     = cycle["plies"][ply];
+              of_ply["ply"]    = ply + 1;
+              of_ply["angle"]  = plate.layup.angles[ply];
+              of_ply[names[k]] = stresses(ply, k);
+            }
         }
     }
 
 
 
     void
-    add_quantities(const CycleResult &result,
-                   const Parameters  &parameters,
-                   const ZenerImpact &expected,
-                   Json              &cycle)
+    add_impact(const CycleResult &result,
+               const Parameters  &parameters,
+               const ZenerImpact &expected,
+               Json              &cycle)
     {
       const ComputedImpact impact{parameters, expected, result};
+      const double         end_time = impact.last.time;
       for (const ImpactQuantity &quantity : impact_quantities())
         if (const auto value = quantity.value(impact))
           cycle[quantity.name] = *value;
-      cycle["number_of_contacts"] = result.history->n_contacts();
+      cycle["number_of_contacts"] = impact.history.n_contacts();
       if (!parameters.impactor.is_cylinder())
         cycle["zener_peak_force"] = expected.peak.force;
+      if (result.damping > 0. && impact.peak.force > 0.)
+        cycle["loss_factor_of_contact"] = result.loss_factor_of_contact();
+      if (result.time_error)
+        cycle["time_error"] = *result.time_error;
+      if (result.peak_force_error)
+        cycle["peak_force_error_estimate"] = result.peak_force_error->sum();
+      if (const auto &bar = result.peak_force_bar)
+        cycle.update({{"peak_force_error_space", bar->space},
+                      {"peak_force_error_time", bar->time}});
+      if (const auto &verification = result.verification)
+        cycle["verification"] = {{"cells", verification->cells},
+                                 {"peak_force", verification->peak_force},
+                                 {"relative_change",
+                                  verification->peak_force / impact.peak.force -
+                                    1.}};
+      if (result.sensitivity)
+        cycle["sensitivity"] = result.sensitivity->factor;
+      if (result.separation_time)
+        cycle["no_contact_after"] = *result.separation_time;
+      cycle["plate_displacement_at_peak"] = impact.peak.plate_displacement;
+      if (result.error)
+        add_stresses(result.error->max_stresses, parameters.plate, cycle);
+      cycle.update({{"steps", result.steps},
+                    {"end_time", end_time},
+                    {"time_step", end_time / result.steps},
+                    {"work",
+                     {{"factorizations", result.work.factorizations},
+                      {"linear_solves", result.work.linear_solves},
+                      {"contact_steps", result.contact_steps},
+                      {"estimator_samples",
+                       result.error ? result.error->sample_times.size() : 0},
+                      {"ritz_vectors", result.work.ritz_vectors}}}});
     }
 
 
@@ -210,65 +243,26 @@ namespace PlateImpact
                const Parameters                 &parameters,
                const std::optional<ZenerImpact> &expected)
     {
-      Json cycle;
-      cycle["cycle"]              = result.cycle;
-      cycle["cells"]              = result.cells;
-      cycle["degrees_of_freedom"] = result.degrees_of_freedom;
-      cycle["min_cell_size"]      = result.min_cell_size;
-      if (result.error)
+      Json cycle = {{"cycle", result.cycle},
+                    {"cells", result.cells},
+                    {"degrees_of_freedom", result.degrees_of_freedom},
+                    {"min_cell_size", result.min_cell_size}};
+      if (const auto &error = result.error)
         {
-          cycle["discretization_error"] = result.error->eta;
-          if (result.error->n_singular_cells > 0)
-            {
-              cycle["singular_cells"] = result.error->n_singular_cells;
-              cycle["discretization_error_of_all_cells"] =
-                result.error->eta_of_all_cells;
-              cycle["discretization_error_of_regular_cells"] =
-                result.error->eta_of_regular_cells;
-            }
-          cycle["max_element_error"]     = result.error_ratios->max_element();
-          cycle["cells_above_limit"]     = result.cells_above_limit;
-          cycle["cells_at_minimum_size"] = result.cells_at_minimum_size;
+          cycle["discretization_error"] = error->eta;
+          if (error->n_singular_cells > 0)
+            cycle.update(
+              {{"singular_cells", error->n_singular_cells},
+               {"discretization_error_of_all_cells", error->eta_of_all_cells},
+               {"discretization_error_of_regular_cells",
+                error->eta_of_regular_cells}});
+          cycle.update(
+            {{"max_element_error", result.error_ratios->max_element()},
+             {"cells_above_limit", result.cells_above_limit},
+             {"cells_at_minimum_size", result.cells_at_minimum_size}});
         }
       if (result.history)
-        {
-          const ContactHistory &history = *result.history;
-          const ContactState   &peak    = history.peak();
-          add_quantities(result, parameters, *expected, cycle);
-          if (result.damping > 0. && peak.force > 0.)
-            cycle["loss_factor_of_contact"] = result.loss_factor_of_contact();
-          if (result.time_error)
-            cycle["time_error"] = *result.time_error;
-          if (result.peak_force_error)
-            cycle["peak_force_error_estimate"] = result.peak_force_error->sum();
-          if (const auto &bar = result.peak_force_bar)
-            {
-              cycle["peak_force_error_space"] = bar->space;
-              cycle["peak_force_error_time"]  = bar->time;
-            }
-          if (const auto &verification = result.verification)
-            cycle["verification"] = {
-              {"cells", verification->cells},
-              {"peak_force", verification->peak_force},
-              {"relative_change", verification->peak_force / peak.force - 1.}};
-          if (result.sensitivity)
-            cycle["sensitivity"] = result.sensitivity->factor;
-          if (result.separation_time)
-            cycle["no_contact_after"] = *result.separation_time;
-          cycle["plate_displacement_at_peak"] = peak.plate_displacement;
-          if (result.error)
-            add_stresses(result.error->max_stresses, parameters.plate, cycle);
-          cycle["steps"]     = result.steps;
-          cycle["end_time"]  = history.states().back().time;
-          cycle["time_step"] = history.states().back().time / result.steps;
-          cycle["work"]      = {{"factorizations", result.work.factorizations},
-                                {"linear_solves", result.work.linear_solves},
-                                {"contact_steps", result.contact_steps},
-                                {"estimator_samples",
-                            result.error ? result.error->sample_times.size() :
-                                                0},
-                                {"ritz_vectors", result.work.ritz_vectors}};
-        }
+        add_impact(result, parameters, *expected, cycle);
       if (!result.natural_frequencies.empty())
         cycle["natural_frequencies"] = result.natural_frequencies;
       const Seconds &s            = result.seconds;
@@ -346,18 +340,18 @@ namespace PlateImpact
                         const std::vector<std::string> &warnings,
                         const Verdict                  &verdict)
   {
-    Json summary;
-    summary["scene"]   = scene.name;
-    summary["version"] = PLATE_IMPACT_VERSION;
-    summary["outcome"] = outcome;
-    const auto part    = [](const Verdict::Part &part) {
+    const auto part = [](const Verdict::Part &part) {
       return Json{{"trust", word_for(part.trust)}, {"reasons", part.reasons}};
     };
-    summary["verdict"] = {{"trust", word_for(verdict.trust())},
-                          {"text", verdict.text},
-                          {"contact", verdict.warnings.contact},
-                          {"convergence", part(verdict.convergence)},
-                          {"model", part(verdict.model)}};
+    Json summary = {{"scene", scene.name},
+                    {"version", PLATE_IMPACT_VERSION},
+                    {"outcome", outcome},
+                    {"verdict",
+                     {{"trust", word_for(verdict.trust())},
+                      {"text", verdict.text},
+                      {"contact", verdict.warnings.contact},
+                      {"convergence", part(verdict.convergence)},
+                      {"model", part(verdict.model)}}}};
     for (const ModelError &error : verdict.warnings.model_errors)
       {
         Json &errors = summary["verdict"]["model"]["errors"];

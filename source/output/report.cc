@@ -49,27 +49,6 @@ namespace PlateImpact
 
 
 
-    /// Adds resultants of a state at the centres of the cells, recovered, and
-    /// the stresses of the section under them.
-    void
-    add_resultants(const Snapshot &state, const Cycle &cycle, Json &fields)
-    {
-      for (const SectionField &field :
-           section_fields(cycle.discretization().section(),
-                          recovered_resultants(cycle.discretization(),
-                                               cycle.recovery(),
-                                               state.unknowns,
-                                               {dealii::Point<2>(0.5, 0.5)})
-                            .front()))
-        fields.push_back(
-          {{"name", field.name},
-           {"unit", field.unit},
-           {"values",
-            numbers_on_page({field.values.begin(), field.values.end()})}});
-    }
-
-
-
     /// Of a line of stresses.
     constexpr unsigned int points_per_cell = 9;
 
@@ -80,39 +59,32 @@ namespace PlateImpact
       Tensor<1, 2> direction;
     };
 
-    /// Distances at which a ray enters and leaves a cell with straight edges;
-    /// the second is the smaller where it does not meet the cell.
-    std::pair<double, double>
-    crossing(const Ray &ray, const RecoveredField::Cell &cell)
-    {
-      double enters = 0., leaves = std::numeric_limits<double>::max();
-      const unsigned int around[] = {0, 1, 3, 2};
-      for (unsigned int side = 0; side < 4; ++side)
-        {
-          const Point<2>     begin = cell->vertex(around[side]);
-          const Tensor<1, 2> edge =
-            cell->vertex(around[(side + 1) % 4]) - begin;
-          // counter-clockwise: the cell is to the left of its edges
-          const double inside   = cross_product_2d(edge) * (begin - ray.origin);
-          const double approach = cross_product_2d(edge) * ray.direction;
-          if (approach == 0. && inside < 0.)
-            leaves = -1.;
-          else if (approach > 0.)
-            leaves = std::min(leaves, inside / approach);
-          else if (approach < 0.)
-            enters = std::max(enters, inside / approach);
-        }
-      return {enters, leaves};
-    }
-
-    /// Cells that a ray meets, by the distances at which it does.
+    /// Cells with straight edges that a ray meets, by the distances at which it
+    /// enters them, with those at which it leaves them.
     std::map<double, std::pair<double, RecoveredField::Cell>>
     cells_along(const Ray &ray, const Triangulation<2> &mesh)
     {
       std::map<double, std::pair<double, RecoveredField::Cell>> cells;
       for (const auto &cell : mesh.active_cell_iterators())
         {
-          const auto [enters, leaves] = crossing(ray, cell);
+          double enters = 0., leaves = std::numeric_limits<double>::max();
+          // counter-clockwise: the cell is to the left of its edges
+          for (const auto &[a, b] : {std::pair(0, 1),
+                                     std::pair(1, 3),
+                                     std::pair(3, 2),
+                                     std::pair(2, 0)})
+            {
+              const Tensor<1, 2> out =
+                cross_product_2d(cell->vertex(b) - cell->vertex(a));
+              const double inside   = out * (cell->vertex(a) - ray.origin),
+                           approach = out * ray.direction;
+              if (approach == 0. && inside < 0.)
+                leaves = -1.;
+              else if (approach > 0.)
+                leaves = std::min(leaves, inside / approach);
+              else if (approach < 0.)
+                enters = std::max(enters, inside / approach);
+            }
           if (leaves - enters > 1e-4 * cell->diameter())
             cells.insert({enters, {leaves, cell}});
         }
@@ -264,7 +236,18 @@ namespace PlateImpact
     meshes.back() = mesh_on_page(cycle.mesh(), title, result.element_errors());
     if (!result.peak_state)
       return;
-    add_resultants(*result.peak_state, cycle, meshes.back()["fields"]);
+    for (const SectionField &field :
+         section_fields(cycle.discretization().section(),
+                        recovered_resultants(cycle.discretization(),
+                                             cycle.recovery(),
+                                             result.peak_state->unknowns,
+                                             {dealii::Point<2>(0.5, 0.5)})
+                          .front()))
+      meshes.back()["fields"].push_back(
+        {{"name", field.name},
+         {"unit", field.unit},
+         {"values",
+          numbers_on_page({field.values.begin(), field.values.end()})}});
     // of the first mesh and the last
     if (stresses.size() == 2)
       stresses.erase(1);

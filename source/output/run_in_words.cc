@@ -57,18 +57,6 @@ namespace PlateImpact
 
 
 
-    std::string
-    stretching_in_words(const PlateParameters &plate)
-    {
-      if (PlateSection(plate).stretching() == Stretching::none)
-        return "";
-      return ", " + supports_in_words(plate.in_plane_supports) +
-        " in its plane" +
-        (plate.has_large_deflection() ? ", with large deflections" : "");
-    }
-
-
-
     /// Whether the run has met what the scene asks for, in words.
     std::string
     result_in_words(const Parameters &parameters, const Outcome outcome)
@@ -183,7 +171,11 @@ namespace PlateImpact
     const std::string target = extent + thickness.text(plate.thickness) +
       " thick, " +
       (plate.is_laminate() ? "plies " + plate.layup.text + ", " : "") +
-      supports_in_words(plate.supports) + stretching_in_words(plate);
+      supports_in_words(plate.supports) +
+      (PlateSection(plate).stretching() == Stretching::none ?
+         "" :
+         ", " + supports_in_words(plate.in_plane_supports) + " in its plane") +
+      (plate.has_large_deflection() ? ", with large deflections" : "");
     if (!parameters.has_impactor())
       return "A " + target + ". Nothing strikes it.";
 

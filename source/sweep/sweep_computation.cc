@@ -230,25 +230,6 @@ namespace PlateImpact
     if (!point.parameters.adaptivity.is_adaptive())
       return make_plate_mesh(point.parameters.plate,
                              point.parameters.discretization.initial_cells);
-    const SweepPoint worst = worst_point(group);
-    ImpactAnalysis   analysis(worst.parameters);
-    analysis.run();
-    mesh_warnings           = analysis.warnings;
-    const CycleResult &last = analysis.last_cycle().result;
-    work.meshes += last.cycle - 1;
-    for (const std::string &warning :
-         make_goal(worst.parameters.adaptivity)->warnings(last))
-      mesh_warnings.push_back(
-        "on the mesh adapted for the point with the shortest contact, " +
-        warning);
-    return copy_of(analysis.last_cycle().mesh());
-  }
-
-
-
-  SweepPoint
-  SweepComputation::worst_point(const std::size_t group)
-  {
     std::optional<SweepPoint> worst;
     const auto                severity = [](const SweepPoint &point) {
       return std::make_tuple(-point.expected.peak.time,
@@ -257,15 +238,25 @@ namespace PlateImpact
     for (const std::size_t index : groups.groups[group])
       try
         {
-          const SweepPoint point = scene.point(index);
-          if (!worst || severity(point) > severity(*worst))
-            worst = point;
+          const SweepPoint other = scene.point(index);
+          if (!worst || severity(other) > severity(*worst))
+            worst = other;
         }
       catch (const InputError &)
         {
           // it gets its row when its turn comes
         }
-    return *worst;
+    ImpactAnalysis analysis(worst->parameters);
+    analysis.run();
+    mesh_warnings           = analysis.warnings;
+    const CycleResult &last = analysis.last_cycle().result;
+    work.meshes += last.cycle - 1;
+    for (const std::string &warning :
+         make_goal(worst->parameters.adaptivity)->warnings(last))
+      mesh_warnings.push_back(
+        "on the mesh adapted for the point with the shortest contact, " +
+        warning);
+    return copy_of(analysis.last_cycle().mesh());
   }
 
 

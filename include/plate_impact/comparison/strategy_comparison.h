@@ -99,12 +99,6 @@ namespace PlateImpact
   };
 
 
-  /// Whether neither is ahead: identical meshes, or times that differ by less
-  /// than a tenth, as they do from run to run.
-  bool
-  are_tied(const Achievement &a, const Achievement &b);
-
-
   /// Who reaches a threshold.
   struct ThresholdRow
   {

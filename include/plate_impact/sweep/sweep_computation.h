@@ -78,10 +78,8 @@ namespace PlateImpact
     /// The impact on the struck plate.
     Computed
     strike(const SweepPoint &point);
-    /// The valid point of a group that needs the finest mesh.
-    SweepPoint
-    worst_point(std::size_t group);
-    /// The mesh that the points of a group share.
+    /// The mesh that the points of a group share, made for the valid one that
+    /// needs the finest.
     std::unique_ptr<dealii::Triangulation<2>>
     make_mesh(std::size_t group, const SweepPoint &point);
     /// The impact on a mesh with its error, and on better ones where the
