@@ -5,7 +5,6 @@
 #include "plate_impact/base/interrupt.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/command/commands.h"
-#include "plate_impact/comparison/comparison_results.h"
 #include "plate_impact/comparison/strategy_comparison.h"
 #include "plate_impact/marking/outside_marking.h"
 #include "plate_impact/output/console.h"

@@ -1,7 +1,6 @@
-#include "plate_impact/comparison/comparison_results.h"
-
 #include "plate_impact/base/text.h"
 #include "plate_impact/base/version.h"
+#include "plate_impact/comparison/strategy_comparison.h"
 #include "plate_impact/output/report.h"
 
 #include <algorithm>

@@ -328,7 +328,7 @@ namespace PlateImpact
         write_mesh_svg(out, cycle);
       });
     if (scene.parameters.output.write_report)
-      report.add_cycle(cycle);
+      add_to_report(cycle, study);
     result.seconds.output += timer.wall_time();
     cycles.push_back(summary_of(result, scene.parameters, scene.expected));
   }
@@ -390,7 +390,7 @@ namespace PlateImpact
     const Json summary = write_summary(word_for(outcome), warnings, verdict);
     if (scene.parameters.output.write_report)
       directory.write_file("report.html", [&](std::ostream &out) {
-        report.write(out, scene, verdict, summary, last);
+        write_report(out, scene, verdict, summary, last, std::move(study));
       });
   }
 

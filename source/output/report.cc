@@ -218,22 +218,23 @@ namespace PlateImpact
 
 
   void
-  Report::add_cycle(const Cycle &cycle)
+  add_to_report(const Cycle &cycle, Json &study)
   {
     const CycleResult &result = cycle.result;
     if (result.history)
-      histories.push_back(history_on_page(*result.history, max_plotted_states));
+      study["histories"].push_back(
+        history_on_page(*result.history, max_plotted_states));
     if (result.error)
-      errors.push_back(
+      study["errors"].push_back(
         {{"time", numbers_on_page(result.error->sample_times)},
          {"error", numbers_on_page(result.error->sample_errors)}});
     const std::string title = "Cycle " + std::to_string(result.cycle) + ": " +
       std::to_string(result.cells) + " cells" +
       (result.error ? ", η = " + percentage(result.error->eta) : "");
-    meshes.push_back(nullptr);
+    Json &mesh = study["meshes"].emplace_back();
     if (result.cells > max_pictured_cells)
       return;
-    meshes.back() = mesh_on_page(cycle.mesh(), title, result.element_errors());
+    mesh = mesh_on_page(cycle.mesh(), title, result.element_errors());
     if (!result.peak_state)
       return;
     for (const SectionField &field :
@@ -243,12 +244,13 @@ namespace PlateImpact
                                              result.peak_state->unknowns,
                                              {dealii::Point<2>(0.5, 0.5)})
                           .front()))
-      meshes.back()["fields"].push_back(
+      mesh["fields"].push_back(
         {{"name", field.name},
          {"unit", field.unit},
          {"values",
           numbers_on_page({field.values.begin(), field.values.end()})}});
     // of the first mesh and the last
+    Json &stresses = study["stresses"];
     if (stresses.size() == 2)
       stresses.erase(1);
     stresses.push_back(stress_lines(cycle, *result.peak_state));
@@ -258,18 +260,18 @@ namespace PlateImpact
 
 
   void
-  Report::write(std::ostream  &out,
-                const Scene   &scene,
-                const Verdict &verdict,
-                const Json    &summary,
-                const Cycle   &last)
+  write_report(std::ostream  &out,
+               const Scene   &scene,
+               const Verdict &verdict,
+               const Json    &summary,
+               const Cycle   &last,
+               Json           study)
   {
     const Parameters &parameters = scene.parameters;
-    Json              study      = {{"study", "run"}, {"text", scene.text}};
+    study["text"]                = scene.text;
     study["summary"]             = summary;
+    study["film"]                = deflection_film(last);
     study.update(plate_on_page(parameters));
-    study["histories"] = std::move(histories);
-    study["errors"]    = std::move(errors);
     if (parameters.has_impactor())
       {
         const ContactState &expected = scene.expected->peak;
@@ -284,7 +286,6 @@ namespace PlateImpact
                         {"load", load_in_words(parameters)},
                         {"model", model_in_words(verdict)}};
       }
-    study["meshes"] = std::move(meshes);
     // the last meshes matter most
     std::size_t n_cells = 0;
     for (auto mesh = study["meshes"].rbegin(); mesh != study["meshes"].rend();
@@ -295,8 +296,6 @@ namespace PlateImpact
         if (n_cells > max_pictured_cells)
           *mesh = nullptr;
       }
-    study["stresses"] = std::move(stresses);
-    study["film"]     = deflection_film(last);
     write_page(out,
                {scene.name,
                 scene_in_words(parameters),

@@ -2,7 +2,6 @@
 
 #include <deal.II/base/utilities.h>
 
-#include "page/page_assets.h"
 #include "plate_impact/plate/plate_geometry.h"
 
 #include <cstdlib>
@@ -11,6 +10,13 @@
 #include <ostream>
 #include <string_view>
 #include <utility>
+
+/// The files of source/page/, its scripts as one, and Chart.js, which
+/// cmake/embed.cmake writes into the program.
+namespace PlateImpact::PageAssets
+{
+  extern const std::string_view page, style, script, library;
+}
 
 namespace PlateImpact
 {

@@ -54,6 +54,10 @@ namespace PlateImpact
 
     const Scene &scene;
     Json         cycles = Json::array();
-    Report       report;
+    Json         study  = {{"study", "run"},
+                           {"histories", Json::array()},
+                           {"errors", Json::array()},
+                           {"meshes", Json::array()},
+                           {"stresses", Json::array()}}; ///< for the report
   };
 } // namespace PlateImpact
