@@ -163,15 +163,18 @@ namespace PlateImpact
 
 
 
+    /// Values rounded to numbers of a kind, column after column.
     template <typename Number>
     std::string
-    base64(const std::vector<Number> &values)
+    base64(const Eigen::ArrayXXd &values)
     {
+      const Eigen::Array<Number, Eigen::Dynamic, Eigen::Dynamic> numbers =
+        values.round().template cast<Number>();
       const auto *const bytes =
-        reinterpret_cast<const unsigned char *>(values.data());
+        reinterpret_cast<const unsigned char *>(numbers.data());
       return Utilities::encode_base64(
         std::vector<unsigned char>(bytes,
-                                   bytes + sizeof(Number) * values.size()));
+                                   bytes + sizeof(Number) * numbers.size()));
     }
 
 
@@ -194,31 +197,23 @@ namespace PlateImpact
       Json result = Json::array();
       for (std::size_t k = 0; k < fields.front().size(); ++k)
         {
-          double largest = std::numeric_limits<double>::min();
-          for (const auto &frame : fields)
-            largest =
-              std::max(largest, frame[k].values.lpNorm<Eigen::Infinity>());
-          std::vector<std::int8_t> roots(fields.front()[k].values.size(), 0);
-          for (const auto &frame : fields)
-            for (const double value : frame[k].values)
-              roots.push_back(std::lround(
-                std::copysign(127. * std::sqrt(std::abs(value) / largest),
-                              value)));
-          result.push_back({{"name", fields.front()[k].name},
-                            {"unit", fields.front()[k].unit},
-                            {"isOdd", fields.front()[k].is_odd},
-                            {"largest", largest},
-                            {"values", base64(roots)}});
+          const SectionField &first = fields.front()[k];
+          Eigen::ArrayXXd     values =
+            Eigen::ArrayXXd::Zero(first.values.size(), n_frames + 1);
+          for (unsigned int frame = 0; frame < n_frames; ++frame)
+            values.col(frame + 1) = fields[frame][k].values;
+          const double largest = std::max(values.abs().maxCoeff(),
+                                          std::numeric_limits<double>::min());
+          result.push_back(
+            {{"name", first.name},
+             {"unit", first.unit},
+             {"isOdd", first.is_odd},
+             {"largest", largest},
+             {"values",
+              base64<std::int8_t>(127. * values.sign() *
+                                  (values.abs() / largest).sqrt())}});
         }
       return result;
-    }
-
-
-
-    std::int16_t
-    quantized(const double value)
-    {
-      return std::int16_t(std::lround(std::clamp(value, -32767., 32767.)));
     }
 
 
@@ -276,7 +271,7 @@ namespace PlateImpact
   deflection_film(const Cycle &cycle)
   {
     const CycleResult          &result          = cycle.result;
-    const PlateDiscretization  &discretization  = cycle.discretization();
+    const PlateDiscretization  &plate           = cycle.discretization();
     const std::size_t           n_cells         = result.cells;
     const unsigned int          points_per_side = n_cells > 1000 ? 2 :
                n_cells > 60                                      ? 3 :
@@ -287,9 +282,8 @@ namespace PlateImpact
       return chosen_frames(result.frames.size(),
                            n_points * (2 + n_fields) + 2 * n_cells);
     };
-    std::vector<std::size_t> chosen =
-      frames_with(discretization.section().n_resultants() +
-                  discretization.section().stress_names().size());
+    std::vector<std::size_t> chosen = frames_with(
+      plate.section().n_resultants() + plate.section().stress_names().size());
     const bool has_stresses =
       chosen.size() >= std::min(result.frames.size(), min_frames_of_stresses);
     if (!has_stresses)
@@ -297,12 +291,6 @@ namespace PlateImpact
     if (chosen.empty() || !result.error)
       return {};
 
-    // the first frame is the plate at rest
-    std::vector<double>       times(1, 0.), forces(1, 0.), errors(1, 0.);
-    std::vector<std::int16_t> deflection(n_points, 0);
-    std::vector<std::int16_t> cell_errors(
-      n_cells,
-      std::numeric_limits<std::int16_t>::min());
     std::vector<const Snapshot *> frames;
     std::vector<std::size_t>      sample_of_frame;
     for (const std::size_t i : chosen)
@@ -318,52 +306,56 @@ namespace PlateImpact
         frames.push_back(&frame);
         sample_of_frame.push_back(i);
       }
-    std::vector<Eigen::MatrixXd> w;
-    double                       unit = std::numeric_limits<double>::min();
-    for (const Snapshot *frame : frames)
-      {
-        w.push_back(displacements(discretization,
-                                  frame->unknowns,
-                                  PlateImpact::deflection,
-                                  unit_points));
-        unit = std::max(unit, w.back().cwiseAbs().maxCoeff() / 32767.);
-      }
-
-    const auto &states  = result.history->states();
-    const auto &samples = result.error->sample_times;
+    // the first frame is the plate at rest
+    const auto         &states  = result.history->states();
+    const auto         &samples = result.error->sample_times;
+    std::vector<double> times(1, 0.), forces(1, 0.), errors(1, 0.);
+    Eigen::ArrayXXd     w = Eigen::ArrayXXd::Zero(n_points, frames.size() + 1);
+    Eigen::ArrayXXd     xi =
+      Eigen::ArrayXXd::Constant(n_cells,
+                                frames.size() + 1,
+                                std::numeric_limits<std::int16_t>::min());
     for (std::size_t i = 0; i < frames.size(); ++i)
       {
         const double time = frames[i]->time;
         times.push_back(time);
-        const auto is_before = [](const ContactState &state, const double t) {
-          return state.time < t;
-        };
         forces.push_back(
-          std::lower_bound(states.begin(), states.end() - 1, time, is_before)
+          std::lower_bound(states.begin(),
+                           states.end() - 1,
+                           time,
+                           [](const ContactState &state, const double t) {
+                             return state.time < t;
+                           })
             ->force);
         errors.push_back(
           result.error->sample_errors[std::lower_bound(samples.begin(),
                                                        samples.end() - 1,
                                                        time) -
                                       samples.begin()]);
-        for (const double value : w[i].reshaped())
-          deflection.push_back(quantized(value / unit));
-        for (const float error :
-             result.error->kept_element_errors[sample_of_frame[i]])
-          cell_errors.push_back(
-            error > 0.f ?
-              quantized(
-                1e4 * std::log10(error / result.error_ratios->element_limit)) :
-              std::numeric_limits<std::int16_t>::min());
+        w.col(i + 1) =
+          displacements(plate, frames[i]->unknowns, deflection, unit_points)
+            .reshaped();
+        const Eigen::VectorXf &of_cells =
+          result.error->kept_element_errors[sample_of_frame[i]];
+        for (std::size_t cell = 0; cell < n_cells; ++cell)
+          if (of_cells[cell] > 0.f)
+            xi(cell, i + 1) =
+              std::clamp(1e4 *
+                           std::log10(of_cells[cell] /
+                                      result.error_ratios->element_limit),
+                         -32767.,
+                         32767.);
       }
+    const double unit =
+      std::max(w.abs().maxCoeff() / 32767., std::numeric_limits<double>::min());
     return {{"cells", n_cells},
             {"nodesPerSide", points_per_side},
             {"times", times},
             {"forces", forces},
             {"errors", errors},
             {"deflectionUnit", unit},
-            {"deflections", base64(deflection)},
-            {"cellErrors", base64(cell_errors)},
+            {"deflections", base64<std::int16_t>(w / unit)},
+            {"cellErrors", base64<std::int16_t>(xi)},
             {"fields",
              has_stresses ? stresses_on_page(cycle, frames, unit_points) :
                             Json::array()}};

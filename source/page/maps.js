@@ -65,15 +65,14 @@ function makeMap(map) {
     cell.addEventListener('pointerenter', () => { readout.textContent = text; });
     svg.append(cell);
   });
+  const write = (text, x, y, more) => svg.append(svgElement('text', { x, y, 'text-anchor': 'middle', ...more }, text));
   for (const k of map.marked)
-    svg.append(svgElement('text', { x: left + (k % xs.length + 0.5) * dx, y: 4 + height - (Math.floor(k / xs.length) + 0.5) * dy,
-      class: 'marked', 'text-anchor': 'middle', 'dominant-baseline': 'central' }, '!'));
-  for (const { value, at } of mapTicks(xs, 8))
-    svg.append(svgElement('text', { x: left + (at + 0.5) * dx, y: height + 20, 'text-anchor': 'middle' }, formatted(value)));
+    write('!', left + (k % xs.length + 0.5) * dx, 4 + height - (Math.floor(k / xs.length) + 0.5) * dy, { class: 'marked', 'dominant-baseline': 'central' });
+  for (const { value, at } of mapTicks(xs, 8)) write(formatted(value), left + (at + 0.5) * dx, height + 20);
   for (const { value, at } of mapTicks(ys, Math.max(2, height / 24)))
-    svg.append(svgElement('text', { x: left - 6, y: 8 + height - (at + 0.5) * dy, 'text-anchor': 'end' }, formatted(value)));
-  svg.append(svgElement('text', { x: left + width / 2, y: height + 40, 'text-anchor': 'middle' }, map.x.title));
-  svg.append(svgElement('text', { transform: `translate(14 ${height / 2}) rotate(-90)`, 'text-anchor': 'middle' }, map.y.title));
+    write(formatted(value), left - 6, 8 + height - (at + 0.5) * dy, { 'text-anchor': 'end' });
+  write(map.x.title, left + width / 2, height + 40);
+  write(map.y.title, 0, 0, { transform: `translate(14 ${height / 2}) rotate(-90)` });
   const labels = [low, (low + high) / 2, high].map((value) => formatted(value));
   return element('figure', {}, element('h3', {}, map.title), element('div', { className: 'map' }, svg,
     makeScale(palettes.sequential, labels, map.valueTitle), readout,

@@ -38,12 +38,8 @@ Chart.register({
 });
 
 function axis(description, overrides, values) {
-  const result = {
-    type: description.logarithmic ? 'logarithmic' : 'linear',
-    title: { display: true, text: description.title, color: cssColour('text') },
-    grid: { color: cssColour('line') },
-    ticks: { color: cssColour('text'), maxRotation: 0 }, ...overrides
-  };
+  const result = { type: description.logarithmic ? 'logarithmic' : 'linear', title: { display: true, text: description.title },
+    ticks: { maxRotation: 0 }, ...overrides };
   if (result.type === 'category') return result;
   if (description.limits) [result.min, result.max] = description.limits;
   if (description.range) [result.suggestedMin, result.suggestedMax] = description.range;
@@ -139,11 +135,11 @@ function makePlot(canvas, entry) {
   const bars = Boolean(plot.categories);
   const unit = (title) => (title.match(/\[(.*)\]/) ?? ['', ''])[1];
   Chart.getChart(canvas)?.destroy();
+  Object.assign(Chart.defaults, { color: cssColour('text'), borderColor: cssColour('line'), animation: false, maintainAspectRatio: false });
   return new Chart(canvas, {
     type: bars ? 'bar' : 'line',
     data: { labels: bars ? plot.categories : undefined, datasets: datasets(plot, entry.view) },
     options: {
-      animation: false, maintainAspectRatio: false,
       indexAxis: bars ? 'y' : 'x',
       interaction: bars ? { mode: 'index', axis: 'y', intersect: false } : { mode: 'nearestOfEach', intersect: false },
       scales: bars ?
@@ -152,7 +148,7 @@ function makePlot(canvas, entry) {
       plugins: {
         legend: {
           display: plot.series.length > 1 && !plot.series.some((series) => series.marker), position: 'bottom', onClick: toggleSeries,
-          labels: { color: cssColour('text'), boxWidth: 24, boxHeight: bars ? 10 : 2,
+          labels: { boxWidth: 24, boxHeight: bars ? 10 : 2,
             filter: (item, { datasets }) => datasets[item.datasetIndex].style !== 'faint' }
         },
         tooltip: {

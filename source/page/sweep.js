@@ -20,13 +20,11 @@ class SweepResults {
 
   /** The texts of a point; in a product the values of the last entry change fastest. */
   valuesAt(point) {
-    if (!this.isProduct) return this.entries.map(({ values }) => values[point]);
-    let rest = point;
-    return [...this.entries].reverse().map(({ values }) => {
-      const text = values[rest % values.length];
-      rest = Math.floor(rest / values.length);
-      return text;
-    }).reverse();
+    let stride = this.statuses.length;
+    return this.entries.map(({ values }) => {
+      stride = this.isProduct ? stride / values.length : 1;
+      return values[Math.floor(point / stride) % values.length];
+    });
   }
 }
 
