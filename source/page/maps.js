@@ -97,13 +97,8 @@ function rootScale({ name, unit }, high, isSigned) {
 /** Places of values on a palette, for all meshes of a group alike. */
 function fieldScale(fields) {
   if (fields[0].isRatio) return ratioScale;
-  let high = 0, isSigned = false;
-  for (const { values } of fields)
-    for (const value of values) {
-      high = Math.max(high, Math.abs(value));
-      isSigned = isSigned || value < 0;
-    }
-  return rootScale(fields[0], high || 1, isSigned);
+  const [low, high] = rangeOf(fields.flatMap(({ values }) => values));
+  return rootScale(fields[0], Math.max(high, -low) || 1, low < 0);
 }
 
 /** One part of the plate in all pictures of a group, with a scale bar in each. */
@@ -111,11 +106,7 @@ function makeMeshView(pictures, controls) {
   const [left, top, width, height] = pictures[0].getAttribute('viewBox').split(' ').map(Number);
   const { unit, x, y, r } = Object.fromEntries(Object.entries(pictures[0].dataset).map(([key, value]) => [key, Number(value)]));
   const view = { factor: 1, x: left + width / 2, y: top + height / 2 };
-  const bars = pictures.map((picture) => {
-    const bar = svgElement('g', { class: 'scalebar' });
-    picture.append(bar);
-    return bar;
-  });
+  const bars = pictures.map((picture) => picture.appendChild(svgElement('g', { class: 'scalebar' })));
 
   const show = () => {
     view.factor = Math.min(Math.max(view.factor, 1), 1e4);
