@@ -92,36 +92,31 @@ namespace PlateImpact
     }
 
     Json
-    values_on_page(const PlateSection &section, const Eigen::MatrixXd &points)
-    {
-      Json result = Json::array();
-      for (const SectionField &field : section_fields(section, points))
-        result.push_back(
-          numbers_on_page({field.values.begin(), field.values.end()}));
-      return result;
-    }
-
-
-
-    Json
     stresses_along(const Ray      &ray,
                    const Cycle    &cycle,
                    RecoveredField &field,
                    const Snapshot &state)
     {
-      const PlateDiscretization &plate = cycle.discretization();
-      const auto                 cells = cells_along(ray, plate.mesh());
+      const PlateDiscretization &plate     = cycle.discretization();
+      const Eigen::MatrixXd      stiffness = plate.section().stiffness();
       std::vector<double>        distances;
-      const double               gap = std::numeric_limits<double>::quiet_NaN();
-      const auto                 n   = cells.size() * (points_per_cell + 1);
-      const auto                 m   = plate.section().n_resultants();
-      Eigen::MatrixXd            raw = Eigen::MatrixXd::Constant(m, n, gap),
-                      recovered      = raw;
-      for (const auto &[enters, rest] : cells)
+      Json                       result;
+      const auto add = [&](const char *kind, const RowMajorMatrix &resultants) {
+        const auto fields =
+          section_fields(plate.section(), resultants.transpose());
+        for (std::size_t k = 0; k < fields.size(); ++k)
+          {
+            Json &line = result[kind][k];
+            for (const Json &value : numbers_on_page(
+                   {fields[k].values.begin(), fields[k].values.end()}))
+              line.push_back(value);
+            line.push_back(nullptr); // the gap
+          }
+      };
+      for (const auto &[enters, rest] : cells_along(ray, plate.mesh()))
         {
           const auto &[leaves, cell] = rest;
           std::vector<Point<2>> unit_points;
-          const auto            column = distances.size();
           for (unsigned int i = 0; i < points_per_cell; ++i)
             {
               distances.push_back(
@@ -132,12 +127,7 @@ namespace PlateImpact
                   ray.origin + distances.back() * ray.direction)));
             }
           distances.push_back(leaves); // the gap
-          const auto stiffness = plate.section().stiffness();
-          const auto set       = [&](Eigen::MatrixXd      &to,
-                               const RowMajorMatrix &from) {
-            to.middleCols(column, points_per_cell) = from.transpose();
-          };
-          set(raw,
+          add("raw",
               resultants_at(plate,
                             cell->active_cell_index(),
                             stiffness,
@@ -145,11 +135,10 @@ namespace PlateImpact
                             state.unknowns));
           RowMajorMatrix smooth;
           field.evaluate(cell, unit_points, smooth);
-          set(recovered, smooth);
+          add("recovered", smooth);
         }
-      return {{"distance", numbers_on_page(distances)},
-              {"raw", values_on_page(plate.section(), raw)},
-              {"recovered", values_on_page(plate.section(), recovered)}};
+      result["distance"] = numbers_on_page(distances);
+      return result;
     }
 
 
