@@ -187,10 +187,10 @@ namespace PlateImpact
 
 
     void
-    add_impact(const CycleResult &result,
-               const Parameters  &parameters,
-               const ZenerImpact &expected,
-               Json              &cycle)
+    add_quantities(const CycleResult &result,
+                   const Parameters  &parameters,
+                   const ZenerImpact &expected,
+                   Json              &cycle)
     {
       const ComputedImpact impact{parameters, expected, result};
       const double         end_time = impact.last.time;
@@ -262,7 +262,7 @@ namespace PlateImpact
              {"cells_at_minimum_size", result.cells_at_minimum_size}});
         }
       if (result.history)
-        add_impact(result, parameters, *expected, cycle);
+        add_quantities(result, parameters, *expected, cycle);
       if (!result.natural_frequencies.empty())
         cycle["natural_frequencies"] = result.natural_frequencies;
       const Seconds &s            = result.seconds;
