@@ -3,7 +3,7 @@
 #include "plate_impact/command/commands.h"
 #include "plate_impact/command/expectation.h"
 #include "plate_impact/plate/plate_geometry.h"
-#include "plate_impact/sweep/sweep_groups.h"
+#include "plate_impact/sweep/sweep_computation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -183,7 +183,7 @@ namespace PlateImpact
             return rounded(count < 10. ? std::round(count) : count, 2);
           };
           const Expectation::Cost cost = expected->cost(parameters);
-          const Stretching stretching  = expected->zener.section.stretching();
+          const Stretching stretching  = expected->zener.section.stretching;
           const double     n_fields = stretching == Stretching::none ? 3. : 5.;
           line("cost",
                format(

@@ -5,7 +5,6 @@
 #include "plate_impact/base/interrupt.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/command/commands.h"
-#include "plate_impact/comparison/comparison_results.h"
 #include "plate_impact/comparison/strategy_comparison.h"
 #include "plate_impact/marking/outside_marking.h"
 #include "plate_impact/output/console.h"
@@ -44,7 +43,7 @@ namespace PlateImpact
           if (curve.end.rfind("failed", 0) == 0)
             warnings.push_back(name + " " + curve.end);
           for (const ComparedMesh &mesh : curve.meshes)
-            if (reference.eta && mesh.eta < *reference.eta)
+            if (reference.computed && mesh.eta < reference.computed->error->eta)
               {
                 warnings.push_back(name + ": cycle " +
                                    std::to_string(mesh.cycle) +
@@ -61,18 +60,18 @@ namespace PlateImpact
     text_of(const Reference &reference)
     {
       std::string text = "Reference   " + number(reference.peak_force) + " N";
-      if (!reference.history)
+      if (!reference.computed)
         text += ", given";
       else
         text += fmt::format(" +- {} for its mesh: {} cells, eta = {}, {:.2f} s",
                             about_percentage(reference.uncertainty),
-                            reference.cells,
-                            about_percentage(*reference.eta),
+                            reference.computed->cells,
+                            about_percentage(reference.computed->error->eta),
                             reference.seconds);
-      if (reference.time_step_error)
+      if (reference.computed && reference.computed->time_error)
         text += fmt::format("\nTime step   the same on all meshes, with an "
                             "error of {} of the peak force",
-                            about_percentage(*reference.time_step_error));
+                            about_percentage(*reference.computed->time_error));
       return text +
         "\n\ncycle  cells unknowns  eta % peak force N  error %  +- % seconds\n";
     }

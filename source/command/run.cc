@@ -9,7 +9,6 @@
 #include "plate_impact/output/console.h"
 #include "plate_impact/output/output.h"
 #include "plate_impact/output/run_in_words.h"
-#include "plate_impact/output/verdict.h"
 
 #include <algorithm>
 #include <iostream>

@@ -9,7 +9,6 @@
 #include "plate_impact/output/console.h"
 #include "plate_impact/output/result_directory.h"
 #include "plate_impact/sweep/sweep_computation.h"
-#include "plate_impact/sweep/sweep_groups.h"
 #include "plate_impact/sweep/sweep_results.h"
 
 #include <algorithm>

@@ -1,9 +1,7 @@
-#include "plate_impact/comparison/comparison_results.h"
-
 #include "plate_impact/base/text.h"
 #include "plate_impact/base/version.h"
+#include "plate_impact/comparison/strategy_comparison.h"
 #include "plate_impact/output/report.h"
-#include "plate_impact/page/mesh_picture.h"
 
 #include <algorithm>
 #include <ostream>
@@ -44,15 +42,16 @@ namespace PlateImpact
     to_json(const Reference &reference)
     {
       Json json = {{"peak_force", reference.peak_force},
-                   {"origin", reference.history ? "computed" : "given"}};
-      if (!reference.history)
+                   {"origin", reference.computed ? "computed" : "given"}};
+      if (!reference.computed)
         return json;
-      json["uncertainty"] = reference.uncertainty;
-      add(json, "time_step_error", reference.time_step_error);
-      add(json, "first_contact_end", reference.contact_end);
-      json["cells"]                = reference.cells;
-      json["degrees_of_freedom"]   = reference.degrees_of_freedom;
-      json["discretization_error"] = *reference.eta;
+      const CycleResult &result = *reference.computed;
+      json["uncertainty"]       = reference.uncertainty;
+      add(json, "time_step_error", result.time_error);
+      add(json, "first_contact_end", result.history->first_contact_end());
+      json["cells"]                = result.cells;
+      json["degrees_of_freedom"]   = result.degrees_of_freedom;
+      json["discretization_error"] = result.error->eta;
       json["seconds"]              = reference.seconds;
       return json;
     }
@@ -80,16 +79,16 @@ namespace PlateImpact
 
 
 
-    Json
-    to_json(const ComparisonCurve &curve)
+    /// Whether neither is ahead: identical meshes, or times that differ by less
+    /// than a tenth, as they do from run to run.
+    bool
+    are_tied(const Achievement &a, const Achievement &b)
     {
-      Json json = {{"strategy", curve.strategy_name()},
-                   {"element", word_for(curve.element)},
-                   {"end", curve.end},
-                   {"meshes", Json::array()}};
-      for (const ComparedMesh &mesh : curve.meshes)
-        json["meshes"].push_back(to_json(mesh));
-      return json;
+      const ComparedMesh &one = *a.mesh, &other = *b.mesh;
+      const double ratio = one.cumulative_seconds / other.cumulative_seconds;
+      return (one.cycle == other.cycle && one.cells == other.cells &&
+              one.peak_force == other.peak_force) ||
+        (ratio > 0.9 && ratio < 1. / 0.9);
     }
 
 
@@ -97,7 +96,7 @@ namespace PlateImpact
     Json
     to_json(const ThresholdRow &row, const std::vector<ComparisonCurve> &curves)
     {
-      Json json = {{"quantity", row.quantity()},
+      Json json = {{"quantity", row.is_of_eta ? "eta" : "peak force error"},
                    {"threshold", row.threshold},
                    {"comparable", row.is_comparable},
                    {"in_words", in_words(row, curves)},
@@ -172,7 +171,7 @@ namespace PlateImpact
   std::string
   in_words(const ThresholdRow &row, const std::vector<ComparisonCurve> &curves)
   {
-    const std::string what = row.is_of_eta() ?
+    const std::string what = row.is_of_eta ?
       "Eta of " + percentage(row.threshold) :
       percentage(row.threshold) + " of the peak force";
     if (!row.is_comparable)
@@ -224,7 +223,14 @@ namespace PlateImpact
                  {"curves", Json::array()},
                  {"thresholds", Json::array()}};
     for (const ComparisonCurve &curve : comparison.curves)
-      json["curves"].push_back(to_json(curve));
+      {
+        json["curves"].push_back({{"strategy", curve.strategy_name()},
+                                  {"element", word_for(curve.element)},
+                                  {"end", curve.end},
+                                  {"meshes", Json::array()}});
+        for (const ComparedMesh &mesh : curve.meshes)
+          json["curves"].back()["meshes"].push_back(to_json(mesh));
+      }
     for (const ThresholdRow &row : comparison.thresholds())
       json["thresholds"].push_back(to_json(row, comparison.curves));
     return json;
@@ -281,7 +287,8 @@ namespace PlateImpact
         if (!curve.picture.is_null())
           study["meshes"].push_back(curve.picture);
       }
-    study["histories"].push_back(forces(reference.history));
+    study["histories"].push_back(
+      forces(reference.computed ? reference.computed->history : std::nullopt));
     write_page(out,
                {"Comparison: " + scene.name,
                 "Adaptive strategies side by side: the time and the number of "

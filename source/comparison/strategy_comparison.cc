@@ -5,7 +5,6 @@
 #include "plate_impact/analysis/impact_analysis.h"
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/text.h"
-#include "plate_impact/page/mesh_picture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -111,18 +110,6 @@ namespace PlateImpact
 
 
 
-  bool
-  are_tied(const Achievement &a, const Achievement &b)
-  {
-    const ComparedMesh &one = *a.mesh, &other = *b.mesh;
-    const double ratio = one.cumulative_seconds / other.cumulative_seconds;
-    return (one.cycle == other.cycle && one.cells == other.cells &&
-            one.peak_force == other.peak_force) ||
-      (ratio > 0.9 && ratio < 1. / 0.9);
-  }
-
-
-
   Parameters
   StrategyComparison::parameters_of(const ComparedStrategy &strategy,
                                     const ElementType       element) const
@@ -177,7 +164,7 @@ namespace PlateImpact
       analysis.last_cycle().result.history->peak().force;
     analysis.refine_everywhere();
     analysis.run(once, listener);
-    const CycleResult &fine = analysis.last_cycle().result;
+    CycleResult &fine = analysis.last_cycle().result;
 
     reference.peak_force = fine.history->peak().force;
     if (!(reference.peak_force > 0.))
@@ -190,17 +177,12 @@ namespace PlateImpact
       std::max(std::abs(coarse_peak / reference.peak_force - 1.),
                fine.work.ritz_vectors > 0 ? parameters.time.ritz_tolerance :
                                             0.);
-    reference.time_step_error    = fine.time_error;
-    reference.contact_end        = fine.history->first_contact_end();
-    reference.eta                = fine.error->eta;
-    reference.history            = fine.history;
-    reference.cells              = fine.cells;
-    reference.degrees_of_freedom = fine.degrees_of_freedom;
-    reference.seconds            = timer.wall_time();
+    reference.seconds = timer.wall_time();
     if (!parameters.contact.load_is_singular())
       reference.field_error = std::make_shared<const ReferenceError>(
         analysis.last_cycle().discretization(),
         fine.snapshots);
+    reference.computed = std::move(fine);
     return reference;
   }
 
@@ -243,6 +225,7 @@ namespace PlateImpact
     const std::function<void(const ComparisonCurve &)> &listener)
   {
     const Parameters parameters = parameters_of(curve.strategy, curve.element);
+    const auto       goal       = make_goal(parameters.adaptivity);
     double           seconds    = 0.; // of the meshes so far
     Timer            timer;           // of the next one
     const auto       is_spent = [&] {
@@ -252,7 +235,11 @@ namespace PlateImpact
     const auto end = [&](const CycleResult &result) -> std::optional<Outcome> {
       if (is_spent())
         return Outcome::time_budget;
-      if (is_close_to_reference(result, parameters.adaptivity))
+      // there is nothing to learn from a comparison
+      if (reference.computed &&
+          (parameters.adaptivity.goal == AdaptationGoal::peak_force ?
+             goal->error(result) < 3. * reference.uncertainty :
+             result.error->eta < 3. * reference.computed->error->eta))
         return Outcome::nearly_as_fine_as_the_reference;
       if (result.cycle == parameters.comparison.maximum_cycles)
         return Outcome::maximum_cycles;
@@ -297,28 +284,32 @@ namespace PlateImpact
     const CycleResult &result     = cycle.result;
     const double       peak_force = result.history->peak().force;
     const double       error = std::abs(peak_force / reference.peak_force - 1.);
-    ComparedMesh       mesh  = {result.cycle,
-                                result.cells,
-                                result.degrees_of_freedom,
-                                result.cells_at_minimum_size,
-                                result.error->eta,
-                                peak_force,
-                                error,
-                         result.peak_force_bar ?
-                                  std::optional(result.peak_force_bar->total()) :
-                                  std::nullopt,
-                                error > reference.uncertainty,
-                                {},
-                                result.seconds.total(),
-                                seconds_before + result.seconds.total(),
-                                {}};
-    if (const auto end = result.history->first_contact_end();
-        end && reference.contact_end)
-      mesh.contact_end_error = std::abs(*end / *reference.contact_end - 1.);
-    const double end = result.history->states().back().time;
-    const bool   is_whole =
-      reference.history && end == reference.history->states().back().time;
-    if (reference.field_error && is_whole && !(mesh.eta < 3. * *reference.eta))
+    ComparedMesh       mesh{result.cycle,
+                      result.cells,
+                      result.degrees_of_freedom,
+                      result.cells_at_minimum_size,
+                      result.error->eta,
+                      peak_force,
+                      error,
+                      {},
+                      error > reference.uncertainty,
+                      {},
+                      result.seconds.total(),
+                      seconds_before + result.seconds.total(),
+                      {}};
+    if (result.peak_force_bar)
+      mesh.peak_force_bar = result.peak_force_bar->total();
+    if (!reference.computed)
+      return mesh;
+    const ContactHistory &fine = *reference.computed->history;
+    const auto            end  = result.history->first_contact_end(),
+               true_end        = fine.first_contact_end();
+    if (end && true_end)
+      mesh.contact_end_error = std::abs(*end / *true_end - 1.);
+    const bool is_whole =
+      result.history->states().back().time == fine.states().back().time;
+    if (reference.field_error && is_whole &&
+        !(mesh.eta < 3. * reference.computed->error->eta))
       mesh.effectivity = mesh.eta /
         reference.field_error->of(cycle.discretization(), result.snapshots);
     return mesh;
@@ -326,17 +317,44 @@ namespace PlateImpact
 
 
 
-  bool
-  StrategyComparison::is_close_to_reference(
-    const CycleResult          &result,
-    const AdaptivityParameters &adaptivity) const
+  namespace
   {
-    if (!reference.eta)
-      return false;
-    return adaptivity.goal == AdaptationGoal::peak_force ?
-      make_goal(adaptivity)->error(result) < 3. * reference.uncertainty :
-      result.error->eta < 3. * *reference.eta;
-  }
+    /// Of curves that reach a threshold and stay below, the fastest first.
+    std::vector<Achievement>
+    achievements(const std::vector<ComparisonCurve> &curves,
+                 const bool                          is_of_eta,
+                 const double                        threshold)
+    {
+      std::vector<Achievement> result;
+      for (const ComparisonCurve &curve : curves)
+        {
+          if (is_of_eta && curve.strategy.goal == AdaptationGoal::peak_force)
+            continue;
+          const auto mesh =
+            std::find_if(curve.meshes.rbegin(),
+                         curve.meshes.rend(),
+                         [&](const ComparedMesh &mesh) {
+                           return !(
+                             (is_of_eta ? mesh.eta : mesh.peak_force_error) <=
+                             threshold);
+                         })
+              .base();
+          if (mesh == curve.meshes.end())
+            continue;
+          // errors of the force change their sign, and may be small by chance
+          if (is_of_eta || mesh + 1 != curve.meshes.end() ||
+              (mesh->peak_force_bar && *mesh->peak_force_bar <= threshold))
+            result.push_back({&curve, &*mesh});
+        }
+      std::stable_sort(result.begin(),
+                       result.end(),
+                       [](const Achievement &a, const Achievement &b) {
+                         return a.mesh->cumulative_seconds <
+                           b.mesh->cumulative_seconds;
+                       });
+      return result;
+    }
+  } // namespace
 
 
 
@@ -344,56 +362,13 @@ namespace PlateImpact
   StrategyComparison::thresholds() const
   {
     std::vector<ThresholdRow> rows;
-    const auto                add = [&](double ComparedMesh::*error,
-                         const double          threshold,
-                         const bool            is_comparable) {
-      rows.push_back({error, threshold, is_comparable, {}});
-      if (is_comparable)
-        rows.back().achievements = achievements(threshold, error);
-    };
     for (const double threshold : {0.05, 0.02, 0.01, 0.005, 0.003, 0.001})
-      add(&ComparedMesh::peak_force_error,
-          threshold,
-          threshold > reference.uncertainty);
+      rows.push_back({false, threshold, threshold > reference.uncertainty, {}});
     for (const double threshold : {0.1, 0.05, 0.02, 0.01})
-      add(&ComparedMesh::eta, threshold, true);
+      rows.push_back({true, threshold, true, {}});
+    for (ThresholdRow &row : rows)
+      if (row.is_comparable)
+        row.achievements = achievements(curves, row.is_of_eta, row.threshold);
     return rows;
-  }
-
-
-
-  std::vector<Achievement>
-  StrategyComparison::achievements(const double threshold,
-                                   double ComparedMesh::*error) const
-  {
-    std::vector<Achievement> result;
-    for (const ComparisonCurve &curve : curves)
-      {
-        if (error == &ComparedMesh::eta &&
-            curve.strategy.goal == AdaptationGoal::peak_force)
-          continue;
-        const auto last_above =
-          std::find_if(curve.meshes.rbegin(),
-                       curve.meshes.rend(),
-                       [&](const ComparedMesh &mesh) {
-                         return !(mesh.*error <= threshold);
-                       });
-        const auto mesh = last_above.base();
-        if (mesh == curve.meshes.end())
-          continue;
-        // errors of the force change their sign, and may be small by chance
-        const bool is_confirmed = error == &ComparedMesh::eta ||
-          mesh + 1 != curve.meshes.end() ||
-          (mesh->peak_force_bar && *mesh->peak_force_bar <= threshold);
-        if (is_confirmed)
-          result.push_back({&curve, &*mesh});
-      }
-    std::stable_sort(result.begin(),
-                     result.end(),
-                     [](const Achievement &a, const Achievement &b) {
-                       return a.mesh->cumulative_seconds <
-                         b.mesh->cumulative_seconds;
-                     });
-    return result;
   }
 } // namespace PlateImpact

@@ -1,18 +1,20 @@
 #include "plate_impact/output/output.h"
 
 #include <deal.II/base/timer.h>
+#include <deal.II/grid/grid_tools.h>
 
 #include "plate_impact/adaptation/mesh_adaptation.h"
 #include "plate_impact/analysis/impact_quantities.h"
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/base/version.h"
-#include "plate_impact/output/field_files.h"
-#include "plate_impact/page/mesh_picture.h"
+#include "plate_impact/output/plate_fields.h"
 #include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
 #include "plate_impact/plate/plate_section.h"
 
+#include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace PlateImpact
@@ -42,16 +44,114 @@ namespace PlateImpact
 
 
 
+    /// Of xi' in pictures of meshes.
+    constexpr double lowest = 0.1, highest = 10.;
+
+    /// Colour of xi' on a logarithmic scale: blue below the limit of 1, white
+    /// at it, red above.
     std::string
-    caption_of(const CycleResult &result, const bool is_quarter)
+    colour(const double xi)
     {
-      return fmt::format("Cycle {}: {} cells{}.{}",
+      const double s =
+        std::log(std::clamp(xi, lowest, highest)) / std::log(highest);
+      const Point<3> white(247., 247., 247.),
+        end = s < 0. ? Point<3>(33., 102., 172.) : Point<3>(178., 24., 43.);
+      const Point<3> mixed = white + std::abs(s) * (end - white);
+      return fmt::format("rgb({:.0f},{:.0f},{:.0f})",
+                         mixed[0],
+                         mixed[1],
+                         mixed[2]);
+    }
+
+
+
+    std::string
+    svg_text(const double left, const double top, const std::string &text)
+    {
+      return fmt::format("<text x=\"{:.8g}\" y=\"{:.8g}\">{}</text>\n",
+                         left,
+                         top,
+                         text);
+    }
+
+
+
+    void
+    write_scale(std::ostream &out, const double left, const double top)
+    {
+      const double       height = 300.;
+      const unsigned int n      = 40;
+      out << svg_text(left, top - 12, "local error ratio xi&#8242;");
+      for (unsigned int i = 0; i < n; ++i)
+        out << fmt::format(
+          "<rect x=\"{:.8g}\" y=\"{:.8g}\" width=\"18\" height=\"{:.8g}\" fill=\"{}\"/>\n",
+          left,
+          top + height * i / n,
+          height / n + 0.5,
+          colour(highest * std::pow(lowest / highest, (i + 0.5) / n)));
+      for (const double tick : {10., 3., 1., 0.3, 0.1})
+        out << svg_text(
+          left + 24,
+          top + 4 +
+            height * std::log(highest / tick) / std::log(highest / lowest),
+          fmt::format("{:g}{}", tick, tick == 1. ? " (limit)" : ""));
+    }
+
+
+
+    /// A mesh with its cells coloured by xi', where that is known, and a scale.
+    void
+    write_mesh_svg(std::ostream &out, const Cycle &cycle)
+    {
+      const CycleResult &result = cycle.result;
+      const auto         box =
+        GridTools::compute_bounding_box(cycle.mesh()).get_boundary_points();
+      const Tensor<1, 2> extent    = box.second - box.first;
+      const bool         has_scale = result.error_ratios.has_value();
+      const double       margin = 20., header = 34.,
+                   scale  = 600. / std::max(extent[0], extent[1]);
+      const double bottom = header + margin + extent[1] * scale;
+      const double right  = 2 * margin + extent[0] * scale;
+      out
+        << fmt::format(
+             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.8g} {1:.8g}\" width=\"{0:.8g}\" height=\"{1:.8g}\" font-family=\"sans-serif\" font-size=\"13\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
+             std::max(right + (has_scale ? 150. : 0.), 420.),
+             std::max(bottom + margin,
+                      has_scale ? header + 2 * margin + 330. : 0.))
+        << svg_text(
+             margin,
+             header - 8,
+             fmt::format("Cycle {}: {} cells{}.{}",
                          result.cycle,
                          result.cells,
                          result.error ?
                            ", eta = " + about_percentage(result.error->eta) :
                            "",
-                         is_quarter ? " Impact at the lower left corner." : "");
+                         geometry_of(cycle.parameters.plate)->n_parts() == 4. ?
+                           " Impact at the lower left corner." :
+                           ""))
+        << "<g class=\"mesh\" stroke=\"#444\" stroke-width=\"0.6\">\n";
+      for (const auto &cell : cycle.mesh().active_cell_iterators())
+        {
+          out << "<polygon points=\"";
+          for (const unsigned int v : {0, 1, 3, 2})
+            {
+              const Tensor<1, 2> place = scale * (cell->vertex(v) - box.first);
+              out << fmt::format("{}{:.2f},{:.2f}",
+                                 v == 0 ? "" : " ",
+                                 margin + place[0],
+                                 bottom - place[1]);
+            }
+          out << "\" fill=\""
+              << (has_scale ? colour(result.error_ratios
+                                       ->elements[cell->active_cell_index()]) :
+                              "none")
+              << "\"/>\n";
+        }
+      out << "</g>\n";
+      if (has_scale)
+        write_scale(out, right, header + margin + 24.);
+      out << "</svg>\n";
     }
 
 
@@ -71,15 +171,15 @@ namespace PlateImpact
         }
       const auto &names = PlateSection(plate).stress_names();
       for (std::size_t k = 0; k < names.size(); ++k)
-        cycle["max_" + names[k]] = stresses.col(k).maxCoeff();
-      for (Eigen::Index ply = 0; ply < stresses.rows(); ++ply)
         {
-          Json of_ply;
-          of_ply["ply"]   = ply + 1;
-          of_ply["angle"] = plate.layup.angles[ply];
-          for (std::size_t k = 0; k < names.size(); ++k)
-            of_ply[names[k]] = stresses(ply, k);
-          cycle["plies"].push_back(of_ply);
+          cycle["max_" + names[k]] = stresses.col(k).maxCoeff();
+          for (Eigen::Index ply = 0; ply < stresses.rows(); ++ply)
+            {
+              Json &of_ply     = cycle["plies"][ply];
+              of_ply["ply"]    = ply + 1;
+              of_ply["angle"]  = plate.layup.angles[ply];
+              of_ply[names[k]] = stresses(ply, k);
+            }
         }
     }
 
@@ -92,12 +192,45 @@ namespace PlateImpact
                    Json              &cycle)
     {
       const ComputedImpact impact{parameters, expected, result};
+      const double         end_time = impact.last.time;
       for (const ImpactQuantity &quantity : impact_quantities())
         if (const auto value = quantity.value(impact))
           cycle[quantity.name] = *value;
-      cycle["number_of_contacts"] = result.history->n_contacts();
+      cycle["number_of_contacts"] = impact.history.n_contacts();
       if (!parameters.impactor.is_cylinder())
         cycle["zener_peak_force"] = expected.peak.force;
+      if (result.damping > 0. && impact.peak.force > 0.)
+        cycle["loss_factor_of_contact"] = result.loss_factor_of_contact();
+      if (result.time_error)
+        cycle["time_error"] = *result.time_error;
+      if (result.peak_force_error)
+        cycle["peak_force_error_estimate"] = result.peak_force_error->sum();
+      if (const auto &bar = result.peak_force_bar)
+        cycle.update({{"peak_force_error_space", bar->space},
+                      {"peak_force_error_time", bar->time}});
+      if (const auto &verification = result.verification)
+        cycle["verification"] = {{"cells", verification->cells},
+                                 {"peak_force", verification->peak_force},
+                                 {"relative_change",
+                                  verification->peak_force / impact.peak.force -
+                                    1.}};
+      if (result.sensitivity)
+        cycle["sensitivity"] = result.sensitivity->factor;
+      if (result.separation_time)
+        cycle["no_contact_after"] = *result.separation_time;
+      cycle["plate_displacement_at_peak"] = impact.peak.plate_displacement;
+      if (result.error)
+        add_stresses(result.error->max_stresses, parameters.plate, cycle);
+      cycle.update({{"steps", result.steps},
+                    {"end_time", end_time},
+                    {"time_step", end_time / result.steps},
+                    {"work",
+                     {{"factorizations", result.work.factorizations},
+                      {"linear_solves", result.work.linear_solves},
+                      {"contact_steps", result.contact_steps},
+                      {"estimator_samples",
+                       result.error ? result.error->sample_times.size() : 0},
+                      {"ritz_vectors", result.work.ritz_vectors}}}});
     }
 
 
@@ -109,65 +242,26 @@ namespace PlateImpact
                const Parameters                 &parameters,
                const std::optional<ZenerImpact> &expected)
     {
-      Json cycle;
-      cycle["cycle"]              = result.cycle;
-      cycle["cells"]              = result.cells;
-      cycle["degrees_of_freedom"] = result.degrees_of_freedom;
-      cycle["min_cell_size"]      = result.min_cell_size;
-      if (result.error)
+      Json cycle = {{"cycle", result.cycle},
+                    {"cells", result.cells},
+                    {"degrees_of_freedom", result.degrees_of_freedom},
+                    {"min_cell_size", result.min_cell_size}};
+      if (const auto &error = result.error)
         {
-          cycle["discretization_error"] = result.error->eta;
-          if (result.error->n_singular_cells > 0)
-            {
-              cycle["singular_cells"] = result.error->n_singular_cells;
-              cycle["discretization_error_of_all_cells"] =
-                result.error->eta_of_all_cells;
-              cycle["discretization_error_of_regular_cells"] =
-                result.error->eta_of_regular_cells;
-            }
-          cycle["max_element_error"]     = result.error_ratios->max_element();
-          cycle["cells_above_limit"]     = result.cells_above_limit;
-          cycle["cells_at_minimum_size"] = result.cells_at_minimum_size;
+          cycle["discretization_error"] = error->eta;
+          if (error->n_singular_cells > 0)
+            cycle.update(
+              {{"singular_cells", error->n_singular_cells},
+               {"discretization_error_of_all_cells", error->eta_of_all_cells},
+               {"discretization_error_of_regular_cells",
+                error->eta_of_regular_cells}});
+          cycle.update(
+            {{"max_element_error", result.error_ratios->max_element()},
+             {"cells_above_limit", result.cells_above_limit},
+             {"cells_at_minimum_size", result.cells_at_minimum_size}});
         }
       if (result.history)
-        {
-          const ContactHistory &history = *result.history;
-          const ContactState   &peak    = history.peak();
-          add_quantities(result, parameters, *expected, cycle);
-          if (result.damping > 0. && peak.force > 0.)
-            cycle["loss_factor_of_contact"] = result.loss_factor_of_contact();
-          if (result.time_error)
-            cycle["time_error"] = *result.time_error;
-          if (result.peak_force_error)
-            cycle["peak_force_error_estimate"] = result.peak_force_error->sum();
-          if (const auto &bar = result.peak_force_bar)
-            {
-              cycle["peak_force_error_space"] = bar->space;
-              cycle["peak_force_error_time"]  = bar->time;
-            }
-          if (const auto &verification = result.verification)
-            cycle["verification"] = {
-              {"cells", verification->cells},
-              {"peak_force", verification->peak_force},
-              {"relative_change", verification->peak_force / peak.force - 1.}};
-          if (result.sensitivity)
-            cycle["sensitivity"] = result.sensitivity->factor;
-          if (result.separation_time)
-            cycle["no_contact_after"] = *result.separation_time;
-          cycle["plate_displacement_at_peak"] = peak.plate_displacement;
-          if (result.error)
-            add_stresses(result.error->max_stresses, parameters.plate, cycle);
-          cycle["steps"]     = result.steps;
-          cycle["end_time"]  = history.states().back().time;
-          cycle["time_step"] = history.states().back().time / result.steps;
-          cycle["work"]      = {{"factorizations", result.work.factorizations},
-                                {"linear_solves", result.work.linear_solves},
-                                {"contact_steps", result.contact_steps},
-                                {"estimator_samples",
-                            result.error ? result.error->sample_times.size() :
-                                                0},
-                                {"ritz_vectors", result.work.ritz_vectors}};
-        }
+        add_quantities(result, parameters, *expected, cycle);
       if (!result.natural_frequencies.empty())
         cycle["natural_frequencies"] = result.natural_frequencies;
       const Seconds &s            = result.seconds;
@@ -230,15 +324,10 @@ namespace PlateImpact
                            });
     if (scene.parameters.output.write_meshes)
       directory.write_file("mesh" + suffix + ".svg", [&](std::ostream &out) {
-        write_mesh_svg(
-          out,
-          mesh,
-          caption_of(result,
-                     geometry_of(scene.parameters.plate).n_parts() == 4.),
-          result.element_errors());
+        write_mesh_svg(out, cycle);
       });
     if (scene.parameters.output.write_report)
-      report.add_cycle(cycle);
+      add_to_report(cycle, study);
     result.seconds.output += timer.wall_time();
     cycles.push_back(summary_of(result, scene.parameters, scene.expected));
   }
@@ -250,18 +339,18 @@ namespace PlateImpact
                         const std::vector<std::string> &warnings,
                         const Verdict                  &verdict)
   {
-    Json summary;
-    summary["scene"]   = scene.name;
-    summary["version"] = PLATE_IMPACT_VERSION;
-    summary["outcome"] = outcome;
-    const auto part    = [](const Verdict::Part &part) {
+    const auto part = [](const Verdict::Part &part) {
       return Json{{"trust", word_for(part.trust)}, {"reasons", part.reasons}};
     };
-    summary["verdict"] = {{"trust", word_for(verdict.trust())},
-                          {"text", verdict.text},
-                          {"contact", verdict.warnings.contact},
-                          {"convergence", part(verdict.convergence)},
-                          {"model", part(verdict.model)}};
+    Json summary = {{"scene", scene.name},
+                    {"version", PLATE_IMPACT_VERSION},
+                    {"outcome", outcome},
+                    {"verdict",
+                     {{"trust", word_for(verdict.trust())},
+                      {"text", verdict.text},
+                      {"contact", verdict.warnings.contact},
+                      {"convergence", part(verdict.convergence)},
+                      {"model", part(verdict.model)}}}};
     for (const ModelError &error : verdict.warnings.model_errors)
       {
         Json &errors = summary["verdict"]["model"]["errors"];
@@ -300,7 +389,7 @@ namespace PlateImpact
     const Json summary = write_summary(word_for(outcome), warnings, verdict);
     if (scene.parameters.output.write_report)
       directory.write_file("report.html", [&](std::ostream &out) {
-        report.write(out, scene, verdict, summary, last);
+        write_report(out, scene, verdict, summary, last, std::move(study));
       });
   }
 

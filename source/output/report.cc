@@ -5,9 +5,8 @@
 #include "plate_impact/base/text.h"
 #include "plate_impact/estimator/peak_force_error.h"
 #include "plate_impact/estimator/recovered_field.h"
-#include "plate_impact/output/deflection_film.h"
+#include "plate_impact/output/plate_fields.h"
 #include "plate_impact/output/run_in_words.h"
-#include "plate_impact/page/mesh_picture.h"
 #include "plate_impact/plate/plate_mesh.h"
 #include "plate_impact/plate/plate_section.h"
 
@@ -50,27 +49,6 @@ namespace PlateImpact
 
 
 
-    /// Adds resultants of a state at the centres of the cells, recovered, and
-    /// the stresses of the section under them.
-    void
-    add_resultants(const Snapshot &state, const Cycle &cycle, Json &fields)
-    {
-      for (const SectionField &field :
-           section_fields(cycle.discretization().section(),
-                          recovered_resultants(cycle.discretization(),
-                                               cycle.recovery(),
-                                               state.unknowns,
-                                               {dealii::Point<2>(0.5, 0.5)})
-                            .front()))
-        fields.push_back(
-          {{"name", field.name},
-           {"unit", field.unit},
-           {"values",
-            numbers_on_page({field.values.begin(), field.values.end()})}});
-    }
-
-
-
     /// Of a line of stresses.
     constexpr unsigned int points_per_cell = 9;
 
@@ -81,39 +59,32 @@ namespace PlateImpact
       Tensor<1, 2> direction;
     };
 
-    /// Distances at which a ray enters and leaves a cell with straight edges;
-    /// the second is the smaller where it does not meet the cell.
-    std::pair<double, double>
-    crossing(const Ray &ray, const RecoveredField::Cell &cell)
-    {
-      double enters = 0., leaves = std::numeric_limits<double>::max();
-      const unsigned int around[] = {0, 1, 3, 2};
-      for (unsigned int side = 0; side < 4; ++side)
-        {
-          const Point<2>     begin = cell->vertex(around[side]);
-          const Tensor<1, 2> edge =
-            cell->vertex(around[(side + 1) % 4]) - begin;
-          // counter-clockwise: the cell is to the left of its edges
-          const double inside   = cross_product_2d(edge) * (begin - ray.origin);
-          const double approach = cross_product_2d(edge) * ray.direction;
-          if (approach == 0. && inside < 0.)
-            leaves = -1.;
-          else if (approach > 0.)
-            leaves = std::min(leaves, inside / approach);
-          else if (approach < 0.)
-            enters = std::max(enters, inside / approach);
-        }
-      return {enters, leaves};
-    }
-
-    /// Cells that a ray meets, by the distances at which it does.
+    /// Cells with straight edges that a ray meets, by the distances at which it
+    /// enters them, with those at which it leaves them.
     std::map<double, std::pair<double, RecoveredField::Cell>>
     cells_along(const Ray &ray, const Triangulation<2> &mesh)
     {
       std::map<double, std::pair<double, RecoveredField::Cell>> cells;
       for (const auto &cell : mesh.active_cell_iterators())
         {
-          const auto [enters, leaves] = crossing(ray, cell);
+          double enters = 0., leaves = std::numeric_limits<double>::max();
+          // counter-clockwise: the cell is to the left of its edges
+          for (const auto &[a, b] : {std::pair(0, 1),
+                                     std::pair(1, 3),
+                                     std::pair(3, 2),
+                                     std::pair(2, 0)})
+            {
+              const Tensor<1, 2> out =
+                cross_product_2d(cell->vertex(b) - cell->vertex(a));
+              const double inside   = out * (cell->vertex(a) - ray.origin),
+                           approach = out * ray.direction;
+              if (approach == 0. && inside < 0.)
+                leaves = -1.;
+              else if (approach > 0.)
+                leaves = std::min(leaves, inside / approach);
+              else if (approach < 0.)
+                enters = std::max(enters, inside / approach);
+            }
           if (leaves - enters > 1e-4 * cell->diameter())
             cells.insert({enters, {leaves, cell}});
         }
@@ -121,36 +92,31 @@ namespace PlateImpact
     }
 
     Json
-    values_on_page(const PlateSection &section, const Eigen::MatrixXd &points)
-    {
-      Json result = Json::array();
-      for (const SectionField &field : section_fields(section, points))
-        result.push_back(
-          numbers_on_page({field.values.begin(), field.values.end()}));
-      return result;
-    }
-
-
-
-    Json
     stresses_along(const Ray      &ray,
                    const Cycle    &cycle,
                    RecoveredField &field,
                    const Snapshot &state)
     {
-      const PlateDiscretization &plate = cycle.discretization();
-      const auto                 cells = cells_along(ray, plate.mesh());
+      const PlateDiscretization &plate     = cycle.discretization();
+      const Eigen::MatrixXd      stiffness = plate.section().stiffness();
       std::vector<double>        distances;
-      const double               gap = std::numeric_limits<double>::quiet_NaN();
-      const auto                 n   = cells.size() * (points_per_cell + 1);
-      const auto                 m   = plate.section().n_resultants();
-      Eigen::MatrixXd            raw = Eigen::MatrixXd::Constant(m, n, gap),
-                      recovered      = raw;
-      for (const auto &[enters, rest] : cells)
+      Json                       result;
+      const auto add = [&](const char *kind, const RowMajorMatrix &resultants) {
+        const auto fields =
+          section_fields(plate.section(), resultants.transpose());
+        for (std::size_t k = 0; k < fields.size(); ++k)
+          {
+            Json &line = result[kind][k];
+            for (const Json &value : numbers_on_page(
+                   {fields[k].values.begin(), fields[k].values.end()}))
+              line.push_back(value);
+            line.push_back(nullptr); // the gap
+          }
+      };
+      for (const auto &[enters, rest] : cells_along(ray, plate.mesh()))
         {
           const auto &[leaves, cell] = rest;
           std::vector<Point<2>> unit_points;
-          const auto            column = distances.size();
           for (unsigned int i = 0; i < points_per_cell; ++i)
             {
               distances.push_back(
@@ -161,12 +127,7 @@ namespace PlateImpact
                   ray.origin + distances.back() * ray.direction)));
             }
           distances.push_back(leaves); // the gap
-          const auto stiffness = plate.section().stiffness();
-          const auto set       = [&](Eigen::MatrixXd      &to,
-                               const RowMajorMatrix &from) {
-            to.middleCols(column, points_per_cell) = from.transpose();
-          };
-          set(raw,
+          add("raw",
               resultants_at(plate,
                             cell->active_cell_index(),
                             stiffness,
@@ -174,11 +135,10 @@ namespace PlateImpact
                             state.unknowns));
           RowMajorMatrix smooth;
           field.evaluate(cell, unit_points, smooth);
-          set(recovered, smooth);
+          add("recovered", smooth);
         }
-      return {{"distance", numbers_on_page(distances)},
-              {"raw", values_on_page(plate.section(), raw)},
-              {"recovered", values_on_page(plate.section(), recovered)}};
+      result["distance"] = numbers_on_page(distances);
+      return result;
     }
 
 
@@ -247,26 +207,39 @@ namespace PlateImpact
 
 
   void
-  Report::add_cycle(const Cycle &cycle)
+  add_to_report(const Cycle &cycle, Json &study)
   {
     const CycleResult &result = cycle.result;
     if (result.history)
-      histories.push_back(history_on_page(*result.history, max_plotted_states));
+      study["histories"].push_back(
+        history_on_page(*result.history, max_plotted_states));
     if (result.error)
-      errors.push_back(
+      study["errors"].push_back(
         {{"time", numbers_on_page(result.error->sample_times)},
          {"error", numbers_on_page(result.error->sample_errors)}});
     const std::string title = "Cycle " + std::to_string(result.cycle) + ": " +
       std::to_string(result.cells) + " cells" +
       (result.error ? ", η = " + percentage(result.error->eta) : "");
-    meshes.push_back(nullptr);
+    Json &mesh = study["meshes"].emplace_back();
     if (result.cells > max_pictured_cells)
       return;
-    meshes.back() = mesh_on_page(cycle.mesh(), title, result.element_errors());
+    mesh = mesh_on_page(cycle.mesh(), title, result.element_errors());
     if (!result.peak_state)
       return;
-    add_resultants(*result.peak_state, cycle, meshes.back()["fields"]);
+    for (const SectionField &field :
+         section_fields(cycle.discretization().section(),
+                        recovered_resultants(cycle.discretization(),
+                                             cycle.recovery(),
+                                             result.peak_state->unknowns,
+                                             {dealii::Point<2>(0.5, 0.5)})
+                          .front()))
+      mesh["fields"].push_back(
+        {{"name", field.name},
+         {"unit", field.unit},
+         {"values",
+          numbers_on_page({field.values.begin(), field.values.end()})}});
     // of the first mesh and the last
+    Json &stresses = study["stresses"];
     if (stresses.size() == 2)
       stresses.erase(1);
     stresses.push_back(stress_lines(cycle, *result.peak_state));
@@ -276,18 +249,18 @@ namespace PlateImpact
 
 
   void
-  Report::write(std::ostream  &out,
-                const Scene   &scene,
-                const Verdict &verdict,
-                const Json    &summary,
-                const Cycle   &last)
+  write_report(std::ostream  &out,
+               const Scene   &scene,
+               const Verdict &verdict,
+               const Json    &summary,
+               const Cycle   &last,
+               Json           study)
   {
     const Parameters &parameters = scene.parameters;
-    Json              study      = {{"study", "run"}, {"text", scene.text}};
+    study["text"]                = scene.text;
     study["summary"]             = summary;
+    study["film"]                = deflection_film(last);
     study.update(plate_on_page(parameters));
-    study["histories"] = std::move(histories);
-    study["errors"]    = std::move(errors);
     if (parameters.has_impactor())
       {
         const ContactState &expected = scene.expected->peak;
@@ -302,7 +275,6 @@ namespace PlateImpact
                         {"load", load_in_words(parameters)},
                         {"model", model_in_words(verdict)}};
       }
-    study["meshes"] = std::move(meshes);
     // the last meshes matter most
     std::size_t n_cells = 0;
     for (auto mesh = study["meshes"].rbegin(); mesh != study["meshes"].rend();
@@ -313,8 +285,6 @@ namespace PlateImpact
         if (n_cells > max_pictured_cells)
           *mesh = nullptr;
       }
-    study["stresses"] = std::move(stresses);
-    study["film"]     = deflection_film(last);
     write_page(out,
                {scene.name,
                 scene_in_words(parameters),

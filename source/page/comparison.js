@@ -40,8 +40,7 @@ function showThresholds({ thresholds, curves }) {
   };
   const first = Math.max(0, thresholds.findIndex((row) => !isOfEta(row) && row.threshold === 0.001 && row.reached.length > 0));
   const choice = selection('Error: ', thresholds.map((row) => isOfEta(row) ? `η of ${percentage(row.threshold, 3)}` :
-    `${percentage(row.threshold, 3)} of the peak force`), show);
-  choice.querySelector('select').value = first;
+    `${percentage(row.threshold, 3)} of the peak force`), show, first);
   show(first);
   section('Fastest strategies', paragraph('Cells of the first mesh from which on the error stays below the chosen one, and the seconds until then. ' +
     'The last mesh of a curve counts only if its own error bar confirms it. ✓: the fastest, or slower by at most a tenth.'),
@@ -74,10 +73,7 @@ function showCosts(comparison, colourOf) {
         x: column(limited, costs[0][1]), moreX: costs.slice(1).map(([, cost]) => column(limited, cost)), y: column(limited, key, 100) }));
   }
   if (reference.uncertainty > 0) {
-    const [first, ...others] = costs.map(([, cost]) => {
-      const values = curves.flatMap((curve) => column(curve, cost));
-      return [Math.min(...values), Math.max(...values)];
-    });
+    const [first, ...others] = costs.map(([, cost]) => rangeOf(curves.flatMap((curve) => column(curve, cost))));
     list[0].series.push({ name: 'uncertainty of the reference', colour: colourOf({}), style: 'dashed', x: first, moreX: others,
       y: [0, 0].fill(100 * reference.uncertainty) });
   }

@@ -43,19 +43,17 @@ function clipped(polygon, limit, sign) {
     computed, seen from any side, coloured by one of its fields. */
 class Film {
   constructor(holder, { film, patch, symmetric }, mesh) {
-    Object.assign(this, { holder, film, patch, symmetric, mesh, frame: 0, azimuth: 0.6, elevation: 0.55, zoom: 1, isAtContact: false,
-      timer: null });
+    Object.assign(this, { film, patch, symmetric, mesh, azimuth: 0.6, elevation: 0.55, zoom: 1, timer: null });
     this.deflections = decoded(film.deflections, Int16Array);
     this.cellErrors = decoded(film.cellErrors, Int16Array);
     this.nodesPerCell = film.nodesPerSide ** 2;
     this.largest = this.deflections.reduce((a, b) => Math.max(a, Math.abs(b)), 1);
     this.fields = this.makeFields();
-    [this.field] = this.fields;
     // the frame of the largest force says most
     this.frame = film.forces.indexOf(Math.max(...film.forces));
     this.makePatches();
-    this.makeControls();
-    this.draw();
+    this.makeControls(holder);
+    this.colourBy(0);
   }
 
   /** What the plate may be coloured by: places of the nodes on a scale, and what mirrors do to them. */
@@ -65,10 +63,9 @@ class Film {
       title: 'deflection, positive in the direction of impact', labels: ['−' + top, '0', top],
       place: (node, sign) => 0.5 + sign * this.deflections[node] / this.largest / 2 };
     const stresses = film.fields.map((field) => {
-      const { name, isOdd, largest, values } = field;
-      const roots = decoded(values, Int8Array), { palette, labels, title, isSigned } = rootScale(field, largest, roots.some((root) => root < 0));
-      return { name, isOdd, palette, labels, title,
-        place: isSigned ? (node, sign) => 0.5 + sign * roots[node] / 254 : (node, sign) => sign * roots[node] / 127 };
+      const roots = decoded(field.values, Int8Array), scale = rootScale(field, field.largest, roots.some((root) => root < 0));
+      return { ...field, ...scale,
+        place: scale.isSigned ? (node, sign) => 0.5 + sign * roots[node] / 254 : (node, sign) => sign * roots[node] / 127 };
     });
     return [deflection, { ...ratioScale, name: 'local error ratio ξ', title: 'local error ratio ξ(t)', place: null }, ...stresses];
   }
@@ -85,13 +82,9 @@ class Film {
         quads.push([nodes, border]);
       }
     const mirrored = this.symmetric.map((is) => (is ? [1, -1] : [1]));
-    const begin = [Infinity, Infinity], end = [-Infinity, -Infinity];
-    vertices.forEach((c, i) => mirrored[i % 2].forEach((sign) => {
-      begin[i % 2] = Math.min(begin[i % 2], sign * c);
-      end[i % 2] = Math.max(end[i % 2], sign * c);
-    }));
-    const half = begin.map((b, d) => (end[d] - b) / 2);
-    this.centre = begin.map((b, d) => (end[d] + b) / 2);
+    const ranges = mirrored.map((signs, d) => rangeOf(vertices.filter((_, i) => i % 2 === d).flatMap((c) => signs.map((sign) => sign * c))));
+    const half = ranges.map(([low, high]) => (high - low) / 2);
+    this.centre = ranges.map(([low, high]) => (high + low) / 2);
     this.extent = Math.max(...half);
     this.radius = Math.hypot(...half);
     this.lift = Math.max(0.45 * Math.min(...half), 0.1 * this.extent) / this.largest;
@@ -114,44 +107,29 @@ class Film {
     this.struck = Array.from({ length: this.nodes.length / 2 }, (_, n) => n).reduce((a, b) => (fromImpact(b) < fromImpact(a) ? b : a));
   }
 
-  makeControls() {
-    const { holder, film } = this;
-    const add = (name, properties, parent) => {
-      parent.append(element(name, properties));
-      return parent.lastChild;
-    };
-    this.canvas = add('canvas', { tabIndex: 0, role: 'img',
-      'aria-label': 'The deflected plate. Arrow keys turn it, + and - change its size.' }, holder);
-    const controls = add('div', { className: 'controls' }, holder);
-    this.button = add('button', { type: 'button', textContent: '▶ Play' }, controls);
-    this.slider = add('input', { type: 'range', min: 0, max: film.times.length - 1, value: this.frame, 'aria-label': 'Time' }, controls);
-    controls.append(selection('Colour: ', this.fields.map(({ name }) => name), (chosen) => {
-      this.field = this.fields[chosen];
-      this.draw();
-    }));
-    const above = add('button', { type: 'button', textContent: 'from above', title: 'x to the right, y upwards' }, controls);
-    above.addEventListener('click', () => this.turn(-this.azimuth, Math.PI));
-    const contact = () => {
-      // five radii to either side, or a part of the plate under a point load
-      this.isAtContact = true;
-      this.zoom = this.radius / (this.patch.radius > 0 ? 5 * this.patch.radius : this.radius / 16);
-      this.enlarge(1);
-    };
-    addZoomButtons(controls, (factor) => this.enlarge(factor), () => this.showWhole(), contact);
-    this.readout = add('div', { className: 'readout', 'aria-live': 'off' }, holder);
-    this.scale = add('div', {}, holder);
-    add('figcaption', { textContent: `Deflection magnified ${formatted(this.lift / film.deflectionUnit, 3)} times; the largest is ` +
+  makeControls(holder) {
+    const { film } = this, zoom = (factor) => this.zoomTo(factor * this.zoom), reset = () => this.zoomTo(1);
+    // five radii to either side, or a part of the plate under a point load
+    const contact = () => this.zoomTo(this.radius / (this.patch.radius > 0 ? 5 * this.patch.radius : this.radius / 16));
+    this.canvas = element('canvas', { tabIndex: 0, role: 'img',
+      'aria-label': 'The deflected plate. Arrow keys turn it, + and - change its size.' });
+    this.button = button('▶ Play', () => this.toggle());
+    this.slider = element('input', { type: 'range', min: 0, max: film.times.length - 1, value: this.frame, 'aria-label': 'Time',
+      oninput: () => this.show(Number(this.slider.value)) });
+    this.readout = element('div', { className: 'readout', 'aria-live': 'off' });
+    this.scale = element('div');
+    holder.append(this.canvas, element('div', { className: 'controls' }, this.button, this.slider,
+      selection('Colour: ', this.fields.map(({ name }) => name), (chosen) => this.colourBy(chosen)),
+      button('from above', () => this.turn(-this.azimuth, Math.PI), { title: 'x to the right, y upwards' }), zoomButtons(zoom, reset, contact)),
+    this.readout, this.scale,
+    element('figcaption', {}, `Deflection magnified ${formatted(this.lift / film.deflectionUnit, 3)} times; the largest is ` +
       `${withUnit(this.largest * film.deflectionUnit, 'm')}. ξ is the error of a cell divided by the error that the target allows it at that time. ` +
-      'Drag or arrow keys turn the plate; wheel (after a click), two fingers, + and − change its size.' }, holder);
-
-    this.slider.addEventListener('input', () => { this.frame = Number(this.slider.value); this.draw(); });
-    this.button.addEventListener('click', () => this.toggle());
-    makeZoomable(this.canvas, { zoom: (factor) => this.enlarge(factor), reset: () => this.showWhole(),
+      'Drag or arrow keys turn the plate; wheel (after a click), two fingers, + and − change its size.'));
+    makeZoomable(this.canvas, { zoom, reset,
       drag: (right, down) => this.turn(-0.01 * right, 0.01 * down), step: (right, down) => this.turn(-0.1 * right, 0.1 * down) });
     this.canvas.addEventListener('pointerdown', (event) => this.canvas.setPointerCapture(event.pointerId));
     new ResizeObserver(() => this.draw()).observe(this.canvas);
-    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.draw());
-    matchMedia('print').addEventListener('change', () => this.draw());
+    for (const medium of ['(prefers-color-scheme: dark)', 'print']) matchMedia(medium).addEventListener('change', () => this.draw());
   }
 
   turn(azimuth, elevation) {
@@ -160,16 +138,16 @@ class Film {
     this.draw();
   }
 
-  enlarge(factor) {
-    this.zoom = Math.min(Math.max(this.zoom * factor, 1), 1e4);
-    // what is looked at closely is the contact
-    this.isAtContact = this.zoom > 1;
+  zoomTo(zoom) {
+    this.zoom = Math.min(Math.max(zoom, 1), 1e4);
     this.draw();
   }
 
-  showWhole() {
-    this.zoom = 1;
-    this.enlarge(1);
+  colourBy(chosen) {
+    this.field = this.fields[chosen];
+    const { palette, labels, title, place } = this.field;
+    this.scale.replaceChildren(makeScale(palette, labels, title, place !== null));
+    this.draw();
   }
 
   toggle() {
@@ -209,8 +187,8 @@ class Film {
     const highest = this.lift * this.largest;
     const scale = this.zoom * Math.min(width / (2.05 * this.radius), height / (2.05 * (this.radius * sinE + highest * cosE)));
     const offset = this.frame * film.cells * this.nodesPerCell;
-    // in the middle: that of the whole plate, or the contact, the origin, on the deflected one
-    const share = this.isAtContact ? Math.min(1, (this.zoom - 1) / 2) : 0;
+    // in the middle: that of the whole plate, or, when looked at closely, the contact, the origin, on the deflected one
+    const share = Math.min(1, (this.zoom - 1) / 2);
     const middle = this.centre.map((c) => c - share * c);
     const level = share * this.lift * this.deflections[offset + this.struck];
     const drawn = this.patches.map((patch) => {
@@ -252,12 +230,5 @@ class Film {
     this.readout.textContent = `t = ${withUnit(film.times[this.frame], 's')},  F = ${withUnit(film.forces[this.frame], 'N')},  ` +
       `η(t) = ${formatted(100 * film.errors[this.frame], 4)} %`;
     this.slider.setAttribute('aria-valuetext', this.readout.textContent);
-    this.drawScale();
-  }
-
-  drawScale() {
-    if (this.scaleField === this.field) return;
-    const { palette, labels, title, place } = this.scaleField = this.field;
-    this.scale.replaceChildren(makeScale(palette, labels, title, place !== null));
   }
 }

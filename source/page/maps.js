@@ -65,15 +65,14 @@ function makeMap(map) {
     cell.addEventListener('pointerenter', () => { readout.textContent = text; });
     svg.append(cell);
   });
+  const write = (text, x, y, more) => svg.append(svgElement('text', { x, y, 'text-anchor': 'middle', ...more }, text));
   for (const k of map.marked)
-    svg.append(svgElement('text', { x: left + (k % xs.length + 0.5) * dx, y: 4 + height - (Math.floor(k / xs.length) + 0.5) * dy,
-      class: 'marked', 'text-anchor': 'middle', 'dominant-baseline': 'central' }, '!'));
-  for (const { value, at } of mapTicks(xs, 8))
-    svg.append(svgElement('text', { x: left + (at + 0.5) * dx, y: height + 20, 'text-anchor': 'middle' }, formatted(value)));
+    write('!', left + (k % xs.length + 0.5) * dx, 4 + height - (Math.floor(k / xs.length) + 0.5) * dy, { class: 'marked', 'dominant-baseline': 'central' });
+  for (const { value, at } of mapTicks(xs, 8)) write(formatted(value), left + (at + 0.5) * dx, height + 20);
   for (const { value, at } of mapTicks(ys, Math.max(2, height / 24)))
-    svg.append(svgElement('text', { x: left - 6, y: 8 + height - (at + 0.5) * dy, 'text-anchor': 'end' }, formatted(value)));
-  svg.append(svgElement('text', { x: left + width / 2, y: height + 40, 'text-anchor': 'middle' }, map.x.title));
-  svg.append(svgElement('text', { transform: `translate(14 ${height / 2}) rotate(-90)`, 'text-anchor': 'middle' }, map.y.title));
+    write(formatted(value), left - 6, 8 + height - (at + 0.5) * dy, { 'text-anchor': 'end' });
+  write(map.x.title, left + width / 2, height + 40);
+  write(map.y.title, 0, 0, { transform: `translate(14 ${height / 2}) rotate(-90)` });
   const labels = [low, (low + high) / 2, high].map((value) => formatted(value));
   return element('figure', {}, element('h3', {}, map.title), element('div', { className: 'map' }, svg,
     makeScale(palettes.sequential, labels, map.valueTitle), readout,
@@ -98,13 +97,8 @@ function rootScale({ name, unit }, high, isSigned) {
 /** Places of values on a palette, for all meshes of a group alike. */
 function fieldScale(fields) {
   if (fields[0].isRatio) return ratioScale;
-  let high = 0, isSigned = false;
-  for (const { values } of fields)
-    for (const value of values) {
-      high = Math.max(high, Math.abs(value));
-      isSigned = isSigned || value < 0;
-    }
-  return rootScale(fields[0], high || 1, isSigned);
+  const [low, high] = rangeOf(fields.flatMap(({ values }) => values));
+  return rootScale(fields[0], Math.max(high, -low) || 1, low < 0);
 }
 
 /** One part of the plate in all pictures of a group, with a scale bar in each. */
@@ -112,11 +106,7 @@ function makeMeshView(pictures, controls) {
   const [left, top, width, height] = pictures[0].getAttribute('viewBox').split(' ').map(Number);
   const { unit, x, y, r } = Object.fromEntries(Object.entries(pictures[0].dataset).map(([key, value]) => [key, Number(value)]));
   const view = { factor: 1, x: left + width / 2, y: top + height / 2 };
-  const bars = pictures.map((picture) => {
-    const bar = svgElement('g', { class: 'scalebar' });
-    picture.append(bar);
-    return bar;
-  });
+  const bars = pictures.map((picture) => picture.appendChild(svgElement('g', { class: 'scalebar' })));
 
   const show = () => {
     view.factor = Math.min(Math.max(view.factor, 1), 1e4);
@@ -148,7 +138,7 @@ function makeMeshView(pictures, controls) {
     Object.assign(view, { factor: Math.max(width, height) / (r > 0 ? 10 * r : Math.max(width, height) / 16), x, y });
     show();
   };
-  addZoomButtons(controls, zoom, reset, contact);
+  controls.append(...zoomButtons(zoom, reset, contact));
   const move = (right, down, length) => {
     view.x += length * right;
     view.y += length * down;
@@ -164,10 +154,7 @@ function makeMeshView(pictures, controls) {
 /** A mesh whose cells are coloured later, y upwards, with the load patch and what a view needs of it: the
     length of a metre and where the contact, the origin, is. */
 function meshPicture({ title, vertices, cells }, patch) {
-  const extent = [0, 1].map((d) => {
-    const values = vertices.filter((_, i) => i % 2 === d);
-    return [values.reduce((a, b) => Math.min(a, b)), values.reduce((a, b) => Math.max(a, b))];
-  });
+  const extent = [0, 1].map((d) => rangeOf(vertices.filter((_, i) => i % 2 === d)));
   const [width, height] = extent.map(([low, high]) => high - low), unit = 400 / Math.max(width, height);
   const [x, y] = [-unit * extent[0][0], unit * extent[1][1]];
   const picture = svgElement('svg', { viewBox: `-1 -1 ${unit * width + 2} ${unit * height + 2}`, role: 'img', 'aria-label': `Mesh, ${title}`,

@@ -2,7 +2,7 @@
 
 #include <deal.II/base/utilities.h>
 
-#include "page/page_assets.h"
+#include "plate_impact/plate/plate_geometry.h"
 
 #include <cstdlib>
 #include <fmt/format.h>
@@ -10,6 +10,13 @@
 #include <ostream>
 #include <string_view>
 #include <utility>
+
+/// The files of source/page/, its scripts as one, and Chart.js, which
+/// cmake/embed.cmake writes into the program.
+namespace PlateImpact::PageAssets
+{
+  extern const std::string_view page, style, script, library;
+}
 
 namespace PlateImpact
 {
@@ -67,5 +74,51 @@ namespace PlateImpact
       numbers.push_back(
         std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr));
     return numbers;
+  }
+
+
+
+  Json
+  mesh_on_page(const dealii::Triangulation<2> &mesh,
+               const std::string              &title,
+               const std::vector<double>      &errors)
+  {
+    std::vector<double>       coordinates;
+    std::vector<unsigned int> cells, number(mesh.n_vertices());
+    for (unsigned int v = 0; v < mesh.n_vertices(); ++v)
+      if (mesh.vertex_used(v))
+        {
+          number[v] = coordinates.size() / 2;
+          coordinates.push_back(mesh.get_vertices()[v][0]);
+          coordinates.push_back(mesh.get_vertices()[v][1]);
+        }
+    for (const auto &cell : mesh.active_cell_iterators())
+      for (const unsigned int v : cell->vertex_indices())
+        cells.push_back(number[cell->vertex_index(v)]);
+    Json fields = Json::array();
+    if (!errors.empty())
+      fields.push_back({{"name", "local error ratio ξ′"},
+                        {"isRatio", true},
+                        {"values", numbers_on_page(errors)}});
+    return {{"title", title},
+            {"vertices", numbers_on_page(coordinates)},
+            {"cells", cells},
+            {"fields", fields}};
+  }
+
+
+
+  Json
+  plate_on_page(const Parameters &parameters)
+  {
+    const ContactParameters &contact = parameters.contact;
+    const PlateParameters   &plate   = parameters.plate;
+    const double radius = contact.has_patch() ? contact.patch_radius : 0.;
+    return {{"patch",
+             {{"radius", radius},
+              {"isDisc", radius > 0. && !contact.load_has_length()}}},
+            {"symmetric",
+             {geometry_of(plate).is_symmetric[0],
+              geometry_of(plate).is_symmetric[1]}}};
   }
 } // namespace PlateImpact

@@ -44,6 +44,12 @@ function deviation(value, other) {
   return `${ratio >= 1 ? '+' : ''}${percentage(ratio - 1, 3)}`;
 }
 
+/** The smallest and the largest of some numbers; nothing of null. */
+function rangeOf(values) {
+  const known = values.filter((value) => value !== null);
+  return [known.reduce((a, b) => Math.min(a, b)), known.reduce((a, b) => Math.max(a, b))];
+}
+
 /** The largest of 1, 2, 5, 10 ... that is at most a length. */
 function roundBelow(length) {
   const decade = 10 ** Math.floor(Math.log10(length));
@@ -110,35 +116,32 @@ function table(columns, rows, className = '') {
 }
 
 /** A number in a cell, in parentheses or not; text sorts behind. */
-function sortKey(cell) {
-  const number = parseFloat(cell.textContent.replace(/[()]/g, ''));
+function sortKey(text) {
+  const number = parseFloat(text.replace('(', ''));
   return Number.isNaN(number) ? Infinity : number;
 }
 
-function makeSortable(table) {
-  const heads = [...table.tHead.rows[0].cells];
-  heads.forEach((head, column) => {
-    const button = element('button', { type: 'button', title: 'Sort' }, head.textContent);
-    head.replaceChildren(button);
-    button.addEventListener('click', () => {
-      const up = head.getAttribute('aria-sort') !== 'ascending';
-      heads.forEach((other) => other.removeAttribute('aria-sort'));
-      head.setAttribute('aria-sort', up ? 'ascending' : 'descending');
-      const rows = [...table.tBodies[0].rows].sort((a, b) => {
-        const [x, y] = [sortKey(a.cells[column]), sortKey(b.cells[column])];
-        const order = column === 0 || (x === Infinity && y === Infinity) ?
-          a.cells[column].textContent.localeCompare(b.cells[column].textContent) : x < y ? -1 : x > y ? 1 : 0;
-        return up ? order : -order;
-      });
-      table.tBodies[0].append(...rows);
-    });
-  });
+function makeSortable({ tHead, tBodies: [body] }) {
+  const heads = [...tHead.rows[0].cells];
+  heads.forEach((head, column) => head.replaceChildren(button(head.textContent, () => {
+    const sign = head.getAttribute('aria-sort') === 'ascending' ? -1 : 1;
+    heads.forEach((other) => other.removeAttribute('aria-sort'));
+    head.setAttribute('aria-sort', sign > 0 ? 'ascending' : 'descending');
+    body.append(...[...body.rows].sort((...rows) => {
+      const texts = rows.map(({ cells }) => cells[column].textContent), [x, y] = texts.map(sortKey);
+      return sign * (column === 0 || x === y ? texts[0].localeCompare(texts[1]) : x - y);
+    }));
+  }, { title: 'Sort' })));
+}
+
+function button(text, act, properties = {}) {
+  return element('button', { type: 'button', onclick: act, ...properties }, text);
 }
 
 /** A choice among titles.
-    @param choose  called with the number of the one that is chosen */
-function selection(label, titles, choose) {
-  const select = element('select', {}, titles.map((title, i) => new Option(title, i)));
-  select.addEventListener('change', () => choose(Number(select.value)));
-  return element('label', {}, label, select);
+    @param choose  called with the number of the one that is chosen
+    @param first   the number of the one that is chosen at first */
+function selection(label, titles, choose, first = 0) {
+  return element('label', {}, label, element('select', { onchange: ({ target }) => choose(Number(target.value)) },
+    titles.map((title, i) => new Option(title, i, i === first, i === first))));
 }

@@ -38,12 +38,8 @@ Chart.register({
 });
 
 function axis(description, overrides, values) {
-  const result = {
-    type: description.logarithmic ? 'logarithmic' : 'linear',
-    title: { display: true, text: description.title, color: cssColour('text') },
-    grid: { color: cssColour('line') },
-    ticks: { color: cssColour('text'), maxRotation: 0 }, ...overrides
-  };
+  const result = { type: description.logarithmic ? 'logarithmic' : 'linear', title: { display: true, text: description.title },
+    ticks: { maxRotation: 0 }, ...overrides };
   if (result.type === 'category') return result;
   if (description.limits) [result.min, result.max] = description.limits;
   if (description.range) [result.suggestedMin, result.suggestedMax] = description.range;
@@ -116,42 +112,34 @@ function toggleSeries(event, item, legend) {
 /** Left and right keys move the point that is read. */
 function readByKeys(canvas) {
   let at = 0;
-  canvas.addEventListener('keydown', (event) => {
-    const chart = Chart.getChart(canvas);
-    const longest = Math.max(...chart.data.datasets.map((d) => d.data.length)) - 1;
-    const step = { ArrowRight: 1, ArrowLeft: -1, PageUp: Math.ceil(longest / 20), PageDown: -Math.ceil(longest / 20),
-      Home: -longest, End: longest }[event.key];
-    if (step === undefined) return;
-    event.preventDefault();
-    at = Math.min(longest, Math.max(0, at + step));
-    const items = chart.getSortedVisibleDatasetMetas()
-      .filter((meta) => at < meta.data.length)
-      .map((meta) => ({ datasetIndex: meta.index, index: at }));
+  const read = (chart, items) => {
     chart.setActiveElements(items);
     chart.tooltip.setActiveElements(items, { x: 0, y: 0 });
     chart.update('none');
-  });
-  canvas.addEventListener('blur', () => {
+  };
+  canvas.onblur = () => read(Chart.getChart(canvas), []);
+  canvas.onkeydown = (event) => {
     const chart = Chart.getChart(canvas);
-    chart.setActiveElements([]);
-    chart.tooltip.setActiveElements([], { x: 0, y: 0 });
-    chart.update('none');
-  });
+    const longest = Math.max(...chart.data.datasets.map((d) => d.data.length)) - 1, page = Math.ceil(longest / 20);
+    const step = { ArrowRight: 1, ArrowLeft: -1, PageUp: page, PageDown: -page, Home: -longest, End: longest }[event.key];
+    if (step === undefined) return;
+    event.preventDefault();
+    at = Math.min(longest, Math.max(0, at + step));
+    read(chart, chart.getSortedVisibleDatasetMetas().filter((meta) => at < meta.data.length)
+      .map((meta) => ({ datasetIndex: meta.index, index: at })));
+  };
 }
 
 function makePlot(canvas, entry) {
   const plot = shown(entry);
   const bars = Boolean(plot.categories);
-  // points in the order of x need no parsing
-  const sorted = plot.series.every((series) =>
-    (series.x ?? []).every((value, i, x) => i === 0 || x[i - 1] <= value));
   const unit = (title) => (title.match(/\[(.*)\]/) ?? ['', ''])[1];
   Chart.getChart(canvas)?.destroy();
+  Object.assign(Chart.defaults, { color: cssColour('text'), borderColor: cssColour('line'), animation: false, maintainAspectRatio: false });
   return new Chart(canvas, {
     type: bars ? 'bar' : 'line',
     data: { labels: bars ? plot.categories : undefined, datasets: datasets(plot, entry.view) },
     options: {
-      animation: false, maintainAspectRatio: false, parsing: bars || !sorted ? undefined : false,
       indexAxis: bars ? 'y' : 'x',
       interaction: bars ? { mode: 'index', axis: 'y', intersect: false } : { mode: 'nearestOfEach', intersect: false },
       scales: bars ?
@@ -160,7 +148,7 @@ function makePlot(canvas, entry) {
       plugins: {
         legend: {
           display: plot.series.length > 1 && !plot.series.some((series) => series.marker), position: 'bottom', onClick: toggleSeries,
-          labels: { color: cssColour('text'), boxWidth: 24, boxHeight: bars ? 10 : 2,
+          labels: { boxWidth: 24, boxHeight: bars ? 10 : 2,
             filter: (item, { datasets }) => datasets[item.datasetIndex].style !== 'faint' }
         },
         tooltip: {
@@ -263,11 +251,8 @@ function saveButtons(canvas, entry) {
     PNG: () => save('png', canvas.toDataURL('image/png')),
     CSV: () => save('csv', file(csvOf(Chart.getChart(canvas), shown(entry)), 'text/csv'))
   };
-  return element('div', { className: 'controls save' }, Object.entries(ways).map(([name, way]) => {
-    const button = element('button', { title: `Save the plot "${title}" as ${name}` }, name);
-    button.addEventListener('click', way);
-    return button;
-  }));
+  return element('div', { className: 'controls save' }, Object.entries(ways).map(([name, way]) =>
+    button(name, way, { title: `Save the plot "${title}" as ${name}` })));
 }
 
 /** One legend for plots beside each other, by colours and by shapes, with the choices of the abscissa and of the series. */
@@ -277,26 +262,19 @@ function makeLegend(entries) {
   const bar = element('div', { className: 'controls legend' },
     selection('Against: ', [plot.x, ...plot.moreX].map((x) => x.title), (x) => { view.x = x; redraw(); }),
     plot.views.length > 1 && selection('Elements: ', plot.views.map(({ title }) => title), (chosen) => { view.chosen = chosen; redraw(); }));
-  const named = (sign, name) => {
-    const holder = element('span');
-    holder.innerHTML = `<svg width="16" height="12" style="display: inline; width: 16px">${sign}</svg>`;
-    return [holder, ` ${name}`];
-  };
-  const toggle = (name, sign, colour) => {
-    const button = element('button', { type: 'button', 'aria-pressed': 'true' }, named(sign, name));
-    button.style.color = `var(--${colour})`;
-    button.addEventListener('click', () => {
-      if (!view.hidden.delete(name)) view.hidden.add(name);
-      button.setAttribute('aria-pressed', String(!view.hidden.has(name)));
-      redraw();
-    });
-    bar.append(button);
+  const named = (sign, name) => [element('span', { innerHTML: `<svg width="16" height="12" style="display: inline; width: 16px">${sign}</svg>` }),
+    ` ${name}`];
+  const toggle = ({ currentTarget }, name) => {
+    if (!view.hidden.delete(name)) view.hidden.add(name);
+    currentTarget.setAttribute('aria-pressed', String(!view.hidden.has(name)));
+    redraw();
   };
   const once = (key) => [...new Map(plot.series.filter((series) => series[key]).map((series) => [series[key], series])).values()];
-  for (const series of once('name'))
-    toggle(series.name, '<path d="M0 6h16" stroke="currentColor" stroke-width="3"/>', 'c' + (series.colour % 8));
-  for (const series of once('marker'))
-    bar.append(element('span', {}, named(shapePath(shapeOf(series.marker, plot), 8, 6, 5, 'currentColor'), series.marker)));
+  for (const { name, colour } of once('name'))
+    bar.append(button(named('<path d="M0 6h16" stroke="currentColor" stroke-width="3"/>', name), (event) => toggle(event, name),
+      { 'aria-pressed': 'true', style: `color: var(--c${colour % 8})` }));
+  for (const { marker } of once('marker'))
+    bar.append(element('span', {}, named(shapePath(shapeOf(marker, plot), 8, 6, 5, 'currentColor'), marker)));
   return bar;
 }
 

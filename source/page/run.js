@@ -179,8 +179,7 @@ function showStressesAlongLines({ stresses }) {
   const choose = selection('Stress: ', fields.map(({ name }) => name), (field) => show(field).forEach((plot, i) => {
     entries[i].plot = plot;
     makePlot(entries[i].canvas, entries[i]);
-  }));
-  choose.querySelector('select').value = first;
+  }), first);
   section('Raw and recovered stresses', paragraph('Stresses at the peak force. The raw stresses of the elements jump from cell to cell; patch recovery ' +
     'fits polynomials to them. The estimator takes the difference of the two for the error.'),
   element('div', { className: 'controls' }, choose), grid);

@@ -20,13 +20,11 @@ class SweepResults {
 
   /** The texts of a point; in a product the values of the last entry change fastest. */
   valuesAt(point) {
-    if (!this.isProduct) return this.entries.map(({ values }) => values[point]);
-    let rest = point;
-    return [...this.entries].reverse().map(({ values }) => {
-      const text = values[rest % values.length];
-      rest = Math.floor(rest / values.length);
-      return text;
-    }).reverse();
+    let stride = this.statuses.length;
+    return this.entries.map(({ values }) => {
+      stride = this.isProduct ? stride / values.length : 1;
+      return values[Math.floor(point / stride) % values.length];
+    });
   }
 }
 
@@ -40,11 +38,6 @@ function scaleOf({ path, unit, values }) {
 /** "Velocity = 2 m/s" with " = " between name and value. */
 function assignment({ path, unit }, value, between) {
   return path.split('/')[1] + between + value + (unit && unit !== '-' ? ` ${unit}` : '');
-}
-
-function rangeOf({ values }) {
-  const known = values.filter((value) => value !== null);
-  return [known.reduce((a, b) => Math.min(a, b)), known.reduce((a, b) => Math.max(a, b))];
 }
 
 /** A quantity over an entry, a curve for each name; points with warnings are dots of their own. */
@@ -72,7 +65,7 @@ function panelsOf(results, panels, size) {
   if (a.isNumeric && b.isNumeric && Math.min(nA, nB) > 3)
     return element('div', { className: `grid ${size}` }, panels.map((panel) => {
       const points = indices(nB).flatMap((j) => indices(nA).map((i) => point(panel, i, j)));
-      return makeMap({ title: panel.title || panel.quantity.name, valueTitle: panel.quantity.title, x: a, y: b, range: rangeOf(panel.quantity),
+      return makeMap({ title: panel.title || panel.quantity.name, valueTitle: panel.quantity.title, x: a, y: b, range: rangeOf(panel.quantity.values),
         values: points.map((p) => panel.quantity.values[p]), marked: indices(points.length).filter((k) => results.warned.has(points[k])) });
     }));
   const aIsFamily = b.isNumeric && (!a.isNumeric || (nA < nB && nA <= mostCurves));
@@ -81,7 +74,7 @@ function panelsOf(results, panels, size) {
   return plotGrid(panels.map((panel) => {
     const plot = curvesOf(results, panel.quantity, x, names, names.map((_, s) =>
       x.values.map((_, i) => aIsFamily ? point(panel, s, i) : point(panel, i, s))));
-    return panel.title ? { ...plot, title: panel.title, y: { title: panel.quantity.unit, range: rangeOf(panel.quantity) } } : plot;
+    return panel.title ? { ...plot, title: panel.title, y: { title: panel.quantity.unit, range: rangeOf(panel.quantity.values) } } : plot;
   }), size);
 }
 

@@ -6,10 +6,10 @@
     @param reset  called for the whole picture again
     @param drag   called with the pixels to the right and downwards that the pointer has moved
     @param step   called with -1, 0 or 1 to the right and downwards, of an arrow key */
-function makeZoomable(element, { zoom, reset, drag, step }) {
-  element.setAttribute('tabindex', 0);
-  element.addEventListener('wheel', (event) => {
-    if (!event.ctrlKey && document.activeElement !== element) return;
+function makeZoomable(picture, { zoom, reset, drag, step }) {
+  picture.setAttribute('tabindex', 0);
+  picture.addEventListener('wheel', (event) => {
+    if (!event.ctrlKey && document.activeElement !== picture) return;
     event.preventDefault();
     zoom(2 ** (-Math.sign(event.deltaY) * Math.min(Math.abs(event.deltaY), 150) / 300), event);
   }, { passive: false });
@@ -19,37 +19,30 @@ function makeZoomable(element, { zoom, reset, drag, step }) {
     const [a, b] = fingers.values();
     return Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY);
   };
-  element.addEventListener('pointerdown', (event) => {
+  picture.onpointerdown = (event) => {
     if (event.pointerType === 'touch') fingers.set(event.pointerId, event);
-  });
-  for (const end of ['pointerup', 'pointercancel', 'pointerleave'])
-    element.addEventListener(end, (event) => fingers.delete(event.pointerId));
-  element.addEventListener('pointermove', (event) => {
+  };
+  picture.onpointerup = picture.onpointercancel = picture.onpointerleave = (event) => fingers.delete(event.pointerId);
+  picture.onpointermove = (event) => {
     if (fingers.has(event.pointerId)) {
       const before = fingers.size === 2 ? spread() : 0;
       fingers.set(event.pointerId, event);
       if (before > 0) zoom(spread() / before, event);
     }
     if (event.buttons && fingers.size < 2) drag(event.movementX, event.movementY);
-  });
+  };
 
-  const arrows = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
-  element.addEventListener('keydown', (event) => {
-    if (event.key === '0') reset();
-    else if (event.key === '+' || event.key === '=') zoom(1.4);
-    else if (event.key === '-') zoom(1 / 1.4);
-    else if (event.key in arrows) step(...arrows[event.key]);
-    else return;
+  const acts = { 0: reset, '+': () => zoom(1.4), '=': () => zoom(1.4), '-': () => zoom(1 / 1.4), ArrowLeft: () => step(-1, 0),
+    ArrowRight: () => step(1, 0), ArrowUp: () => step(0, -1), ArrowDown: () => step(0, 1) };
+  picture.onkeydown = (event) => {
+    if (!(event.key in acts)) return;
+    acts[event.key]();
     event.preventDefault();
-  });
+  };
 }
 
 /** Buttons for those without wheel and keys. */
-function addZoomButtons(controls, zoom, reset, contact) {
-  for (const [text, title, act] of [['−', 'Smaller', () => zoom(1 / 1.4)], ['+', 'Larger', () => zoom(1.4)],
-    ['contact', 'The contact and what is around it', contact], ['whole', 'All of it', reset]]) {
-    const button = element('button', { type: 'button', className: 'zoom', title }, text);
-    button.addEventListener('click', act);
-    controls.append(button);
-  }
+function zoomButtons(zoom, reset, contact) {
+  return [['−', 'Smaller', () => zoom(1 / 1.4)], ['+', 'Larger', () => zoom(1.4)], ['contact', 'The contact and what is around it', contact],
+    ['whole', 'All of it', reset]].map(([text, title, act]) => button(text, act, { className: 'zoom', title }));
 }

@@ -4,7 +4,6 @@
 
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/interrupt.h"
-#include "plate_impact/sweep/sweep_computation.h"
 
 #include <boost/serialization/is_bitwise_serializable.hpp>
 #include <boost/serialization/vector.hpp>
@@ -48,6 +47,17 @@ namespace PlateImpact
       bool      is_work = false;
       SweepWork work    = {};
     };
+
+
+
+    /// To the first process, without waiting for it as long as the message is
+    /// small.
+    void
+    send(const Message &message)
+    {
+      const std::vector<char> bytes = Utilities::pack(message, false);
+      MPI_Send(bytes.data(), bytes.size(), MPI_CHAR, 0, 0, MPI_COMM_WORLD);
+    }
 
 
 
@@ -144,10 +154,6 @@ namespace PlateImpact
                      SweepComputation                       &computation,
                      const std::function<void(SweepRow &&)> &take)
   {
-    const auto send = [](const std::vector<char> &bytes) {
-      // without waiting for the first process as long as the message is small
-      MPI_Send(bytes.data(), bytes.size(), MPI_CHAR, 0, 0, MPI_COMM_WORLD);
-    };
     SweepWork  all;
     const auto add_work = [&all](const SweepWork &work) {
       all.meshes += work.meshes;
@@ -156,19 +162,16 @@ namespace PlateImpact
     };
     unsigned int n_others =
       rank == 0 ? size - 1 : 0; // that have not sent their work
-    const auto take_others = [&](bool wait, const auto &take) {
+    const auto take_others = [&](const bool wait, const auto &take) {
       while (n_others > 0)
         {
           std::optional<Message> message = received(wait);
           if (!message)
             return;
-          wait = false;
           if (!message->is_work)
-            {
-              take(std::move(message->row));
-              continue;
-            }
-          --n_others;
+            take(std::move(message->row));
+          else
+            --n_others;
           add_work(message->work);
         }
     };
@@ -185,20 +188,18 @@ namespace PlateImpact
                   take_others(/*wait=*/false, take);
                 }
               else
-                send(Utilities::pack(Message{std::move(row)}, false));
+                send({std::move(row)});
             }
         if (rank != 0)
-          send(Utilities::pack(Message{{}, true, computation.work}, false));
-        while (n_others > 0)
-          take_others(/*wait=*/true, take);
+          send({{}, true, computation.work});
+        take_others(/*wait=*/true, take);
       }
     catch (const ComputationError &)
       {
         // nothing can be written: nothing more is computed
         while (next_task() < tasks.size())
           ;
-        while (n_others > 0)
-          take_others(/*wait=*/true, [](SweepRow &&) {});
+        take_others(/*wait=*/true, [](SweepRow &&) {});
         throw;
       }
     add_work(computation.work);

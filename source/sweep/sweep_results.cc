@@ -168,9 +168,9 @@ namespace PlateImpact
   void
   SweepTable::read()
   {
-    std::map<std::string, std::vector<std::size_t>> points;
+    std::multimap<std::string, std::size_t> points;
     for (std::size_t point = 0; point < plan.n_points; ++point)
-      points[joined(plan.values(point))].push_back(point);
+      points.emplace(joined(plan.values(point)), point);
 
     std::ifstream     in(directory / file_name);
     std::string       text;
@@ -195,14 +195,13 @@ namespace PlateImpact
         row.warnings =
           dealii::Utilities::split_string_list(fields[n_values + n_quantities],
                                                separator);
-        const auto place =
-          points.find(joined({fields.begin(), fields.begin() + n_values}));
-        if (place != points.end())
-          for (const std::size_t point : place->second)
-            {
-              row.point   = point;
-              rows[point] = row;
-            }
+        const auto [begin, end] = points.equal_range(
+          joined({fields.begin(), fields.begin() + n_values}));
+        for (auto place = begin; place != end; ++place)
+          {
+            row.point       = place->second;
+            rows[row.point] = row;
+          }
       }
   }
 

@@ -7,6 +7,7 @@
 #include "plate_impact/scene/scene.h"
 
 #include <functional>
+#include <iosfwd>
 #include <memory>
 #include <optional>
 #include <string>
@@ -24,17 +25,10 @@ namespace PlateImpact
     /// tolerance of Ritz vectors. 0 where the scene gives the peak force.
     double uncertainty = 0.;
 
-    /// Of the peak force, a fraction: what the time step leaves, which all
-    /// meshes share. None where it was not estimated.
-    std::optional<double> time_step_error;
-
-    std::optional<double> contact_end; ///< of the first contact [s]
-
-    /// Of the computed reference.
-    std::optional<double>         eta;
-    std::optional<ContactHistory> history;
-    unsigned int                  cells = 0, degrees_of_freedom = 0;
-    double                        seconds = 0.;
+    /// None where the scene gives the peak force. The time step, which all
+    /// meshes share, leaves its `time_error`.
+    std::optional<CycleResult> computed;
+    double                     seconds = 0.; ///< that it has taken
 
     /// Where a field is to compare with: not under a point load, whose energy
     /// has no limit.
@@ -103,35 +97,16 @@ namespace PlateImpact
   };
 
 
-  /// Whether neither is ahead: identical meshes, or times that differ by less
-  /// than a tenth, as they do from run to run.
-  bool
-  are_tied(const Achievement &a, const Achievement &b);
-
-
   /// Who reaches a threshold.
   struct ThresholdRow
   {
-    double ComparedMesh::*error; ///< of the peak force, or eta
-    double                threshold;
-    bool                  is_comparable; ///< above the reference's uncertainty
+    bool   is_of_eta; ///< or of the error of the peak force
+    double threshold;
+    bool   is_comparable; ///< above the reference's uncertainty
     /// Curves that reach it and stay below, the fastest first; none where it is
     /// not comparable. Of eta, those whose meshes are made for it: by force, a
     /// plate is watched no longer than its peak takes.
     std::vector<Achievement> achievements;
-
-    bool
-    is_of_eta() const
-    {
-      return error == &ComparedMesh::eta;
-    }
-
-    /// Of the error, in words.
-    std::string
-    quantity() const
-    {
-      return is_of_eta() ? "eta" : "peak force error";
-    }
   };
 
 
@@ -187,12 +162,6 @@ namespace PlateImpact
     std::vector<ComparisonCurve> curves;
 
   private:
-    /// Whether there is nothing to learn from a comparison.
-    bool
-    is_close_to_reference(const CycleResult          &result,
-                          const AdaptivityParameters &adaptivity) const;
-    std::vector<Achievement>
-    achievements(double threshold, double ComparedMesh::*error) const;
     Parameters
     parameters_of(const ComparedStrategy &strategy, ElementType element) const;
     void
@@ -205,4 +174,30 @@ namespace PlateImpact
     const Progress           progress;
     const AdaptationControl *marking;
   };
+
+
+  /// comparison.json: the reference, every mesh of every curve, who reaches
+  /// which error first (doc/results.md has the keys).
+  Json
+  comparison_results(const Scene                    &scene,
+                     const StrategyComparison       &comparison,
+                     const std::vector<std::string> &warnings);
+
+  /// Which strategy reaches a threshold first, each with its fastest element,
+  /// and by how much: against uniform meshes, or the next.
+  std::string
+  in_words(const ThresholdRow &row, const std::vector<ComparisonCurve> &curves);
+
+  /// comparison.csv: the meshes of all curves, a row each.
+  void
+  write_comparison_table(std::ostream                       &out,
+                         const std::vector<ComparisonCurve> &curves);
+
+  /// comparison.html.
+  /// @param results  of comparison_results()
+  void
+  write_comparison_page(std::ostream             &out,
+                        const Scene              &scene,
+                        const StrategyComparison &comparison,
+                        const Json               &results);
 } // namespace PlateImpact

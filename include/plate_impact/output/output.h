@@ -4,7 +4,7 @@
 #include "plate_impact/analysis/goal.h"
 #include "plate_impact/output/report.h"
 #include "plate_impact/output/result_directory.h"
-#include "plate_impact/output/verdict.h"
+#include "plate_impact/output/run_in_words.h"
 #include "plate_impact/scene/scene.h"
 
 #include <string>
@@ -54,6 +54,10 @@ namespace PlateImpact
 
     const Scene &scene;
     Json         cycles = Json::array();
-    Report       report;
+    Json         study  = {{"study", "run"},
+                           {"histories", Json::array()},
+                           {"errors", Json::array()},
+                           {"meshes", Json::array()},
+                           {"stresses", Json::array()}}; ///< for the report
   };
 } // namespace PlateImpact

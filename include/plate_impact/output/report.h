@@ -2,7 +2,7 @@
 
 #include "plate_impact/analysis/cycle.h"
 #include "plate_impact/contact/contact_history.h"
-#include "plate_impact/output/verdict.h"
+#include "plate_impact/output/run_in_words.h"
 #include "plate_impact/page/page.h"
 #include "plate_impact/scene/scene.h"
 
@@ -22,26 +22,20 @@ namespace PlateImpact
                   std::size_t                     most_states,
                   const std::vector<std::string> &columns = {});
 
-  /// report.html: a run on one page. Takes what it shows cycle by cycle, since
-  /// the meshes do not stay.
-  class Report
-  {
-  public:
-    void
-    add_cycle(const Cycle &cycle);
+  /// Adds what report.html shows of a cycle, since the meshes do not stay, to
+  /// its lists: `histories`, `errors`, `meshes`, `stresses`.
+  void
+  add_to_report(const Cycle &cycle, Json &study);
 
-    /// Once, at the end.
-    /// @param summary  the content of summary.json
-    /// @param last     for the film of the deflection
-    void
-    write(std::ostream  &out,
-          const Scene   &scene,
-          const Verdict &verdict,
-          const Json    &summary,
-          const Cycle   &last);
-
-  private:
-    Json histories = Json::array(), errors = Json::array(),
-         meshes = Json::array(), stresses = Json::array();
-  };
+  /// report.html: a run on one page.
+  /// @param summary  the content of summary.json
+  /// @param last     for the film of the deflection
+  /// @param study    with all cycles
+  void
+  write_report(std::ostream  &out,
+               const Scene   &scene,
+               const Verdict &verdict,
+               const Json    &summary,
+               const Cycle   &last,
+               Json           study);
 } // namespace PlateImpact

@@ -1,8 +1,12 @@
 #pragma once
 
+#include "plate_impact/analysis/cycle_result.h"
+#include "plate_impact/analysis/goal.h"
+#include "plate_impact/analysis/warnings.h"
 #include "plate_impact/base/parameters.h"
 
 #include <string>
+#include <vector>
 
 namespace PlateImpact
 {
@@ -18,4 +22,54 @@ namespace PlateImpact
   /// How the contact force is spread, and what that means for its limit.
   std::string
   load_in_words(const Parameters &parameters);
+
+
+  /// How far a part of a result may be taken at its word.
+  enum class Trust
+  {
+    good,     ///< nothing to warn of
+    doubtful, ///< with a reservation
+    none      ///< the number says nothing
+  };
+
+  template <>
+  const std::vector<Word<Trust>> Choices<Trust>::words;
+
+
+  /// What a reader must know before any other number, in two parts that have
+  /// nothing to do with each other: a force may be converged and wrong.
+  struct Verdict
+  {
+    struct Part
+    {
+      Trust                    trust = Trust::good;
+      std::vector<std::string> reasons; ///< why not better, sentences
+    };
+
+    std::string text; ///< force, errors, and whether the target is met
+
+    std::string force;    ///< with its errors
+    Warnings    warnings; ///< that it rests on
+
+    /// Whether mesh and time step leave the force as it is: the bar.
+    Part convergence;
+
+    /// Whether the impact stays inside of the model; none where it passes a
+    /// limit more than three times over.
+    Part model;
+
+    /// The worse of both.
+    Trust
+    trust() const;
+  };
+
+  Verdict
+  verdict_of(const Parameters  &parameters,
+             Outcome            outcome,
+             const CycleResult &last,
+             const Warnings    &warnings);
+
+  /// Where the impact is: "Outside the limits of the model".
+  std::string
+  model_in_words(const Verdict &verdict);
 } // namespace PlateImpact

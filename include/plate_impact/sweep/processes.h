@@ -2,7 +2,7 @@
 
 #include <deal.II/base/mpi.h>
 
-#include "plate_impact/sweep/sweep_groups.h"
+#include "plate_impact/sweep/sweep_computation.h"
 
 #include <cstddef>
 #include <functional>
@@ -10,10 +10,6 @@
 
 namespace PlateImpact
 {
-  class SweepComputation;
-  struct SweepRow;
-  struct SweepWork;
-
   /// The processes that share a sweep: those that mpirun has started, or this
   /// one alone. Tasks are handed out one by one by a counter that all share,
   /// results go to the first process. MPI is started only under mpirun; its

@@ -1,10 +1,17 @@
 #pragma once
 
 #include "plate_impact/analysis/cycle.h"
+#include "plate_impact/output/result_directory.h"
 #include "plate_impact/page/page.h"
 
 namespace PlateImpact
 {
+  /// fields.pvd and a VTU file for every snapshot of the whole plate:
+  /// deflection, rotations, recovered resultants, stresses at the faces, xi'.
+  /// @throws ComputationError when a field holds more than a file takes
+  void
+  write_fields(const ResultDirectory &directory, const Cycle &cycle);
+
   /// The plate over the frames of a result, the plate at rest before them and
   /// that of the largest force among them, for the player of a page:
   ///
