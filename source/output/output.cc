@@ -127,7 +127,7 @@ namespace PlateImpact
                          result.error ?
                            ", eta = " + about_percentage(result.error->eta) :
                            "",
-                         geometry_of(cycle.parameters.plate)->n_parts() == 4. ?
+                         geometry_of(cycle.parameters.plate).n_parts() == 4. ?
                            " Impact at the lower left corner." :
                            ""))
         << "<g class=\"mesh\" stroke=\"#444\" stroke-width=\"0.6\">\n";

@@ -126,8 +126,8 @@ namespace PlateImpact
         for (const bool in_x : {false, true})
           for (unsigned int cell = 0; cell < cycle.result.cells; ++cell)
             {
-              if ((in_x && !geometry->is_symmetric(0)) ||
-                  (in_y && !geometry->is_symmetric(1)))
+              if ((in_x && !geometry.is_symmetric[0]) ||
+                  (in_y && !geometry.is_symmetric[1]))
                 continue;
               DataOutBase::Patch<2, 2> patch;
               patch.patch_index          = patches.size();
