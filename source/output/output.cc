@@ -92,7 +92,7 @@ namespace PlateImpact
                    Json              &cycle)
     {
       const ComputedImpact impact{parameters, expected, result};
-      for (const ImpactQuantity &quantity : impact_quantities())
+      for (const ImpactQuantity &quantity : impact_quantities)
         if (const auto value = quantity.value(impact))
           cycle[quantity.name] = *value;
       cycle["number_of_contacts"] = result.history->n_contacts();
