@@ -143,12 +143,9 @@ namespace PlateImpact
     static_cast<Observation &>(result) = std::move(seen);
     static_cast<Judgement &>(result)   = judgement();
     if (result.peak_force_error)
-      {
-        here = Struck{{result.history->peak().force,
-                       mesh_part_of_bar(),
-                       result.cells},
-                      *result.history};
-      }
+      here =
+        Struck{{result.history->peak().force, mesh_part_of_bar(), result.cells},
+               *result.history};
     if (result.new_vectors > 0.7 * result.steps ||
         (result.new_vectors > 0 &&
          result.new_solves >= result.new_vectors + 0.5 * result.steps))
