@@ -27,14 +27,6 @@ namespace PlateImpact
 
   namespace
   {
-    bool
-    keep_mesh(const Adapting &)
-    {
-      return false;
-    }
-
-
-
     /// Refines every cell, whatever its error, unless one is at the minimum
     /// size.
     bool
@@ -113,16 +105,19 @@ namespace PlateImpact
 
     struct StrategyRow
     {
-      AdaptationStrategy   choice;
-      std::string          word;
-      decltype(&keep_mesh) adapt;
+      AdaptationStrategy choice;
+      std::string        word;
+      bool (*adapt)(const Adapting &);
       /// Sizes of cells that take the place of the present ones, by active
       /// index; null of strategies that refine cells once. [m]
       decltype(&target_sizes) wanted_sizes;
     };
 
     const std::vector<StrategyRow> strategies = {
-      {AdaptationStrategy::none, "none", keep_mesh, nullptr},
+      {AdaptationStrategy::none,
+       "none",
+       [](const Adapting &) { return false; },
+       nullptr},
       {AdaptationStrategy::hanging_nodes,
        "hanging nodes",
        adapt_by_hanging_nodes,

@@ -215,16 +215,6 @@ namespace PlateImpact
 
 
 
-  const StressRecovery &
-  Cycle::recovery() const
-  {
-    if (!stress_recovery)
-      stress_recovery.emplace(make_stress_recovery(parameters, mesh()));
-    return *stress_recovery;
-  }
-
-
-
   Observation
   Cycle::observe(const Parameters       &impact,
                  const Wanted           &wanted,

@@ -84,28 +84,13 @@ namespace PlateImpact
 
 
 
-  Outcome
-  ImpactAnalysis::run()
-  {
-    AdaptationControl control(parameters.adaptivity);
-    AnalysisListener  nobody;
-    return run(control, nobody);
-  }
-
-
-
   void
   ImpactAnalysis::begin_cycle(AnalysisListener &listener)
   {
     listener.stage(n_cycles + 1, "matrices");
     const Timer timer;
-    if (mesh == nullptr) // the present one again
-      mesh = copy_of(current->mesh());
-    else
-      {
-        peak_before    = peak_here;
-        history_before = std::move(history_here);
-      }
+    before = std::move(here);
+    here.reset();
     const double seconds_before =
       current != nullptr ? current->result.cumulative_seconds() : 0.;
     current.reset();
@@ -158,12 +143,9 @@ namespace PlateImpact
     static_cast<Observation &>(result) = std::move(seen);
     static_cast<Judgement &>(result)   = judgement();
     if (result.peak_force_error)
-      {
-        peak_here    = PeakOnMesh{result.history->peak().force,
-                               mesh_part_of_bar(),
-                               result.cells};
-        history_here = result.history;
-      }
+      here =
+        Struck{{result.history->peak().force, mesh_part_of_bar(), result.cells},
+               *result.history};
     if (result.new_vectors > 0.7 * result.steps ||
         (result.new_vectors > 0 &&
          result.new_solves >= result.new_vectors + 0.5 * result.steps))
@@ -223,13 +205,13 @@ namespace PlateImpact
     if (result.cell_size_at_load >
         0.5 * std::max(expected->wave().length, 2. * load))
       return {};
-    return peak_force_error_by_mesh(*result.peak_force_error,
-                                    result.history->peak().force,
-                                    peak_before,
-                                    result.cell_size_at_load <= load,
-                                    time_control->returns_before_peak(
-                                      *result.history),
-                                    change_around_peak());
+    return peak_force_error_by_mesh(
+      *result.peak_force_error,
+      result.history->peak().force,
+      before ? std::optional(before->peak) : std::nullopt,
+      result.cell_size_at_load <= load,
+      time_control->returns_before_peak(*result.history),
+      change_around_peak());
   }
 
 
@@ -238,14 +220,14 @@ namespace PlateImpact
   ImpactAnalysis::change_around_peak() const
   {
     const ContactHistory &history = *current->result.history;
-    if (!history_before)
+    if (!before)
       return {};
     const ContactState &peak = history.peak();
-    const double around = history.difference_around(peak.time, *history_before);
+    const double around = history.difference_around(peak.time, before->history);
     if (around == 0.) // the mesh before was not watched until then
       return {};
     // two peaks may agree by accident, all ripples around them do not
-    return std::max(std::abs(peak.force - history_before->peak().force),
+    return std::max(std::abs(peak.force - before->history.peak().force),
                     around) /
       peak.force;
   }

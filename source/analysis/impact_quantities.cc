@@ -8,7 +8,8 @@ namespace PlateImpact
 {
   namespace
   {
-    using Value = std::optional<double>;
+    using Value    = std::optional<double>;
+    using Computed = const ComputedImpact &;
 
     /// Of a contact that stays elastic.
     Value
@@ -90,122 +91,116 @@ namespace PlateImpact
 
 
 
-  const std::vector<ImpactQuantity> &
-  impact_quantities()
-  {
-    using Impact = const ComputedImpact &;
-    static const std::vector<ImpactQuantity> quantities = {
-      {"peak_force",
-       "Peak force",
-       "N",
-       [](Impact i) -> Value { return i.peak.force; }},
-      {"time_of_peak_force",
-       "Time of the peak force",
-       "s",
-       [](Impact i) -> Value { return i.peak.time; }},
-      {"first_contact_end",
-       "End of the first contact",
-       "s",
-       [](Impact i) { return i.history.first_contact_end(); }},
-      {"number_of_contacts",
-       "Number of contacts",
-       "",
-       [](Impact i) -> Value { return i.history.n_contacts(); }},
-      {"impulse",
-       "Impulse",
-       "N s",
-       [](Impact i) -> Value { return i.result.impulse; }},
-      {"final_impactor_velocity",
-       "Final velocity of the impactor",
-       "m/s",
-       [](Impact i) -> Value { return i.last.impactor_velocity; }},
-      {"max_plate_displacement",
-       "Largest displacement of the plate",
-       "m",
-       [](Impact i) -> Value { return i.history.max_plate_displacement(); }},
-      {"contact_radius_over_thickness",
-       "Largest contact radius over the thickness",
-       "",
-       [](Impact i) -> Value {
-         return i.bodies.radius(i.peak.force, i.peak.indentation) /
-           i.plate.thickness;
-       }},
-      {"relative_energy_drift",
-       "Relative drift of the energy",
-       "",
-       [](Impact i) -> Value { return i.history.relative_energy_drift(); }},
-      {"coefficient_of_restitution",
-       "Coefficient of restitution",
-       "",
-       restitution},
-      {"plate_energy_fraction",
-       "Energy left in the plate, fraction",
-       "",
-       [](Impact i) -> Value {
-         return i.last.plate_energy / i.first.total_energy();
-       }},
-      {"zener_loss_factor",
-       "Loss factor of Zener's formula",
-       "",
-       [](Impact i) {
-         return is_sphere(i) ? i.expected.loss_factor() : Value();
-       }},
-      {"peak_force_over_zener",
-       "Peak force over Zener's",
-       "",
-       [](Impact i) {
-         return is_sphere(i) ? i.peak.force / i.expected.peak.force : Value();
-       }},
-      {"restitution_over_zener",
-       "Restitution over Zener's",
-       "",
-       restitution_over_zener},
-      {"discretization_error",
-       "Relative error in the energy norm eta, fraction",
-       "",
-       [](Impact i) {
-         return i.result.error ? Value(i.result.error->eta) : Value();
-       }},
-      {"peak_force_error_bar",
-       "Error bar of the peak force, fraction",
-       "",
-       [](Impact i) {
-         const auto &bar = i.result.peak_force_bar;
-         return bar ? Value(bar->total()) : Value();
-       }},
-      {"contact_pressure", "Largest contact pressure", "Pa", contact_pressure},
-      {"mean_pressure_over_yield_strength",
-       "Mean contact pressure over the yield strength",
-       "",
-       pressure_over_strength},
-      {"permanent_indentation",
-       "Dent",
-       "m",
-       [](Impact i) { return if_dented(i, i.last.permanent_indentation); }},
-      {"dissipated_energy",
-       "Energy dissipated by the contact",
-       "J",
-       [](Impact i) { return if_dented(i, i.last.dissipated_energy); }},
-      {"plate_dissipated_energy",
-       "Energy dissipated by the plate",
-       "J",
-       [](Impact i) -> Value {
-         const double energy = i.last.plate_dissipated_energy;
-         return energy > 0. ? Value(energy) : Value();
-       }},
-      {"delamination_threshold",
-       "Delamination threshold",
-       "N",
-       delamination_threshold},
-      {"peak_force_over_delamination_threshold",
-       "Peak force over the delamination threshold",
-       "",
-       [](Impact i) -> Value {
-         const Value threshold = delamination_threshold(i);
-         return threshold ? Value(i.peak.force / *threshold) : Value();
-       }}};
-    return quantities;
-  }
+  const std::vector<ImpactQuantity> impact_quantities = {
+    {"peak_force",
+     "Peak force",
+     "N",
+     [](Computed i) -> Value { return i.peak.force; }},
+    {"time_of_peak_force",
+     "Time of the peak force",
+     "s",
+     [](Computed i) -> Value { return i.peak.time; }},
+    {"first_contact_end",
+     "End of the first contact",
+     "s",
+     [](Computed i) { return i.history.first_contact_end(); }},
+    {"number_of_contacts",
+     "Number of contacts",
+     "",
+     [](Computed i) -> Value { return i.history.n_contacts(); }},
+    {"impulse",
+     "Impulse",
+     "N s",
+     [](Computed i) -> Value { return i.result.impulse; }},
+    {"final_impactor_velocity",
+     "Final velocity of the impactor",
+     "m/s",
+     [](Computed i) -> Value { return i.last.impactor_velocity; }},
+    {"max_plate_displacement",
+     "Largest displacement of the plate",
+     "m",
+     [](Computed i) -> Value { return i.history.max_plate_displacement(); }},
+    {"contact_radius_over_thickness",
+     "Largest contact radius over the thickness",
+     "",
+     [](Computed i) -> Value {
+       return i.bodies.radius(i.peak.force, i.peak.indentation) /
+         i.plate.thickness;
+     }},
+    {"relative_energy_drift",
+     "Relative drift of the energy",
+     "",
+     [](Computed i) -> Value { return i.history.relative_energy_drift(); }},
+    {"coefficient_of_restitution",
+     "Coefficient of restitution",
+     "",
+     restitution},
+    {"plate_energy_fraction",
+     "Energy left in the plate, fraction",
+     "",
+     [](Computed i) -> Value {
+       return i.last.plate_energy / i.first.total_energy();
+     }},
+    {"zener_loss_factor",
+     "Loss factor of Zener's formula",
+     "",
+     [](Computed i) {
+       return is_sphere(i) ? i.expected.loss_factor() : Value();
+     }},
+    {"peak_force_over_zener",
+     "Peak force over Zener's",
+     "",
+     [](Computed i) {
+       return is_sphere(i) ? i.peak.force / i.expected.peak.force : Value();
+     }},
+    {"restitution_over_zener",
+     "Restitution over Zener's",
+     "",
+     restitution_over_zener},
+    {"discretization_error",
+     "Relative error in the energy norm eta, fraction",
+     "",
+     [](Computed i) {
+       return i.result.error ? Value(i.result.error->eta) : Value();
+     }},
+    {"peak_force_error_bar",
+     "Error bar of the peak force, fraction",
+     "",
+     [](Computed i) {
+       const auto &bar = i.result.peak_force_bar;
+       return bar ? Value(bar->total()) : Value();
+     }},
+    {"contact_pressure", "Largest contact pressure", "Pa", contact_pressure},
+    {"mean_pressure_over_yield_strength",
+     "Mean contact pressure over the yield strength",
+     "",
+     pressure_over_strength},
+    {"permanent_indentation",
+     "Dent",
+     "m",
+     [](Computed i) { return if_dented(i, i.last.permanent_indentation); }},
+    {"dissipated_energy",
+     "Energy dissipated by the contact",
+     "J",
+     [](Computed i) { return if_dented(i, i.last.dissipated_energy); }},
+    {"plate_dissipated_energy",
+     "Energy dissipated by the plate",
+     "J",
+     [](Computed i) -> Value {
+       const double energy = i.last.plate_dissipated_energy;
+       return energy > 0. ? Value(energy) : Value();
+     }},
+    {"delamination_threshold",
+     "Delamination threshold",
+     "N",
+     delamination_threshold},
+    {"peak_force_over_delamination_threshold",
+     "Peak force over the delamination threshold",
+     "",
+     [](Computed i) -> Value {
+       const Value threshold = delamination_threshold(i);
+       return threshold ? Value(i.peak.force / *threshold) : Value();
+     }}};
 
 
 

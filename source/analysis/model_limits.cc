@@ -267,31 +267,6 @@ namespace PlateImpact
 
 
 
-  std::vector<std::string>
-  Warnings::all() const
-  {
-    std::vector<std::string> result = numerical;
-    result.insert(result.end(), model.begin(), model.end());
-    return result;
-  }
-
-
-
-  std::optional<double>
-  Warnings::model_error() const
-  {
-    double sum = 0.;
-    for (const ModelError &error : model_errors)
-      {
-        if (!error.relative)
-          return {};
-        sum += *error.relative;
-      }
-    return sum;
-  }
-
-
-
   Warnings
   model_warnings(const ComputedImpact &impact)
   {

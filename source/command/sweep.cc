@@ -67,7 +67,7 @@ namespace PlateImpact
     /// Sweeps up to this size have a line for every point.
     constexpr std::size_t most_lines = 40;
 
-    /// A quantity in a line: its name in impact_quantities(), and how it is
+    /// A quantity in a line: its name in impact_quantities, and how it is
     /// shown.
     struct Column
     {
@@ -234,8 +234,8 @@ namespace PlateImpact
           text += "  " + row.failure;
         else
           for (const Column &shown : columns)
-            for (std::size_t i = 0; i < impact_quantities().size(); ++i)
-              if (impact_quantities()[i].name == shown.quantity)
+            for (std::size_t i = 0; i < impact_quantities.size(); ++i)
+              if (impact_quantities[i].name == shown.quantity)
                 text +=
                   column(14,
                          shown.format,

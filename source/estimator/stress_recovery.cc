@@ -20,17 +20,6 @@ namespace PlateImpact
 
   namespace
   {
-    /// Eq. 10 in the coordinates of a patch.
-    StressRecovery::Terms
-    terms(const double x, const double y)
-    {
-      StressRecovery::Terms P;
-      P << 1., x, y, x * x, x * y, y * y, x * x * y, x * y * y;
-      return P;
-    }
-
-
-
     /// Patches below this share of the largest beside them say nothing of cells
     /// that they are not fitted to. A change of level halves the size; the
     /// cells of a quadrilateral mesh scatter less.
@@ -158,12 +147,11 @@ namespace PlateImpact
         std::vector<long> positions;
         for (unsigned int row = 0; row < P.rows(); ++row)
           {
-            const auto position =
-              (sample_point(patch.images[row / samples_per_cell],
-                            row % samples_per_cell) -
-               patch.centre) /
-              patch.size;
-            P.row(row) = terms(position[0], position[1]);
+            const Point<2> point =
+              sample_point(patch.images[row / samples_per_cell],
+                           row % samples_per_cell);
+            const auto position = (point - patch.centre) / patch.size;
+            P.row(row)          = patch.polynomial(point);
             for (unsigned int d = 0; d < 2; ++d)
               positions.push_back(std::lround(position[d] / 1e-9));
           }
@@ -294,8 +282,11 @@ namespace PlateImpact
   StressRecovery::Terms
   StressRecovery::Patch::polynomial(const Point<2> &point) const
   {
-    const auto position = (point - centre) / size;
-    return terms(position[0], position[1]);
+    const auto   position = (point - centre) / size;
+    const double x = position[0], y = position[1];
+    Terms        P;
+    P << 1., x, y, x * x, x * y, y * y, x * x * y, x * y * y;
+    return P;
   }
 
 

@@ -196,17 +196,37 @@ namespace PlateImpact
     {
       return "'" + Utilities::replace_in_string(text, "'", "'\\''") + '\'';
     }
+
+
+
+    /// What a command says to a file.
+    std::string
+    answer_to(const std::string &command, const std::string &file)
+    {
+      const std::string all =
+        fmt::format("exec timeout --kill-after=1 {} sh -c {}",
+                    time_limit,
+                    quoted(command + ' ' + quoted(file)));
+      FILE *const pipe = popen(all.c_str(), "r");
+      if (pipe == nullptr)
+        throw ComputationError("--marking cannot be run: " + command);
+      std::string answer;
+      char        buffer[4096];
+      while (const std::size_t n = fread(buffer, 1, sizeof buffer, pipe))
+        answer.append(buffer, n);
+      const int status = pclose(pipe);
+      if (WIFEXITED(status) && WEXITSTATUS(status) == status_of_timeout)
+        throw ComputationError(fmt::format("--marking takes more than {} s: {}",
+                                           time_limit,
+                                           command));
+      if (status != 0)
+        throw ComputationError(
+          fmt::format("--marking ends with status {}: {}",
+                      WIFEXITED(status) ? WEXITSTATUS(status) : status,
+                      command));
+      return answer;
+    }
   } // namespace
-
-
-
-  OutsideMarking::OutsideMarking(const std::string          &command,
-                                 const AdaptivityParameters &adaptivity,
-                                 const ResultDirectory      &directory)
-    : AdaptationControl(adaptivity)
-    , command(command)
-    , directory(directory)
-  {}
 
 
 
@@ -231,7 +251,7 @@ namespace PlateImpact
     directory.write_file(name, [&cycle](std::ostream &out) {
       out << described(cycle) << '\n';
     });
-    const std::string   text = answer_to((directory / name).string());
+    const std::string   text = answer_to(command, (directory / name).string());
     std::vector<double> sizes;
     try
       {
@@ -255,33 +275,5 @@ namespace PlateImpact
           std::pow(cell_size(cell) / sizes[c], 1. / size_exponent(cell, known));
       }
     return wanted;
-  }
-
-
-
-  std::string
-  OutsideMarking::answer_to(const std::string &file) const
-  {
-    const std::string all =
-      fmt::format("exec timeout --kill-after=1 {} sh -c {}",
-                  time_limit,
-                  quoted(command + ' ' + quoted(file)));
-    FILE *const pipe = popen(all.c_str(), "r");
-    if (pipe == nullptr)
-      throw ComputationError("--marking cannot be run: " + command);
-    std::string answer;
-    char        buffer[4096];
-    while (const std::size_t n = fread(buffer, 1, sizeof buffer, pipe))
-      answer.append(buffer, n);
-    const int status = pclose(pipe);
-    if (WIFEXITED(status) && WEXITSTATUS(status) == status_of_timeout)
-      throw ComputationError(
-        fmt::format("--marking takes more than {} s: {}", time_limit, command));
-    if (status != 0)
-      throw ComputationError(
-        fmt::format("--marking ends with status {}: {}",
-                    WIFEXITED(status) ? WEXITSTATUS(status) : status,
-                    command));
-    return answer;
   }
 } // namespace PlateImpact

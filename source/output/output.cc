@@ -193,7 +193,7 @@ namespace PlateImpact
     {
       const ComputedImpact impact{parameters, expected, result};
       const double         end_time = impact.last.time;
-      for (const ImpactQuantity &quantity : impact_quantities())
+      for (const ImpactQuantity &quantity : impact_quantities)
         if (const auto value = quantity.value(impact))
           cycle[quantity.name] = *value;
       cycle["number_of_contacts"] = impact.history.n_contacts();

@@ -147,7 +147,7 @@ namespace PlateImpact
       const SweepPoint valid  = scene.point(point);
       auto [result, warnings] = compute(group, valid);
       const ComputedImpact impact{valid.parameters, valid.expected, result};
-      for (const ImpactQuantity &quantity : impact_quantities())
+      for (const ImpactQuantity &quantity : impact_quantities)
         row.quantities.push_back(quantity.value(impact).value_or(std::nan("")));
       row.warnings = std::move(warnings);
       row.warnings.insert(row.warnings.end(),

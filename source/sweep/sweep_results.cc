@@ -100,11 +100,11 @@ namespace PlateImpact
     {
       const std::size_t n = std::clamp<std::size_t>(most_numbers / rows.size(),
                                                     1,
-                                                    impact_quantities().size());
+                                                    impact_quantities.size());
       Json              quantities = Json::array();
       for (std::size_t i = 0; i < n; ++i)
         {
-          const ImpactQuantity &quantity = impact_quantities()[i];
+          const ImpactQuantity &quantity = impact_quantities[i];
           std::vector<double>   values;
           for (const auto &row : rows)
             values.push_back(row->failure.empty() ? row->quantities[i] :
@@ -141,7 +141,7 @@ namespace PlateImpact
     std::vector<std::string> names;
     for (const SweptEntry &entry : plan.entries)
       names.push_back(entry.path);
-    for (const ImpactQuantity &quantity : impact_quantities())
+    for (const ImpactQuantity &quantity : impact_quantities)
       names.push_back(quantity.name);
     return joined(names) + "warnings,status";
   }
@@ -152,7 +152,7 @@ namespace PlateImpact
   SweepTable::line(const SweepRow &row) const
   {
     std::string text = joined(plan.values(row.point));
-    for (std::size_t i = 0; i < impact_quantities().size(); ++i)
+    for (std::size_t i = 0; i < impact_quantities.size(); ++i)
       {
         if (row.failure.empty() && !std::isnan(row.quantities[i]))
           text += shortest(row.quantities[i]);
@@ -175,7 +175,7 @@ namespace PlateImpact
     std::ifstream     in(directory / file_name);
     std::string       text;
     const std::size_t n_values     = plan.entries.size(),
-                      n_quantities = impact_quantities().size();
+                      n_quantities = impact_quantities.size();
     // a line without its end was being written when the sweep was interrupted
     if (!std::getline(in, text) || text != header())
       return;

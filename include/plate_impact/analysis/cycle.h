@@ -95,7 +95,12 @@ namespace PlateImpact
 
     /// Made when it is first asked for.
     const StressRecovery &
-    recovery() const;
+    recovery() const
+    {
+      if (!stress_recovery)
+        stress_recovery.emplace(make_stress_recovery(parameters, mesh()));
+      return *stress_recovery;
+    }
 
     /// Strikes the plate; the seconds are charged to the result.
     /// @param impact    the scene with end time and step of the transient

@@ -29,7 +29,8 @@ namespace PlateImpact
       std::unique_ptr<dealii::Triangulation<2>> first_mesh = nullptr,
       const std::optional<Wanted>              &wanted     = {});
 
-    /// Computes on one mesh after another, beginning with the present one.
+    /// Computes on one mesh after another, beginning with the first, or with
+    /// that of refine_everywhere().
     /// @return why it ends
     /// @throws ComputationError naming step and quantity
     Outcome
@@ -37,7 +38,12 @@ namespace PlateImpact
 
     /// The same to the target of the scene, with nobody listening.
     Outcome
-    run();
+    run()
+    {
+      AdaptationControl control(parameters.adaptivity);
+      AnalysisListener  nobody;
+      return run(control, nobody);
+    }
 
     /// Refines every cell of the present mesh, whatever the strategy and the
     /// minimum cell size.
@@ -87,18 +93,24 @@ namespace PlateImpact
     std::optional<Outcome>
     adapt(AdaptationControl &control, AnalysisListener &listener);
 
+    /// What the next mesh is compared with.
+    struct Struck
+    {
+      PeakOnMesh     peak;
+      ContactHistory history;
+    };
+
     const Parameters                 parameters;
     const Wanted                     wanted;
     const std::optional<ZenerImpact> expected; ///< of an impactor
     const std::optional<TimeControl> time_control;
 
     std::unique_ptr<dealii::Triangulation<2>> mesh; ///< the next one
-    std::unique_ptr<Cycle>        current;          ///< null before the first
-    unsigned int                  n_cycles         = 0;
-    double                        seconds_for_mesh = 0.;
-    std::optional<PeakOnMesh>     peak_here, peak_before;       ///< mesh before
-    std::optional<ContactHistory> history_here, history_before; ///< the same
-    Window                        window; ///< the last, or the next
+    std::unique_ptr<Cycle> current;                 ///< null before the first
+    unsigned int           n_cycles         = 0;
+    double                 seconds_for_mesh = 0.;
+    std::optional<Struck>  here, before; ///< of this mesh and the one before
+    Window                 window;       ///< the last, or the next
 
     /// Of a mesh on which Ritz vectors were more than steps, or nearly so: a
     /// finer mesh needs more vectors, and one of about its size as many.

@@ -47,8 +47,7 @@ namespace PlateImpact
 
 
   /// All of them, in the order of the columns of sweep.csv.
-  const std::vector<ImpactQuantity> &
-  impact_quantities();
+  extern const std::vector<ImpactQuantity> impact_quantities;
 
 
   /// From which contact force on a laminate delaminates, by the energy that a

@@ -45,11 +45,26 @@ namespace PlateImpact
     /// Of all parts together, relative to the force; empty where one is not
     /// known.
     std::optional<double>
-    model_error() const;
+    model_error() const
+    {
+      double sum = 0.;
+      for (const ModelError &error : model_errors)
+        {
+          if (!error.relative)
+            return {};
+          sum += *error.relative;
+        }
+      return sum;
+    }
 
     /// The numerical ones first.
     std::vector<std::string>
-    all() const;
+    all() const
+    {
+      std::vector<std::string> result = numerical;
+      result.insert(result.end(), model.begin(), model.end());
+      return result;
+    }
   };
 
   /// Where an impact leaves what the model can tell, on whatever mesh: the area

@@ -24,7 +24,11 @@ namespace PlateImpact
     /// @param directory   for the files; must outlive this object
     OutsideMarking(const std::string          &command,
                    const AdaptivityParameters &adaptivity,
-                   const ResultDirectory      &directory);
+                   const ResultDirectory      &directory)
+      : AdaptationControl(adaptivity)
+      , command(command)
+      , directory(directory)
+    {}
 
     /// Those by which the strategy gives the cells the sizes that are wanted.
     /// @throws ComputationError where the command fails, takes more than a
@@ -33,10 +37,6 @@ namespace PlateImpact
     error_ratios(const Cycle &cycle) const override;
 
   private:
-    /// What the command says to a file.
-    std::string
-    answer_to(const std::string &file) const;
-
     const std::string      command;
     const ResultDirectory &directory;
   };
