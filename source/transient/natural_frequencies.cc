@@ -44,38 +44,27 @@ namespace PlateImpact
 {
   namespace
   {
-    /// y = A x for one vector after another.
-    template <typename Function>
-    Teuchos::RCP<const VectorOperator>
-    by_columns(const Function &multiply)
-    {
-      return Teuchos::rcp(
-        new VectorOperator([multiply](const Vectors &X, Vectors &Y) {
-          for (int column = 0; column < X.NumVectors(); ++column)
-            Eigen::Map<Eigen::VectorXd>(Y[column], Y.MyLength()) = multiply(
-              Eigen::Map<const Eigen::VectorXd>(X[column], X.MyLength()));
-        }));
-    }
-
-
-
     /// Squares of frequencies, by Rayleigh's quotient of the modes with the
     /// largest eigenvalues theta of (K + c M)^{-1} M, ascending. [1/s^2]
     std::vector<double>
     lowest_squares(EffectiveStiffness &matrices, const double c, const int n)
     {
+      using Vector = Eigen::Map<const Eigen::VectorXd>;
       using Problem =
         Anasazi::BasicEigenproblem<double, Vectors, VectorOperator>;
       const Epetra_CrsMatrix &mass = matrices.discretization.mass();
       const auto              K = as_eigen(matrices.discretization.stiffness()),
                  M              = as_eigen(mass);
-      const auto multiply_mass  = [&](const Eigen::VectorXd &x) {
-        return Eigen::VectorXd(M * x);
+      const VectorOperator multiply_mass = [&](const Vectors &X, Vectors &Y) {
+        mass.Apply(X, Y);
       };
-      const auto shift_invert = [&](const Eigen::VectorXd &x) {
+      const VectorOperator shift_invert = [&](const Vectors &X, Vectors &Y) {
         Eigen::VectorXd y;
-        matrices.solve(c, M * x, y);
-        return y;
+        for (int column = 0; column < X.NumVectors(); ++column)
+          {
+            matrices.solve(c, M * Vector(X[column], X.MyLength()), y);
+            std::copy(y.begin(), y.end(), Y[column]);
+          }
       };
       // squares have modes in pairs of one frequency, which a single vector
       // does not tell apart
@@ -89,9 +78,10 @@ namespace PlateImpact
           (*start)[block_size - 1][i] = std::cos(3. * i);
           (*start)[0][i]              = 1. + 0.5 * std::sin(1. + i);
         }
-      const auto problem = Teuchos::rcp(new Problem(by_columns(shift_invert),
-                                                    by_columns(multiply_mass),
-                                                    start));
+      const auto problem =
+        Teuchos::rcp(new Problem(Teuchos::rcpFromRef(shift_invert),
+                                 Teuchos::rcpFromRef(multiply_mass),
+                                 start));
       problem->setHermitian(true);
       problem->setNEV(n);
       problem->setProblem();
@@ -124,8 +114,7 @@ namespace PlateImpact
       std::vector<double> result;
       for (int mode = 0; mode < solution.numVecs; ++mode)
         {
-          const Eigen::Map<const Eigen::VectorXd> x((*solution.Evecs)[mode],
-                                                    n_unknowns);
+          const Vector x((*solution.Evecs)[mode], n_unknowns);
           const double square   = x.dot(K * x) / x.dot(M * x),
                        by_theta = 1. / solution.Evals[mode].realpart - c;
           // a motion as a rigid body has none
