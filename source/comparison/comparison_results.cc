@@ -119,22 +119,6 @@ namespace PlateImpact
       return json;
     }
 
-    /// The fastest curve of every strategy that reaches a threshold.
-    std::vector<Achievement>
-    best_of_strategies(const ThresholdRow &row)
-    {
-      std::vector<Achievement> best;
-      for (const Achievement &achievement : row.achievements)
-        if (std::none_of(best.begin(), best.end(), [&](const Achievement &one) {
-              return one.curve->strategy_name() ==
-                achievement.curve->strategy_name();
-            }))
-          best.push_back(achievement);
-      return best;
-    }
-
-
-
     /// "105 cells after 0.06 s"
     std::string
     in_words(const ComparedMesh &mesh)
@@ -178,7 +162,14 @@ namespace PlateImpact
       return what +
         ": not compared, because the reference is not that "
         "accurate.";
-    const std::vector<Achievement> best = best_of_strategies(row);
+    // the fastest curve of every strategy
+    std::vector<Achievement> best;
+    for (const Achievement &achievement : row.achievements)
+      if (std::none_of(best.begin(), best.end(), [&](const Achievement &one) {
+            return one.curve->strategy_name() ==
+              achievement.curve->strategy_name();
+          }))
+        best.push_back(achievement);
     if (best.empty())
       return what + ": not reached.";
     const auto next =

@@ -66,13 +66,6 @@ namespace PlateImpact
 
 
 
-  Console::~Console()
-  {
-    clear();
-  }
-
-
-
   void
   Console::print(const std::string &text)
   {

@@ -150,12 +150,4 @@ namespace PlateImpact
         text += (text.empty() ? "" : ", ") + (directory / name).string();
     return text;
   }
-
-
-
-  fs::path
-  ResultDirectory::operator/(const std::string &name) const
-  {
-    return directory / name;
-  }
 } // namespace PlateImpact

@@ -231,14 +231,6 @@ namespace PlateImpact
 
 
 
-  Trust
-  Verdict::trust() const
-  {
-    return std::max(convergence.trust, model.trust);
-  }
-
-
-
   Verdict
   verdict_of(const Parameters  &parameters,
              const Outcome      outcome,

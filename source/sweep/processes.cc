@@ -140,15 +140,6 @@ namespace PlateImpact
 
 
 
-  void
-  Processes::broadcast(std::vector<std::size_t> &numbers) const
-  {
-    if (uses_mpi)
-      numbers = Utilities::MPI::broadcast(MPI_COMM_WORLD, numbers);
-  }
-
-
-
   SweepWork
   Processes::compute(const std::vector<SweepGroups::Task>   &tasks,
                      SweepComputation                       &computation,

@@ -233,15 +233,6 @@ namespace PlateImpact
 
 
 
-  void
-  SweepTable::finish()
-  {
-    out.close();
-    write();
-  }
-
-
-
   std::vector<std::string>
   sweep_warnings(const std::vector<std::optional<SweepRow>> &rows)
   {

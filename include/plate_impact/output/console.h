@@ -39,7 +39,10 @@ namespace PlateImpact
     /// @param quiet  prints nothing
     explicit Console(bool quiet);
 
-    ~Console();
+    ~Console()
+    {
+      clear();
+    }
 
     /// A text that stays, with the ends of its lines.
     void

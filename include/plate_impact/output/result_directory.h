@@ -45,7 +45,10 @@ namespace PlateImpact
     main_files() const;
 
     std::filesystem::path
-    operator/(const std::string &name) const;
+    operator/(const std::string &name) const
+    {
+      return directory / name;
+    }
 
   private:
     const std::filesystem::path directory;

@@ -5,6 +5,7 @@
 #include "plate_impact/analysis/warnings.h"
 #include "plate_impact/base/parameters.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -60,7 +61,10 @@ namespace PlateImpact
 
     /// The worse of both.
     Trust
-    trust() const;
+    trust() const
+    {
+      return std::max(convergence.trust, model.trust);
+    }
   };
 
   Verdict

@@ -24,7 +24,11 @@ namespace PlateImpact
 
     /// Makes the first process' numbers known to all.
     void
-    broadcast(std::vector<std::size_t> &numbers) const;
+    broadcast(std::vector<std::size_t> &numbers) const
+    {
+      if (uses_mpi)
+        numbers = dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, numbers);
+    }
 
     /// Computes the tasks, a share of them on each process.
     /// @param take  called on the first process with every point, whoever has

@@ -60,7 +60,11 @@ namespace PlateImpact
     add(const SweepRow &row);
 
     void
-    finish();
+    finish()
+    {
+      out.close();
+      write();
+    }
 
     /// By point; empty for points to come.
     std::vector<std::optional<SweepRow>> rows;
