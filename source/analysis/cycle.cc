@@ -149,8 +149,7 @@ namespace PlateImpact
             Eigen::MatrixXd   columns(snapshots[first].unknowns.size(), n);
             for (std::size_t i = 0; i < n; ++i)
               columns.col(i) = snapshots[first + i].unknowns;
-            const auto            span     = system.span(columns);
-            const Eigen::MatrixXd unknowns = span.vectors * span.coordinates;
+            const Eigen::MatrixXd unknowns = system.unknowns(columns);
             for (std::size_t i = 0; i < n; ++i)
               snapshots[first + i].unknowns = unknowns.col(i);
           }

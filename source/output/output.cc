@@ -118,18 +118,18 @@ namespace PlateImpact
              std::max(right + (has_scale ? 150. : 0.), 420.),
              std::max(bottom + margin,
                       has_scale ? header + 2 * margin + 330. : 0.))
-        << svg_text(
-             margin,
-             header - 8,
-             fmt::format("Cycle {}: {} cells{}.{}",
-                         result.cycle,
-                         result.cells,
-                         result.error ?
-                           ", eta = " + about_percentage(result.error->eta) :
-                           "",
-                         geometry_of(cycle.parameters.plate).n_parts() == 4. ?
-                           " Impact at the lower left corner." :
-                           ""))
+        << svg_text(margin,
+                    header - 8,
+                    fmt::format("Cycle {}: {} cells{}.{}",
+                                result.cycle,
+                                result.cells,
+                                result.error ? ", eta = " +
+                                    about_percentage(result.error->eta) :
+                                               "",
+                                geometry_of(cycle.parameters.plate).n_parts() ==
+                                    4. ?
+                                  " Impact at the lower left corner." :
+                                  ""))
         << "<g class=\"mesh\" stroke=\"#444\" stroke-width=\"0.6\">\n";
       for (const auto &cell : cycle.mesh().active_cell_iterators())
         {

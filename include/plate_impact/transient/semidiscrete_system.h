@@ -151,6 +151,14 @@ namespace PlateImpact
       return {states, Eigen::MatrixXd::Identity(states.cols(), states.cols())};
     }
 
+    /// Those unknowns, a column per state.
+    Eigen::MatrixXd
+    unknowns(const Eigen::Ref<const Eigen::MatrixXd> &states) const
+    {
+      const Span in_mesh = span(states);
+      return in_mesh.vectors * in_mesh.coordinates;
+    }
+
     /// How many states are best looked at together on the mesh: many where they
     /// span few vectors. By default enough to make matrix products fast, and
     /// fewer on large meshes, where one is work enough, to save memory.
