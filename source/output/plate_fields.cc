@@ -132,6 +132,7 @@ namespace PlateImpact
               DataOutBase::Patch<2, 2> patch;
               patch.patch_index          = patches.size();
               patch.n_subdivisions       = 2;
+              patch.reference_cell       = ReferenceCells::Quadrilateral;
               patch.points_are_available = true;
               patch.data.reinit(fields.size(), 9);
               for (unsigned int k = 0; k < fields.size(); ++k)
