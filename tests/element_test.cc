@@ -189,6 +189,29 @@ namespace PlateImpact
 
 
 
+    TEST_P(PlateElementTest, MassHasThatOfEdgesInAnyDirection)
+    {
+      // a round edge that holds the rotation along it couples both components
+      PlateParameters plate    = unit_plate(EdgeSupport::simply_supported, 0.5);
+      plate.outline.shape      = PlateOutline::circle;
+      const auto          mesh = make_plate_mesh(plate, {{2, 2}});
+      PlateDiscretization model(*mesh, element, plate, 1.);
+      model.assemble();
+      const Eigen::VectorXd z =
+        Eigen::VectorXd::LinSpaced(model.n_unknowns(), -1., 2.).array().sin();
+      double of_cells = 0.;
+      for (unsigned int c = 0; c < mesh->n_active_cells(); ++c)
+        {
+          const Eigen::VectorXd values =
+            model.free_unknowns().cell_values(c, z);
+          of_cells +=
+            values.dot(element.mass(model.shape(c), model.section()) * values);
+        }
+      expect_near(z.dot(multiply(model.mass(), z)), of_cells, 1e-12);
+    }
+
+
+
     TEST_P(PlateElementTest, FreePlateHasThreeRigidModes)
     {
       for (const unsigned int n : {1, 3})

@@ -17,7 +17,7 @@ namespace PlateImpact
     for (types::global_dof_index dof = 0; dof < dof_handler.n_dofs(); ++dof)
       if (!constraints->is_constrained(dof))
         unknown_of_dof[dof] = n_free++;
-    components.resize(n_free);
+    components_of.assign(n_free, 0);
 
     std::vector<types::global_dof_index> dofs(n_cell_dofs);
     std::vector<Eigen::Triplet<double>>  weights;
@@ -26,16 +26,19 @@ namespace PlateImpact
       {
         cell->get_dof_indices(dofs);
         for (unsigned int i = 0; i < dofs.size(); ++i, ++row)
-          if (const int unknown = unknown_of_dof[dofs[i]]; unknown >= 0)
-            {
-              weights.emplace_back(row, unknown, 1.);
-              components[unknown] =
-                cell->get_fe().system_to_component_index(i).first;
-            }
-          else
-            for (const auto &[master, weight] :
-                 *constraints->get_constraint_entries(dofs[i]))
-              weights.emplace_back(row, unknown_of_dof[master], weight);
+          {
+            const auto add = [&](const int unknown, const double weight) {
+              weights.emplace_back(row, unknown, weight);
+              components_of[unknown] |= 1u
+                << cell->get_fe().system_to_component_index(i).first;
+            };
+            if (unknown_of_dof[dofs[i]] >= 0)
+              add(unknown_of_dof[dofs[i]], 1.);
+            else
+              for (const auto &[master, weight] :
+                   *constraints->get_constraint_entries(dofs[i]))
+                add(unknown_of_dof[master], weight);
+          }
       }
     nodal_values_of_cells.resize(row, n_free);
     nodal_values_of_cells.setFromTriplets(weights.begin(), weights.end());

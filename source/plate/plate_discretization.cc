@@ -181,7 +181,7 @@ namespace PlateImpact
                              /*indices_are_sorted=*/true);
             // inertia couples no component with another
             for (const types::global_dof_index column : of_cell)
-              if (unknowns.component(row) == unknowns.component(column))
+              if (unknowns.share_component(row, column))
                 of_M.add(row, column);
           }
       }

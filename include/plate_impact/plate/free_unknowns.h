@@ -24,14 +24,15 @@ namespace PlateImpact
     unsigned int
     size() const
     {
-      return components.size();
+      return components_of.size();
     }
 
-    /// Deflection or rotation that an unknown is a value of.
-    unsigned int
-    component(unsigned int unknown) const
+    /// Whether two unknowns give values to the same component, a deflection or
+    /// a rotation. Edges in any direction give one unknown to both rotations.
+    bool
+    share_component(unsigned int one, unsigned int other) const
     {
-      return components[unknown];
+      return (components_of[one] & components_of[other]) != 0;
     }
 
     /// Those of a cell, in ascending order.
@@ -78,7 +79,7 @@ namespace PlateImpact
     const dealii::AffineConstraints<double> *constraints = nullptr;
     int                                      n_cell_dofs = 0;
     std::vector<int>          unknown_of_dof; ///< -1 for constrained ones
-    std::vector<unsigned int> components;
+    std::vector<unsigned int> components_of;  ///< of an unknown, a bit each
 
     /// A row for each nodal value of each cell, by unknowns.
     Eigen::SparseMatrix<double, Eigen::RowMajor> nodal_values_of_cells;
