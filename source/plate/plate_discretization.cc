@@ -228,10 +228,12 @@ namespace PlateImpact
                   columns.push_back(of_cell[i]);
                   values.push_back(A(i, j));
                 }
-            sum.SumIntoMyValues(of_cell[j],
-                                columns.size(),
-                                values.data(),
-                                columns.data());
+            // Epetra leaves out what the pattern has not, and returns a warning
+            if (sum.SumIntoMyValues(of_cell[j],
+                                    columns.size(),
+                                    values.data(),
+                                    columns.data()) != 0)
+              throw std::logic_error("a matrix lacks entries of its cells");
           }
       }
   }
