@@ -14,8 +14,11 @@ namespace PlateImpact
     w_of_unit_response = plate.load().dot(unit_response);
 
     // at rest, without force
-    z = v = a = Kz = Kv = Ka = Mv = Ma =
-      Eigen::VectorXd::Zero(plate.load().size());
+    z = v = Kz = Mv = Eigen::VectorXd::Zero(plate.load().size());
+    if (scheme.gamma != 2. * scheme.beta)
+      a = Ma = z;
+    if (damping > 0. && !scheme.conserves_energy())
+      Kv = Ka = z;
   }
 
 
@@ -26,7 +29,7 @@ namespace PlateImpact
     const double c1 = scheme.c1, c2 = scheme.c2;
     right_hand_side =
       c1 * Mv - (1. + c2) * Kz + (c2 * begin_force) * plate.load();
-    if (damping > 0.)
+    if (Kv.size() > 0)
       right_hand_side -= damping *
         ((c2 + 1. - scheme.gamma / scheme.beta) * Kv +
          scheme.dt * (1. - scheme.gamma / (2. * scheme.beta)) * Ka);
@@ -68,22 +71,32 @@ namespace PlateImpact
     const double from_increment = gamma / (beta * dt),
                  from_v         = 1. - gamma / beta,
                  from_a         = dt * (1. - gamma / (2. * beta));
+    const bool has_a            = a.size() > 0;
     const auto move             = [&](const Eigen::VectorXd &by,
                           Eigen::VectorXd       &rate,
                           Eigen::VectorXd       &acceleration) {
+      if (!has_a)
+        {
+          rate = from_increment * by + from_v * rate;
+          return;
+        }
       const Eigen::VectorXd rate_begin = rate;
       rate = from_increment * by + from_v * rate + from_a * acceleration;
       acceleration =
         scheme.c0 * by - scheme.c1 * rate_begin - scheme.c2 * acceleration;
     };
     move(increment, v, a);
-    Mv =
-      from_increment / scheme.c0 * right_hand_side + from_v * Mv + from_a * Ma;
-    Ma = at_end * plate.load() - Kz;
-    if (damping > 0.)
+    Mv = from_increment / scheme.c0 * right_hand_side + from_v * Mv;
+    if (has_a)
+      {
+        Mv += from_a * Ma;
+        Ma = at_end * plate.load() - Kz;
+      }
+    if (Kv.size() > 0)
       {
         move(K_increment, Kv, Ka);
-        Ma -= damping * Kv;
+        if (has_a)
+          Ma -= damping * Kv;
       }
     return {};
   }
