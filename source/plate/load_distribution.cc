@@ -80,12 +80,15 @@ namespace PlateImpact
           const unsigned int n_intervals,
           const Radial      &across)
     {
-      const QIterated<1>     along(QGauss<1>(2), n_intervals);
+      // QIterated refuses the round-off in weights of very many intervals
+      const QGauss<1>        rule(2);
+      const double           interval = half_length / n_intervals;
       std::vector<LoadPoint> points;
-      for (unsigned int q = 0; q < along.size(); ++q)
-        for (const auto &[y, weight] : across)
-          points.push_back({Point<2>(half_length * along.point(q)[0], y),
-                            along.weight(q) * weight});
+      for (unsigned int i = 0; i < n_intervals; ++i)
+        for (unsigned int q = 0; q < rule.size(); ++q)
+          for (const auto &[y, weight] : across)
+            points.push_back({Point<2>((i + rule.point(q)[0]) * interval, y),
+                              rule.weight(q) / n_intervals * weight});
       return points;
     }
   } // namespace
