@@ -1,4 +1,4 @@
-"""Doerfler's marking: refine the fewest cells that hold a share of the squared error."""
+"""Doerfler's marking: refine the fewest cells that hold SHARE of the squared error."""
 import json
 import sys
 

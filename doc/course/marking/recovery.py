@@ -1,6 +1,6 @@
-"""A recovery of one's own: around every vertex of four cells a polynomial is fitted to the
-samples of the resultants at the peak force; the distance of the samples from it is taken
-for the error. Then Doerfler's marking.
+"""A recovery of your own. Around every vertex of four cells it fits a polynomial to the
+samples of the resultants at the time of the peak force. The error is the distance of the
+samples from the polynomial. Doerfler's marking refines the cells.
 
     --marking "python3 recovery.py [TERMS]"
 """

@@ -1,6 +1,6 @@
 /* Impact of a ball on a plate, on a mesh that adapts itself: after P. Mahajan and A. Dutta,
- * "Adaptive computation of impact force under low velocity impact". One file, for reading;
- * plate-impact, of which it is a part, computes the same on the same mesh, and much more. */
+ * "Adaptive computation of impact force under low velocity impact". One file, to be read. It is
+ * a part of plate-impact, which computes the same force on the same mesh, and much more. */
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
@@ -23,8 +23,8 @@ using namespace dealii;
 
 // @sect3{The scene}
 // A steel ball strikes the middle of a clamped steel plate. All numbers are in SI units. The
-// force is spread over a disc with the pressure of Hertz: under a point force the deflection
-// of a plate with shear has no limit.
+// force is spread over a disc with the pressure of Hertz, because under a point force a plate
+// with shear deflects without limit.
 constexpr double E = 2.1e11, nu = 0.3, density = 7800;      // of both bodies
 constexpr double side = 0.2, thickness = 0.008;             // of the plate
 constexpr double radius = 0.01, velocity = 1, disc = 0.003; // of the ball, its contact
@@ -45,7 +45,7 @@ Resultants resultants_of(const Tensor<1, 5> &e)
     {D * (e[0] + nu * e[1]), D * (e[1] + nu * e[0]), D * (1 - nu) / 2 * e[2], S * e[3], S * e[4]});
 }
 
-// Twice the energy that resultants store in a unit of area.
+// Twice the energy per unit area that resultants store.
 double squared_norm(const Resultants &r)
 {
   const double bending = r[0] * r[0] + r[1] * r[1] - 2 * nu * r[0] * r[1], twist = r[2] * r[2];
@@ -53,10 +53,10 @@ double squared_norm(const Resultants &r)
 }
 
 // @sect3{The plate on one mesh}
-// Symmetry leaves a quarter of the plate. At a node are the deflection w and two rotations,
-// all of second degree. The shear strain is taken at the 2 x 2 Gauss points of a cell: with
-// more the element locks when the plate is thin. These points are the samples of the
-// recovery, too, since the resultants are best there.
+// By symmetry a quarter of the plate is enough. A node has the deflection w and two rotations,
+// all of second degree. The shear is integrated with the 2 x 2 Gauss points of a cell: with
+// more points the element locks when the plate is thin. The recovery takes its samples at
+// the same points, because the resultants are most accurate there.
 using Cell = DoFHandler<2>::active_cell_iterator;
 
 struct Plate
@@ -93,8 +93,8 @@ Plate::Plate(const Triangulation<2> &mesh)
   spread_load();
 }
 
-// GridGenerator numbers the sides of a square: 0 and 2 are the planes of symmetry
-// x = 0 and y = 0, across which the plate does not turn; 1 and 3 are clamped.
+// GridGenerator numbers the sides of a square. 0 and 2 are the planes of symmetry x = 0 and
+// y = 0, where the rotation normal to the plane is zero; 1 and 3 are clamped.
 void Plate::constrain()
 {
   DoFTools::make_hanging_node_constraints(dofs, constraints);
@@ -108,7 +108,7 @@ void Plate::constrain()
   constraints.close();
 }
 
-// Of the shape function i: curvatures, and shear strains grad w - theta.
+// Curvatures and shear strains (grad w - theta) of the shape function i.
 Tensor<1, 5> Plate::strains(const FEValues<2> &values, unsigned int i, unsigned int q) const
 {
   const unsigned int component = fe.system_to_component_index(i).first;
@@ -121,7 +121,7 @@ Tensor<1, 5> Plate::strains(const FEValues<2> &values, unsigned int i, unsigned 
   return Tensor<1, 5>({0, dN[1], dN[0], 0, -N});
 }
 
-// Bending and inertia with 3 x 3 points, shear with the samples.
+// Integrates bending and inertia with 3 x 3 points, shear with the samples.
 void Plate::assemble()
 {
   const unsigned int                   n = fe.n_dofs_per_cell();
@@ -156,8 +156,8 @@ void Plate::assemble()
     }
 }
 
-// With r = c sqrt(1 - s^2) the pressure of Hertz is 3 s^2 ds: Gauss points in s,
-// equal angles. The weights of a quadrant sum to one.
+// With r = c sqrt(1 - s^2) on a disc of radius c, the pressure of Hertz has the weight 3 s^2 ds.
+// The points are Gauss points in s, at equal angles. The weights of a quadrant sum to one.
 void Plate::spread_load()
 {
   constexpr unsigned int               n = 40;
@@ -179,7 +179,7 @@ void Plate::spread_load()
       }
 }
 
-// What the state of the plate means at the samples of a cell.
+// The resultants at the samples of a cell, for a state of the plate.
 std::vector<Resultants> Plate::samples(const Cell &cell, const Vector<double> &state)
 {
   Vector<double> unknowns(fe.n_dofs_per_cell());
@@ -196,11 +196,11 @@ std::vector<Resultants> Plate::samples(const Cell &cell, const Vector<double> &s
   return result;
 }
 
-// @sect3{What the estimate makes of a transient}
-// xi' of a cell is its error over its share e_m of what the target allows, in the mean over
-// time; eta is the error of all cells (Table 1 of the paper). A patch is a vertex with its
-// four cells: there are none at edges, planes of symmetry and hanging nodes, whose cells
-// take the patches of their other vertices.
+// @sect3{The error estimated over time}
+// xi' of a cell is the mean over time of its error over e_m, its share of the permitted error;
+// eta is the relative error of all cells (Table 1 of the paper). A patch is the four cells around
+// a vertex. Vertices on edges, on planes of symmetry and at hanging nodes have no patch; their
+// cells use the patches of their other vertices.
 struct Estimator
 {
   explicit Estimator(Plate &plate);
@@ -237,8 +237,8 @@ Estimator::Estimator(Plate &plate)
       }
 }
 
-// Superconvergent patch recovery (Zienkiewicz & Zhu 1992): to the sixteen samples of a
-// patch a polynomial of eight terms is fitted for each of the five resultants.
+// Superconvergent patch recovery (Zienkiewicz & Zhu 1992) fits a polynomial of eight terms to
+// the sixteen samples of a patch, for each of the five resultants.
 Vector<double> terms(const Tensor<1, 2> &x)
 {
   const double u = x[0], v = x[1], values[] = {1, u, v, u * u, u * v, v * v, u * u * v, u * v * v};
@@ -266,8 +266,8 @@ Estimator::fitted(const Point<2> &centre, const std::vector<Cell> &cells, const 
   return a;
 }
 
-// What is recovered is compared with what the elements have between their samples, the
-// bilinear function through them.
+// Compares the recovered resultants with those of the elements, which are the bilinear
+// function through the samples.
 void Estimator::add(const Vector<double> &state, const double dt)
 {
   std::vector<std::vector<Vector<double>>> a;
@@ -312,8 +312,8 @@ void Estimator::add(const Vector<double> &state, const double dt)
 
 // @sect3{The impact on one mesh}
 // Newmark's method with average acceleration for plate and ball. A quarter of the plate takes
-// a quarter of the force. The displacements at the end of a step are linear in the force F
-// there, so that a step is one equation for the indentation alpha, by Newton's method:
+// a quarter of the force. The displacements at the end of a step are linear in the force F at
+// that time. So Newton's method solves one equation per step, for the indentation alpha:
 //   alpha = alpha_free - compliance F(alpha),  F = k alpha^{3/2} (Hertz).
 double strike(Plate &plate, Estimator &estimator, Vector<double> &state)
 {
@@ -365,8 +365,8 @@ double strike(Plate &plate, Estimator &estimator, Vector<double> &state)
 }
 
 // @sect3{The loop}
-// Cells with xi' above 1 are refined until there are none, or for as many cycles as the
-// command line says; those far below are coarsened.
+// In each cycle cells with xi' above 1 are refined, and cells with xi' below 0.1 are coarsened,
+// until all xi' are below 1, for at most 8 cycles or as many as the command line says.
 int main(const int argc, const char *const argv[])
 {
   const unsigned int most_cycles = argc > 1 ? std::stoi(argv[1]) : 8;
