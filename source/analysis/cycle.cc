@@ -1,6 +1,7 @@
 #include "plate_impact/analysis/cycle.h"
 
-#include "plate_impact/estimator/error_estimator.h"
+#include "plate_impact/estimator/energy_norm_estimator.h"
+#include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
 
 #include <algorithm>
@@ -36,6 +37,20 @@ namespace PlateImpact
 
 
 
+    /// Cells nearer to a point load than half the thickness.
+    std::vector<unsigned int>
+    singular_cells(const Parameters &parameters, const Triangulation<2> &mesh)
+    {
+      std::vector<unsigned int> cells;
+      if (parameters.contact.load_is_singular())
+        for (const auto &cell : mesh.active_cell_iterators())
+          if (cell->center().norm() < 0.5 * parameters.plate.thickness)
+            cells.push_back(cell->active_cell_index());
+      return cells;
+    }
+
+
+
     /// What is kept of a transient while it is stepped: samples for the
     /// estimator, states for the fields, and what the page shows, the state of
     /// the largest force and frames of a film, at most 48, fewer where they
@@ -67,10 +82,12 @@ namespace PlateImpact
       {
         charges.charge(&Seconds::stepping);
         if (wanted.errors)
-          estimator = make_error_estimator(impact,
-                                           cycle.discretization(),
-                                           cycle.recovery(),
-                                           wanted.film ? samples_per_frame : 0);
+          estimator.emplace(cycle.discretization(),
+                            cycle.recovery(),
+                            singular_cells(impact, cycle.mesh()),
+                            impact.adaptivity.singular_cells_count,
+                            wanted.film ? samples_per_frame : 0,
+                            impact.adaptivity.indicator);
         charges.charge(&Seconds::estimation);
       }
 
@@ -161,8 +178,8 @@ namespace PlateImpact
 
       const unsigned int sampling_interval, n_samples_at_once,
         samples_per_frame;
-      unsigned int                    n_samples = 0;
-      std::unique_ptr<ErrorEstimator> estimator; ///< where errors are wanted
+      unsigned int                       n_samples = 0;
+      std::optional<EnergyNormEstimator> estimator; ///< where errors are wanted
 
       Observation         seen; ///< states in coordinates of the system
       double              peak_force = 0.;
@@ -210,6 +227,27 @@ namespace PlateImpact
     result.cell_size_at_load =
       cell_sizes_near_load(mesh(), parameters.impactor.contact_half_length())
         .second;
+  }
+
+
+
+  const StressRecovery &
+  Cycle::recovery() const
+  {
+    if (stress_recovery)
+      return *stress_recovery;
+    const double line        = parameters.contact.load_is_line() ?
+             0.5 * parameters.impactor.length :
+             -1.;
+    const bool   is_interior = parameters.adaptivity.patches_are_interior;
+    const std::array<bool, 2> mirrors =
+      geometry_of(parameters.plate).is_symmetric;
+    return stress_recovery.emplace(mesh(), [=](const Point<2> &point) {
+      const bool is_on_plane =
+        (mirrors[0] && point[0] == 0.) || (mirrors[1] && point[1] == 0.);
+      return (point[1] == 0. && std::abs(point[0]) <= line) ||
+        (is_interior && is_on_plane);
+    });
   }
 
 

@@ -2,6 +2,8 @@
 
 #include <deal.II/base/geometry_info.h>
 
+#include "plate_impact/estimator/kelly_estimator.h"
+
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -23,18 +25,27 @@ namespace PlateImpact
 
 
 
+  template <>
+  const std::vector<Word<ErrorIndicator>> Choices<ErrorIndicator>::words =
+    {{ErrorIndicator::SPR, "SPR"}, {ErrorIndicator::Kelly, "Kelly"}};
+
+
+
   EnergyNormEstimator::EnergyNormEstimator(
     const PlateDiscretization       &discretization,
     const StressRecovery            &recovery,
     const std::vector<unsigned int> &singular_cells,
     const bool                       singular_cells_count,
-    const unsigned int               kept_interval)
+    const unsigned int               kept_interval,
+    const ErrorIndicator             indicator)
     : discretization(discretization)
     , recovery(recovery)
     , kept_interval(kept_interval)
+    , indicator(indicator)
     , is_regular(Eigen::VectorXd::Ones(discretization.mesh().n_active_cells()))
     , norms(Norms::Zero())
     , relative(Eigen::VectorXd::Zero(is_regular.size()))
+    , jumps(relative)
   {
     for (const unsigned int cell : singular_cells)
       is_regular[cell] = 0.;
@@ -50,6 +61,13 @@ namespace PlateImpact
     const Eigen::Ref<const Eigen::MatrixXd> &vectors,
     const Eigen::MatrixXd                   &coordinates)
   {
+    if (indicator == ErrorIndicator::Kelly)
+      {
+        const Eigen::MatrixXd of_cells =
+          jumps_of_cells(discretization, vectors * coordinates);
+        for (std::size_t n = 0; n < times.size(); ++n)
+          jumps.add(times[n], of_cells.col(n).normalized());
+      }
     const Eigen::Index batch =
       std::max<Eigen::Index>(1, max_numbers / vectors.rows());
     if (!discretization.is_nonlinear())
@@ -174,7 +192,10 @@ namespace PlateImpact
     result.eta_of_all_cells     = eta(2);
     result.eta = samples.singular_cells_count ? result.eta_of_all_cells :
                                                 result.eta_of_regular_cells;
-    for (const double integral : relative.integral)
+    const bool            is_by_jumps = indicator == ErrorIndicator::Kelly;
+    const Eigen::VectorXd errors =
+      is_by_jumps ? result.eta * jumps.integral : relative.integral;
+    for (const double integral : errors)
       result.element_errors.push_back(
         relative.time > 0. ? integral / relative.time : 0.);
     return result;

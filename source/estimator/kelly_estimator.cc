@@ -8,31 +8,29 @@
 #include "plate_impact/plate/plate_mesh.h"
 
 #include <cmath>
+#include <vector>
 
 namespace PlateImpact
 {
   using namespace dealii;
 
 
-  void
-  KellyEstimator::add_samples(const std::vector<double>               &times,
-                              const Eigen::Ref<const Eigen::MatrixXd> &vectors,
-                              const Eigen::MatrixXd &coordinates)
+  Eigen::MatrixXd
+  jumps_of_cells(const PlateDiscretization &discretization,
+                 const Eigen::MatrixXd     &states)
   {
-    amount->add_samples(times, vectors, coordinates);
-    const Eigen::MatrixXd               unknowns = vectors * coordinates;
-    std::vector<Vector<double>>         states;
-    std::vector<Vector<float>>          jumps(times.size());
+    const unsigned int                  n_states = states.cols();
+    std::vector<Vector<double>>         nodal(n_states);
+    std::vector<Vector<float>>          jumps(n_states);
     std::vector<const Vector<double> *> solutions;
     std::vector<Vector<float> *>        errors;
-    states.reserve(times.size());
-    for (unsigned int n = 0; n < times.size(); ++n)
+    for (unsigned int n = 0; n < n_states; ++n)
       {
         // deal.II has jumps as floats: states are scaled to numbers near 1
-        const double largest = unknowns.col(n).cwiseAbs().maxCoeff();
-        states.push_back(discretization.free_unknowns().nodal_values(
-          unknowns.col(n) / (largest > 0. ? largest : 1.)));
-        solutions.push_back(&states[n]);
+        const double largest = states.col(n).cwiseAbs().maxCoeff();
+        nodal[n]             = discretization.free_unknowns().nodal_values(
+          states.col(n) / (largest > 0. ? largest : 1.));
+        solutions.push_back(&nodal[n]);
         errors.push_back(&jumps[n]);
       }
     // jumps of slopes and of rotations as energies
@@ -52,26 +50,11 @@ namespace PlateImpact
                                      errors,
                                      {},
                                      &coefficients);
-    for (unsigned int n = 0; n < times.size(); ++n)
-      {
-        const Eigen::VectorXd eta =
-          Eigen::Map<Eigen::VectorXf>(jumps[n].data(), jumps[n].size())
-            .cast<double>();
-        const double norm = eta.norm();
-        shares.add(times[n], norm > 0. ? eta / norm : eta);
-      }
-  }
-
-
-
-  ErrorEstimate
-  KellyEstimator::estimate() const
-  {
-    ErrorEstimate result = amount->estimate();
-    if (shares.time > 0.)
-      for (unsigned int cell = 0; cell < result.element_errors.size(); ++cell)
-        result.element_errors[cell] =
-          result.eta * shares.integral[cell] / shares.time;
+    Eigen::MatrixXd result(discretization.mesh().n_active_cells(), n_states);
+    for (unsigned int n = 0; n < n_states; ++n)
+      result.col(n) =
+        Eigen::Map<Eigen::VectorXf>(jumps[n].data(), jumps[n].size())
+          .cast<double>();
     return result;
   }
 } // namespace PlateImpact

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <deal.II/grid/tria.h>
-
+#include "plate_impact/base/choices.h"
 #include "plate_impact/estimator/error_estimator.h"
 #include "plate_impact/estimator/recovered_field.h"
 #include "plate_impact/estimator/stress_recovery.h"
@@ -31,7 +30,7 @@ namespace PlateImpact
   ///
   /// The estimate is no bound: it measures what the mesh resolves, and contains
   /// waves shorter than its cells only after refinement.
-  class EnergyNormEstimator : public ErrorEstimator
+  class EnergyNormEstimator
   {
   public:
     /// @param discretization  must outlive the estimator; needs no K and M
@@ -40,24 +39,33 @@ namespace PlateImpact
     /// @param singular_cells_count  in eta and n
     /// @param kept_interval   keeps the errors of the elements at one sample of
     ///                        so many; 0: at none
+    /// @param indicator       Kelly: the errors of the elements give way to
+    ///   eta 1/T int eta_i / (sum eta_j^2)^{1/2} dt
+    ///                        with eta_i of jumps_of_cells()
     EnergyNormEstimator(const PlateDiscretization       &discretization,
                         const StressRecovery            &recovery,
                         const std::vector<unsigned int> &singular_cells = {},
-                        bool         singular_cells_count               = false,
-                        unsigned int kept_interval                      = 0);
+                        bool           singular_cells_count             = false,
+                        unsigned int   kept_interval                    = 0,
+                        ErrorIndicator indicator = ErrorIndicator::SPR);
 
-    /// Since estimates are linear in the states up to the norms of cells, they
-    /// are made for as many vectors as the states span, which may be fewer than
-    /// there are states.
-    /// @param vectors  orthonormal in an energy norm where they are fewer than
-    ///                 the states
+    /// Takes states at times later than those before, as combinations of
+    /// vectors. Since estimates are linear in the states up to the norms of
+    /// cells, they are made for as many vectors as the states span, which may
+    /// be fewer than there are states.
+    /// @param times        [s]
+    /// @param vectors      unknowns of the plate, a column per vector;
+    ///                     orthonormal in an energy norm where they are fewer
+    ///                     than the states
+    /// @param coordinates  a row per vector, a column per time
     void
     add_samples(const std::vector<double>               &times,
                 const Eigen::Ref<const Eigen::MatrixXd> &vectors,
-                const Eigen::MatrixXd                   &coordinates) override;
+                const Eigen::MatrixXd                   &coordinates);
 
+    /// Error over all samples; the plate is at rest at t = 0.
     ErrorEstimate
-    estimate() const override;
+    estimate() const;
 
   private:
     /// ||e||, (||u||^2 + ||e||^2)^{1/2} without singular cells, and with them.
@@ -78,10 +86,12 @@ namespace PlateImpact
     const PlateDiscretization &discretization;
     const StressRecovery      &recovery;
     const unsigned int         kept_interval;
+    const ErrorIndicator       indicator;
     Eigen::VectorXd            is_regular; ///< 0 for singular cells
 
     TimeIntegral<Norms>           norms;
     TimeIntegral<Eigen::VectorXd> relative; ///< ||e||_i by the norm
+    TimeIntegral<Eigen::VectorXd> jumps;    ///< eta_i by their norm
     ErrorEstimate                 samples;  ///< stresses, errors over time
   };
 } // namespace PlateImpact

@@ -1,14 +1,9 @@
 #pragma once
 
-#include "plate_impact/base/parameters.h"
-#include "plate_impact/estimator/stress_recovery.h"
-#include "plate_impact/plate/plate_discretization.h"
-
 #include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <vector>
 
 namespace PlateImpact
@@ -77,38 +72,6 @@ namespace PlateImpact
       return result;
     }
   };
-
-
-  /// Tells the error of a transient on a mesh from states of the plate.
-  class ErrorEstimator
-  {
-  public:
-    virtual ~ErrorEstimator() = default;
-
-    /// Takes states at times later than those before, as combinations of
-    /// vectors, and judges all of them together.
-    /// @param times        [s]
-    /// @param vectors      unknowns of the plate, a column per vector
-    /// @param coordinates  a row per vector, a column per time
-    virtual void
-    add_samples(const std::vector<double>               &times,
-                const Eigen::Ref<const Eigen::MatrixXd> &vectors,
-                const Eigen::MatrixXd                   &coordinates) = 0;
-
-    /// Error over all samples; the plate is at rest at t = 0.
-    virtual ErrorEstimate
-    estimate() const = 0;
-  };
-
-
-  /// The estimator that the scene names: `SPR` or `Kelly`. Discretization and
-  /// recovery must outlive it.
-  /// @param kept_interval  as in EnergyNormEstimator
-  std::unique_ptr<ErrorEstimator>
-  make_error_estimator(const Parameters          &parameters,
-                       const PlateDiscretization &discretization,
-                       const StressRecovery      &recovery,
-                       unsigned int               kept_interval);
 
 
   /// Integral over time of what is zero at t = 0, by the trapezoidal rule.

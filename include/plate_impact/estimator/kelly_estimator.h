@@ -1,12 +1,8 @@
 #pragma once
 
-#include "plate_impact/estimator/error_estimator.h"
 #include "plate_impact/plate/plate_discretization.h"
 
 #include <Eigen/Core>
-
-#include <memory>
-#include <vector>
 
 namespace PlateImpact
 {
@@ -17,34 +13,10 @@ namespace PlateImpact
   ///   [dtheta/dn]^2),
   /// with the shear and bending stiffness, so that both jumps count as
   /// energies. The jumps only rank the cells: how large the error is together
-  /// stays what another estimator says, whose errors of the elements give way
-  /// to
-  ///   eta 1/T int eta_i / (sum eta_j^2)^{1/2} dt,
-  /// an overall error of eta spread as the jumps are. For teaching what the
-  /// recovery adds.
-  class KellyEstimator : public ErrorEstimator
-  {
-  public:
-    /// @param discretization  must outlive the estimator
-    /// @param amount          says how large the error is
-    KellyEstimator(const PlateDiscretization      &discretization,
-                   std::unique_ptr<ErrorEstimator> amount)
-      : discretization(discretization)
-      , amount(std::move(amount))
-      , shares(Eigen::VectorXd::Zero(discretization.mesh().n_active_cells()))
-    {}
-
-    void
-    add_samples(const std::vector<double>               &times,
-                const Eigen::Ref<const Eigen::MatrixXd> &vectors,
-                const Eigen::MatrixXd                   &coordinates) override;
-
-    ErrorEstimate
-    estimate() const override;
-
-  private:
-    const PlateDiscretization            &discretization;
-    const std::unique_ptr<ErrorEstimator> amount;
-    TimeIntegral<Eigen::VectorXd>         shares;
-  };
+  /// stays what EnergyNormEstimator says. For teaching what the recovery adds.
+  /// @param states  unknowns of the plate, a column each
+  /// @return eta_i by active index, a column per state, each times some factor
+  Eigen::MatrixXd
+  jumps_of_cells(const PlateDiscretization &discretization,
+                 const Eigen::MatrixXd     &states);
 } // namespace PlateImpact

@@ -3,8 +3,6 @@
 #include <deal.II/base/point.h>
 #include <deal.II/grid/tria.h>
 
-#include "plate_impact/base/parameters.h"
-
 #include <Eigen/Core>
 
 #include <array>
@@ -113,10 +111,4 @@ namespace PlateImpact
     /// By cell and corner, the patches whose polynomials are averaged there.
     std::vector<std::array<std::vector<unsigned int>, 4>> patches_at;
   };
-
-
-  /// The recovery for a scene's load.
-  StressRecovery
-  make_stress_recovery(const Parameters               &parameters,
-                       const dealii::Triangulation<2> &mesh);
 } // namespace PlateImpact
