@@ -36,7 +36,8 @@ namespace PlateImpact
 
 
   TimeControl::TimeControl(const Parameters &scene, const ZenerImpact &expected)
-    : scene(scene)
+    : expected(expected)
+    , scene(scene)
     , is_for_peak(scene.adaptivity.is_for_peak_force())
     , length_of_rise(2.5 * expected.peak.time)
     , return_of_waves(2. * geometry_of(scene.plate).distance_to_edge /
@@ -61,19 +62,11 @@ namespace PlateImpact
 
 
   Window
-  TimeControl::on_next_mesh(const Window &last, const CycleResult &seen) const
+  TimeControl::on_next_mesh(const Window         &last,
+                            const ContactHistory &history) const
   {
     if (!is_for_peak)
       return last;
-    return with_peak(last, *seen.history);
-  }
-
-
-
-  Window
-  TimeControl::with_peak(const Window         &last,
-                         const ContactHistory &history) const
-  {
     const double peak = history.peak().time;
     Window       next{Extent::to_peak,
                 last.step,
@@ -105,7 +98,7 @@ namespace PlateImpact
           next.extent = Extent::to_peak;
         else
           {
-            next = with_peak(last, *seen.history);
+            next = on_next_mesh(last, *seen.history);
             if (scene.time.step_is_chosen)
               next.step = std::min(next.step, peak / fewest_steps_to_late_peak);
           }
@@ -124,34 +117,6 @@ namespace PlateImpact
       return {};
     next.extent = Extent::whole;
     return next;
-  }
-
-
-
-  std::optional<Window>
-  TimeControl::rest(const Window &last, const CycleResult &seen) const
-  {
-    if (!is_for_peak || is_whole(last, seen))
-      return {};
-    Window rest = last;
-    rest.extent = Extent::whole;
-    return rest;
-  }
-
-
-
-  double
-  TimeControl::returns_before_peak(const ContactHistory &history) const
-  {
-    return history.peak().time / return_of_waves;
-  }
-
-
-
-  bool
-  TimeControl::is_late(const ContactHistory &history) const
-  {
-    return returns_before_peak(history) > 1.;
   }
 
 

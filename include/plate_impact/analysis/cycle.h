@@ -85,8 +85,11 @@ namespace PlateImpact
   {
     std::optional<ErrorRatios> error_ratios; ///< of the energy norm's target
     unsigned int               cells_above_limit = 0; ///< xi' >= 1
-    unsigned int cells_at_minimum_size = 0;     ///< of these, not to be refined
-    std::optional<PeakForceBar> peak_force_bar; ///< none on blind meshes
+    unsigned int cells_at_minimum_size = 0; ///< of these, not to be refined
+    /// Of the bar of the peak force, also where nothing is known of the step's;
+    /// none on blind meshes.
+    std::optional<double>       mesh_part_of_bar;
+    std::optional<PeakForceBar> peak_force_bar;
     bool peak_is_late = false; ///< after waves are back from the edges
   };
 

@@ -48,35 +48,41 @@ namespace PlateImpact
   class TimeControl
   {
   public:
-    /// @param scene     complete; with an impactor
-    /// @param expected  of it
+    /// @param scene  complete; with an impactor
     TimeControl(const Parameters &scene, const ZenerImpact &expected);
 
     /// The first window on the first mesh.
     Window
     first() const;
 
-    /// The first window on a finer mesh than that of the last one.
+    /// The first window on a finer mesh than that of the last one, which has
+    /// shown a history; on the way to its peak, to the end of the contact where
+    /// that is late.
     Window
-    on_next_mesh(const Window &last, const CycleResult &seen) const;
+    on_next_mesh(const Window &last, const ContactHistory &history) const;
 
     /// The next window on the same mesh, after what the last one has shown;
     /// empty where that is enough to judge the mesh.
     std::optional<Window>
     next(const Window &last, const CycleResult &seen) const;
 
-    /// For a mesh that will be the last: the whole impact, unless the last
-    /// window was that.
-    std::optional<Window>
-    rest(const Window &last, const CycleResult &seen) const;
+    /// Whether the window ended where the scene does.
+    bool
+    is_whole(const Window &window, const CycleResult &seen) const;
 
     /// How often waves are back from the nearest edge before the peak.
     double
-    returns_before_peak(const ContactHistory &history) const;
+    returns_before_peak(const ContactHistory &history) const
+    {
+      return history.peak().time / return_of_waves;
+    }
 
     /// Whether they are back at all.
     bool
-    is_late(const ContactHistory &history) const;
+    is_late(const ContactHistory &history) const
+    {
+      return returns_before_peak(history) > 1.;
+    }
 
     /// The scene with the end time and the step of a window.
     /// @param needs_states  as for PlateModel::under()
@@ -84,14 +90,9 @@ namespace PlateImpact
     Parameters
     impact(const Window &window, PlateModel &plate, bool needs_states) const;
 
+    const ZenerImpact expected; ///< of the scene
+
   private:
-    /// A window on the way to a peak that is known about; to the end of the
-    /// contact where it is late.
-    Window
-    with_peak(const Window &last, const ContactHistory &history) const;
-    /// Whether the window ended where the scene does.
-    bool
-    is_whole(const Window &window, const CycleResult &seen) const;
     /// The step for a share of the target; that of the window where it keeps
     /// to it.
     double
