@@ -2,7 +2,7 @@
 #include <deal.II/fe/mapping_q1.h>
 #include <deal.II/grid/grid_tools.h>
 
-#include "plate_impact/estimator/error_estimator.h"
+#include "plate_impact/estimator/energy_norm_estimator.h"
 #include "plate_impact/estimator/recovered_field.h"
 #include "test_plate.h"
 

@@ -1,6 +1,5 @@
 #include "plate_impact/analysis/cycle.h"
 
-#include "plate_impact/estimator/energy_norm_estimator.h"
 #include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
 

@@ -2,8 +2,6 @@
 
 #include <deal.II/base/geometry_info.h>
 
-#include "plate_impact/estimator/kelly_estimator.h"
-
 #include <Eigen/LU>
 
 #include <algorithm>

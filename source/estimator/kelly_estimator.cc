@@ -1,10 +1,9 @@
-#include "plate_impact/estimator/kelly_estimator.h"
-
 #include <deal.II/base/function.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/lac/vector.h>
 #include <deal.II/numerics/error_estimator.h>
 
+#include "plate_impact/estimator/energy_norm_estimator.h"
 #include "plate_impact/plate/plate_mesh.h"
 
 #include <cmath>

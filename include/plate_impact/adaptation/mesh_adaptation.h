@@ -4,7 +4,7 @@
 #include <deal.II/grid/tria.h>
 
 #include "plate_impact/base/parameters.h"
-#include "plate_impact/estimator/error_estimator.h"
+#include "plate_impact/estimator/energy_norm_estimator.h"
 
 #include <string>
 #include <vector>

@@ -5,7 +5,7 @@
 
 #include "plate_impact/base/parameters.h"
 #include "plate_impact/contact/contact_history.h"
-#include "plate_impact/estimator/error_estimator.h"
+#include "plate_impact/estimator/energy_norm_estimator.h"
 #include "plate_impact/estimator/peak_force_error.h"
 #include "plate_impact/estimator/stress_recovery.h"
 #include "plate_impact/plate/plate_discretization.h"
