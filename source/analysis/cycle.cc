@@ -185,28 +185,6 @@ namespace PlateImpact
       std::vector<double> times;  ///< of samples that wait
       Eigen::MatrixXd     states; ///< at these
     };
-
-
-
-    /// Empty for loads under which the exact energy is infinite, and where
-    /// there is no dual problem.
-    std::optional<PeakForceError>
-    error_of_peak(const Cycle          &cycle,
-                  const Parameters     &impact,
-                  const LoadedPlate    &plate,
-                  const ContactHistory &history)
-    {
-      if (impact.contact.load_is_singular())
-        return {};
-      const auto problem = plate.peak_force_problem(history);
-      if (!problem)
-        return {};
-      return estimated_peak_force_error(cycle.discretization(),
-                                        cycle.recovery(),
-                                        *problem->system,
-                                        problem->motions,
-                                        history.peak().force);
-    }
   } // namespace
 
 
@@ -287,9 +265,15 @@ namespace PlateImpact
     seen.sensitivity = loaded.sensitivity(struck.history);
     seen.time_error  = loaded.time_error(struck.history);
     charges.charge(&Seconds::stepping);
-    if (wanted.errors)
-      seen.peak_force_error =
-        error_of_peak(*this, impact, loaded, struck.history);
+    // under a point load the exact energy is infinite
+    if (wanted.errors && !impact.contact.load_is_singular())
+      if (const auto problem = loaded.peak_force_problem(struck.history))
+        seen.peak_force_error =
+          estimated_peak_force_error(discretization(),
+                                     recovery(),
+                                     *problem->system,
+                                     problem->motions,
+                                     struck.history.peak().force);
     charges.charge(&Seconds::estimation);
 
     seen.work          = plate.work();

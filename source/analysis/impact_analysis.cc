@@ -319,10 +319,9 @@ namespace PlateImpact
       return {};
     Parameters last_struck = parameters;
     last_struck.time       = current->result.time;
-    Warnings all           = reliability_warnings({last_struck,
-                                                   time_control->expected,
-                                                   current->result},
-                                        current->mesh());
+    Warnings all =
+      impact_warnings({last_struck, time_control->expected, current->result},
+                      &current->mesh());
     all.numerical.insert(all.numerical.end(), warnings.begin(), warnings.end());
     return all;
   }

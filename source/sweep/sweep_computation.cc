@@ -216,9 +216,9 @@ namespace PlateImpact
     result.min_cell_size = min_cell_size;
     // an adapted mesh was judged with the worst point
     const ComputedImpact computed{parameters, point.expected, result};
-    const Warnings       warnings = parameters.adaptivity.is_adaptive() ?
-            impact_warnings(computed) :
-            reliability_warnings(computed, mesh);
+    const Warnings       warnings =
+      impact_warnings(computed,
+                      parameters.adaptivity.is_adaptive() ? nullptr : &mesh);
     return {std::move(result), warnings.all()};
   }
 
