@@ -21,8 +21,9 @@ namespace PlateImpact
   namespace
   {
     /// Patches below this share of the largest beside them say nothing of cells
-    /// that they are not fitted to. A change of level halves the size; the
-    /// cells of a quadrilateral mesh scatter less.
+    /// that they are not fitted to: polynomials of small cells go astray in a
+    /// large one. A change of level halves the size; the cells of a
+    /// quadrilateral mesh scatter less.
     constexpr double smallest_share = 0.75;
 
 
@@ -159,6 +160,8 @@ namespace PlateImpact
         auto &[fit, is_determined] = known->second;
         if (is_new)
           {
+            // the normal matrix of eq. 15 is close to singular; rank tells
+            // that points of two cells side by side determine six terms only
             Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>
               decomposition;
             decomposition.setThreshold(1e-6);
