@@ -192,7 +192,7 @@ namespace PlateImpact
                               of_time.end());
     if (mesh == nullptr)
       return warnings;
-    const auto goal = make_goal(impact.parameters.adaptivity);
+    const Goal goal(impact.parameters.adaptivity);
     // of the cells that the waves of the contact reach
     const double largest_cell =
       cell_sizes_near_load(*mesh,
@@ -200,9 +200,9 @@ namespace PlateImpact
                            impact.expected.wave().group_speed *
                              impact.parameters.time.end_time)
         .second;
-    if (!goal->is_met(impact.result))
+    if (!goal.is_met(impact.result))
       warn_of_resolution(impact, largest_cell, warnings.numerical);
-    if (const auto warning = goal->warning(impact.result); !warning.empty())
+    if (const auto warning = goal.warning(impact.result); !warning.empty())
       warnings.numerical.push_back(warning);
     warn_of_mesh(impact, largest_cell, warnings.numerical);
     return warnings;

@@ -113,7 +113,7 @@ namespace PlateImpact
     next.step = wanted_step(last, seen);
     if (next.step < last.step)
       return next;
-    if (is_end || !make_goal(scene.adaptivity)->is_met(seen))
+    if (is_end || !Goal(scene.adaptivity).is_met(seen))
       return {};
     next.extent = Extent::whole;
     return next;

@@ -253,7 +253,7 @@ namespace PlateImpact
     const CycleResult &last = analysis.last_cycle().result;
     work.meshes += last.cycle - 1;
     if (const std::string warning =
-          make_goal(worst->parameters.adaptivity)->warning(last);
+          Goal(worst->parameters.adaptivity).warning(last);
         !warning.empty())
       mesh_warnings.push_back(
         "on the mesh adapted for the point with the shortest contact, " +

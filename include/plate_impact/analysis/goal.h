@@ -4,7 +4,6 @@
 #include "plate_impact/base/choices.h"
 #include "plate_impact/base/parameters.h"
 
-#include <memory>
 #include <optional>
 #include <string>
 
@@ -28,45 +27,44 @@ namespace PlateImpact
   const std::vector<Word<Outcome>> Choices<Outcome>::words;
 
 
-  /// What the meshes of an analysis are made for.
+  /// What the meshes of an analysis are made for: the error of the stresses in
+  /// the energy norm and xi' of every cell that may still be refined (Table 1
+  /// of the paper), or the error bar of the peak force.
   class Goal
   {
   public:
     explicit Goal(const AdaptivityParameters &adaptivity)
       : adaptivity(adaptivity)
+      , is_for_peak(adaptivity.goal == AdaptationGoal::peak_force)
     {}
-
-    virtual ~Goal() = default;
 
     /// What better meshes make smaller: eta, or the mesh's part of the error of
     /// the peak force, infinite where it cannot be estimated.
-    virtual double
-    error(const CycleResult &result) const = 0;
+    double
+    error(const CycleResult &result) const;
 
     /// Whether the error of the whole meets the target of the scene.
-    virtual bool
-    is_met(const CycleResult &result) const = 0;
+    bool
+    is_met(const CycleResult &result) const;
 
     /// Whether there is what the scene asks for, or no mesh can have it; empty
     /// where a better mesh is to come.
-    virtual std::optional<Outcome>
-    outcome(const CycleResult &result) const = 0;
+    std::optional<Outcome>
+    outcome(const CycleResult &result) const;
 
     /// Errors of the cells by what a target allows of them.
-    virtual ErrorRatios
-    error_ratios(const Cycle &cycle, double target) const = 0;
+    ErrorRatios
+    error_ratios(const Cycle &cycle, double target) const;
 
     /// Why the target is not met, and what helps; empty where it is.
-    virtual std::string
-    warning(const CycleResult &result) const = 0;
+    std::string
+    warning(const CycleResult &result) const;
 
-  protected:
     const AdaptivityParameters adaptivity;
-  };
 
-  /// The goal that the scene names.
-  std::unique_ptr<const Goal>
-  make_goal(const AdaptivityParameters &adaptivity);
+  private:
+    const bool is_for_peak;
+  };
 
 
   /// When an analysis ends and what its next mesh is made for: by default, as
@@ -75,8 +73,7 @@ namespace PlateImpact
   {
   public:
     explicit AdaptationControl(const AdaptivityParameters &adaptivity)
-      : adaptivity(adaptivity)
-      , goal(make_goal(adaptivity))
+      : goal(adaptivity)
       , target(adaptivity.target())
     {}
 
@@ -86,11 +83,11 @@ namespace PlateImpact
     virtual std::optional<Outcome>
     check(const CycleResult &result)
     {
-      if (!adaptivity.is_adaptive() || !result.error_ratios)
+      if (!goal.adaptivity.is_adaptive() || !result.error_ratios)
         return Outcome::single_mesh;
-      if (const auto outcome = goal->outcome(result))
+      if (const auto outcome = goal.outcome(result))
         return outcome;
-      if (result.cycle == adaptivity.maximum_cycles)
+      if (result.cycle == goal.adaptivity.maximum_cycles)
         return Outcome::maximum_cycles;
       return {};
     }
@@ -107,12 +104,11 @@ namespace PlateImpact
     virtual ErrorRatios
     error_ratios(const Cycle &cycle) const
     {
-      return goal->error_ratios(cycle, target);
+      return goal.error_ratios(cycle, target);
     }
 
   protected:
-    const AdaptivityParameters        adaptivity;
-    const std::unique_ptr<const Goal> goal;
-    double                            target;
+    const Goal goal;
+    double     target;
   };
 } // namespace PlateImpact
