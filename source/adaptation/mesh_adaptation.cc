@@ -42,17 +42,6 @@ namespace PlateImpact
 
 
 
-    /// To about five digits.
-    double
-    rounded_to_sixteen_bits(const double value)
-    {
-      int          exponent;
-      const double mantissa = std::frexp(value, &exponent);
-      return std::ldexp(std::round(std::ldexp(mantissa, 16)), exponent - 16);
-    }
-
-
-
     /// Refines the cells with the largest errors and coarsens those with the
     /// smallest, one level a cycle: those that together hold a share of the
     /// squared error (Doerfler 1996, doi:10.1137/0733054), or a share of the
@@ -71,9 +60,15 @@ namespace PlateImpact
       };
       const std::vector<CellId> before = sorted_cells(mesh);
       Vector<double>            criteria(errors.begin(), errors.end());
-      // of cells that mirror each other all or none: round-off ranks no one
+      // Of cells that mirror each other all or none: round-off ranks no one
+      // when 16 bits are left, about five digits.
       for (double &criterion : criteria)
-        criterion = rounded_to_sixteen_bits(criterion);
+        {
+          int          exponent;
+          const double mantissa = std::frexp(criterion, &exponent);
+          criterion =
+            std::ldexp(std::round(std::ldexp(mantissa, 16)), exponent - 16);
+        }
       for (const auto &cell : mesh.active_cell_iterators())
         if (is_settled(cell))
           criteria[cell->active_cell_index()] = 0.;

@@ -24,22 +24,17 @@ namespace PlateImpact
 
 
 
-    int
-    add_point(const Point<2> &point, const double scale)
-    {
-      return gmsh::model::geo::addPoint(point[0] / scale, point[1] / scale, 0.);
-    }
-
-
-
     void
     add_domain(const std::vector<Point<2>> &corners,
                const std::vector<Point<2>> &inside,
                const double                 scale)
     {
       std::vector<int> points, sides, embedded;
+      const auto       add = [=](const Point<2> &p) {
+        return gmsh::model::geo::addPoint(p[0] / scale, p[1] / scale, 0.);
+      };
       for (const Point<2> &corner : corners)
-        points.push_back(add_point(corner, scale));
+        points.push_back(add(corner));
       for (unsigned int i = 0; i < points.size(); ++i)
         sides.push_back(
           gmsh::model::geo::addLine(points[i],
@@ -47,7 +42,7 @@ namespace PlateImpact
       const int surface = gmsh::model::geo::addPlaneSurface(
         {gmsh::model::geo::addCurveLoop(sides)});
       for (const Point<2> &point : inside)
-        embedded.push_back(add_point(point, scale));
+        embedded.push_back(add(point));
       gmsh::model::geo::synchronize();
       if (!embedded.empty())
         gmsh::model::mesh::embed(0, embedded, 2, surface);

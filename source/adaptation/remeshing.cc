@@ -37,15 +37,6 @@ namespace PlateImpact
 
 
 
-    double
-    rounded_size(const double size)
-    {
-      return std::exp2(std::round(sizes_per_octave * std::log2(size)) /
-                       sizes_per_octave);
-    }
-
-
-
     /// Sizes at the vertices: the smallest that their cells need, nowhere
     /// growing faster than the gradation.
     std::vector<double>
@@ -88,16 +79,8 @@ namespace PlateImpact
 
 
 
+    /// The first and the last of the rectangle that is meshed.
     using Corners = std::pair<Point<2>, Point<2>>;
-
-    /// The first and the last corner of the rectangle that is meshed.
-    Corners
-    corners_of(const Triangulation<2> &mesh)
-    {
-      return GridTools::compute_bounding_box(mesh).get_boundary_points();
-    }
-
-
 
     /// The side of the mesh that a face of the boundary lies on. Planes of
     /// symmetry go through the impact, edges of the plate do not.
@@ -199,7 +182,9 @@ namespace PlateImpact
                           std::max(refinement_margin * size,
                    std::min(minimum_cell_size(cell, adaptivity), present)) :
                           std::max(size / growth_margin, present);
-        size = allowed_size(rounded_size(size), cell, adaptivity);
+        const double rounded = std::exp2(
+          std::round(sizes_per_octave * std::log2(size)) / sizes_per_octave);
+        size = allowed_size(rounded, cell, adaptivity);
       }
     return sizes;
   }
@@ -218,7 +203,8 @@ namespace PlateImpact
       sizes_for_remeshing(mesh, error, adaptivity);
     if (!is_worth_it(mesh, error, sizes, adaptivity))
       return false;
-    const Corners sides = corners_of(mesh);
+    const Corners sides =
+      GridTools::compute_bounding_box(mesh).get_boundary_points();
     const auto [corners, inside] =
       required_vertices(sides, contact_half_length);
     rebuild(mesh,

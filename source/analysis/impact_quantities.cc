@@ -51,15 +51,6 @@ namespace PlateImpact
 
 
     Value
-    delamination_threshold(const ComputedImpact &impact)
-    {
-      const auto crack = delamination(impact);
-      return crack ? Value(crack->threshold) : Value();
-    }
-
-
-
-    Value
     restitution(const ComputedImpact &impact)
     {
       if (impact.history.n_contacts() == 0 || impact.last.overlap() > 0. ||
@@ -70,19 +61,12 @@ namespace PlateImpact
 
 
 
-    bool
-    is_sphere(const ComputedImpact &impact)
-    {
-      return !impact.impactor.is_cylinder();
-    }
-
-
-
     Value
     restitution_over_zener(const ComputedImpact &impact)
     {
       const Value e = restitution(impact);
-      if (!is_sphere(impact) || !e || impact.history.n_contacts() != 1)
+      if (impact.impactor.is_cylinder() || !e ||
+          impact.history.n_contacts() != 1)
         return {};
       const double of_zener = impact.expected.restitution();
       return of_zener > 0. ? Value(*e / of_zener) : Value();
@@ -145,13 +129,14 @@ namespace PlateImpact
      "Loss factor of Zener's formula",
      "",
      [](Computed i) {
-       return is_sphere(i) ? i.expected.loss_factor() : Value();
+       return i.impactor.is_cylinder() ? Value() : i.expected.loss_factor();
      }},
     {"peak_force_over_zener",
      "Peak force over Zener's",
      "",
      [](Computed i) {
-       return is_sphere(i) ? i.peak.force / i.expected.peak.force : Value();
+       return i.impactor.is_cylinder() ? Value() :
+                                         i.peak.force / i.expected.peak.force;
      }},
     {"restitution_over_zener",
      "Restitution over Zener's",
@@ -193,13 +178,16 @@ namespace PlateImpact
     {"delamination_threshold",
      "Delamination threshold",
      "N",
-     delamination_threshold},
+     [](Computed i) {
+       const auto crack = delamination(i);
+       return crack ? Value(crack->threshold) : Value();
+     }},
     {"peak_force_over_delamination_threshold",
      "Peak force over the delamination threshold",
      "",
-     [](Computed i) -> Value {
-       const Value threshold = delamination_threshold(i);
-       return threshold ? Value(i.peak.force / *threshold) : Value();
+     [](Computed i) {
+       const auto crack = delamination(i);
+       return crack ? Value(i.peak.force / crack->threshold) : Value();
      }}};
 
 
