@@ -153,14 +153,14 @@ namespace PlateImpact
     const Eigen::MatrixXd unscaled =
       section.root_of_compliance().topLeftCorner(n, n).inverse();
     Eigen::MatrixXd &max_stresses = samples.max_stresses;
-    RowMajorMatrix   recovered;
     for (const unsigned int v : cell->vertex_indices())
       {
         // all cells recover the same there, or at an edge nearly so
         if (vertex_is_done[cell->vertex_index(v)])
           continue;
         vertex_is_done[cell->vertex_index(v)] = true;
-        field.evaluate(cell, {GeometryInfo<2>::unit_cell_vertex(v)}, recovered);
+        const RowMajorMatrix recovered =
+          field.evaluate(cell, {GeometryInfo<2>::unit_cell_vertex(v)});
         const Eigen::MatrixXd resultants = unscaled *
           by_resultant(recovered, section.n_resultants()).topRows(n) *
           coordinates;

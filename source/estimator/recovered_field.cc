@@ -67,17 +67,16 @@ namespace PlateImpact
 
 
 
-  void
+  RowMajorMatrix
   RecoveredField::evaluate(const Cell                  &cell,
-                           const std::vector<Point<2>> &unit_points,
-                           RowMajorMatrix              &values)
+                           const std::vector<Point<2>> &unit_points)
   {
     const unsigned int    n_points = unit_points.size();
     std::vector<Point<2>> points;
     for (const Point<2> &unit_point : unit_points)
       points.push_back(
         mapping_of(cell).transform_unit_to_real_cell(cell, unit_point));
-    values.resize(n_points, 0);
+    RowMajorMatrix  values(n_points, 0);
     Eigen::VectorXd blend(n_points);
     Eigen::MatrixXd weights(n_points, StressRecovery::n_terms);
     for (unsigned int v = 0; v < 4; ++v)
@@ -100,6 +99,7 @@ namespace PlateImpact
             values.noalias() += weights * coefficients[patch];
           }
       }
+    return values;
   }
 
 
@@ -139,10 +139,9 @@ namespace PlateImpact
                                factor,
                                shape.at_quadrature,
                                fields);
-    recovered.evaluate(cell,
-                       discretization.element.quadrature.get_points(),
-                       errors);
-    errors -= resultants;
+    errors =
+      recovered.evaluate(cell, discretization.element.quadrature.get_points()) -
+      resultants;
     for (unsigned int q = 0; q < shape.weights.size(); ++q)
       {
         resultants.row(q) *= std::sqrt(shape.weights[q]);
@@ -209,10 +208,9 @@ namespace PlateImpact
     std::vector<Eigen::MatrixXd> result(n_states);
     for (Eigen::MatrixXd &resultants : result)
       resultants.resize(m, n_points * discretization.mesh().n_active_cells());
-    RowMajorMatrix values;
     for (const auto &cell : discretization.mesh().active_cell_iterators())
       {
-        field.evaluate(cell, unit_points, values);
+        const RowMajorMatrix values = field.evaluate(cell, unit_points);
         field.finish(cell);
         const auto first = n_points * cell->active_cell_index();
         for (std::size_t state = 0; state < n_states; ++state)

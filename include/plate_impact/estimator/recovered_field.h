@@ -39,11 +39,10 @@ namespace PlateImpact
                    const Eigen::Ref<const Eigen::MatrixXd> &fields);
 
     /// Recovered resultants at points of the reference cell.
-    /// @param values  set to a row per point by m n columns
-    void
+    /// @return a row per point by m n columns
+    RowMajorMatrix
     evaluate(const Cell                          &cell,
-             const std::vector<dealii::Point<2>> &unit_points,
-             RowMajorMatrix                      &values);
+             const std::vector<dealii::Point<2>> &unit_points);
 
     /// The cell will not be evaluated again.
     void
