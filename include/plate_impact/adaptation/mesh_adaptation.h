@@ -110,8 +110,6 @@ namespace PlateImpact
   /// Satisfies target sizes by a new mesh of quadrilaterals, as the paper does.
   /// The impact and the end of a line contact are vertices.
   ///
-  /// Sizes are held at the vertices of the old mesh, the smallest that the
-  /// cells there need, bilinear between them and limited in gradation.
   /// Gmsh's cells scatter around their size, and xi' with its square, so that
   /// without more half of the cells would exceed their limit for ever: cells to
   /// be refined get somewhat less than they need, and cells grow only when

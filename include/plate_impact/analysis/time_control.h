@@ -36,15 +36,12 @@ namespace PlateImpact
   }
 
 
-  /// How long a plate is watched on a mesh and in which steps. With the goal
-  /// `energy norm` that is what the scene says. On the way to a peak force it
-  /// is no longer than the peak takes, and in steps, where the program chooses
-  /// them, that leave most of the target to the mesh; a mesh that meets the
-  /// target is watched to the end, for a later force may be larger. The first
-  /// mesh is as well: before waves are back from the edges a force has one
-  /// peak, and a larger one later is the mesh's own; one after that is the
-  /// impact's. The waves may then bring a still larger one while the contact
-  /// lasts, and the window holds the contact.
+  /// How long a plate is watched on a mesh and in which steps: with the goal
+  /// `energy norm` as the scene says, on the way to a peak force no longer than
+  /// the peak takes (doc/theory.md). Before waves are back from the edges a
+  /// force has one peak, and a larger one later is the mesh's own; one after
+  /// that is the impact's, and waves may bring a still larger one while the
+  /// contact lasts.
   class TimeControl
   {
   public:

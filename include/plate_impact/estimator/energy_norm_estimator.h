@@ -141,14 +141,12 @@ namespace PlateImpact
   ///   eta_i     = 1/T int ||e||_i / (||u||^2 + ||e||^2)^{1/2} dt,
   /// with sigma* recovered by patches (StressRecovery), and time integrals by
   /// the trapezoidal rule over samples. While the plate is at rest eta_i is
-  /// taken as 0 (the paper's table has 0/0 at t = 0). What a cell may have of
-  /// the error is for the adaptation to say (ErrorRatios).
+  /// taken as 0 (the paper's table has 0/0 at t = 0).
   ///
-  /// Under a point load the energy of the exact error is infinite around the
-  /// load, on every mesh: there is nothing to estimate, and nearer than about
-  /// half the thickness plate theory means nothing either. Cells in such a
-  /// singular zone may be left out of eta, which then is the error in the rest
-  /// of the plate and converges; the paper counts them. Both are told.
+  /// Around a point load the energy of the exact error is infinite on every
+  /// mesh, and plate theory means nothing. Cells in such a singular zone may be
+  /// left out of eta, which then converges; the paper counts them. Both are
+  /// told.
   ///
   /// The estimate is no bound: it measures what the mesh resolves, and contains
   /// waves shorter than its cells only after refinement.
