@@ -190,17 +190,6 @@ namespace PlateImpact
 
 
 
-  std::vector<MesherSettings>
-  default_mesher_settings()
-  {
-    // full-quad recombination halves the edges of a twice coarser mesh;
-    // cutting triangles halves theirs
-    return {{"Blossom recombination", 6, 3, 0, 1.},
-            {"triangles cut into quadrilaterals", 5, -1, 1, 2.}};
-  }
-
-
-
   QuadMesh
   mesh_by_gmsh(const std::vector<Point<2>>       &corners,
                const std::vector<Point<2>>       &inside,
@@ -212,7 +201,10 @@ namespace PlateImpact
     std::string failures;
     for (const MesherSettings &settings : attempts)
       {
-        std::string failure;
+        const auto note = [&](const std::string &failure) {
+          failures +=
+            (failures.empty() ? "" : "; ") + settings.name + ": " + failure;
+        };
         try
           {
             const QuadMesh mesh =
@@ -225,7 +217,7 @@ namespace PlateImpact
         // Gmsh 4.8 throws strings, later versions exceptions
         catch (const std::string &error)
           {
-            failure = error;
+            note(error);
           }
         catch (const std::bad_alloc &)
           {
@@ -233,10 +225,8 @@ namespace PlateImpact
           }
         catch (const std::exception &error)
           {
-            failure = error.what();
+            note(error.what());
           }
-        failures +=
-          (failures.empty() ? "" : "; ") + settings.name + ": " + failure;
       }
     throw ComputationError(
       "Gmsh made no mesh of quadrilaterals (" + failures +

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -130,10 +131,8 @@ namespace PlateImpact
                                     end,
                                     {begin[0], end[1]}},
         inside;
-      std::vector<double> on_axis = {0.};
-      if (contact_half_length > 0.)
-        on_axis = {-contact_half_length, 0., contact_half_length};
-      for (const double x : on_axis)
+      for (const double x :
+           std::set<double>{0., -contact_half_length, contact_half_length})
         if (x == 0. || (x > begin[0] && x < end[0]))
           {
             if (begin[1] < 0. && begin[0] < x)

@@ -210,23 +210,21 @@ namespace PlateImpact
     if (result.cell_size_at_load >
         0.5 * std::max(time_control->expected.wave().length, 2. * load))
       return {};
-    const ContactState       &peak = result.history->peak();
-    std::optional<PeakOnMesh> peak_before;
-    std::optional<double>     change;
+    const ContactState   &peak = result.history->peak();
+    std::optional<double> change;
     if (before)
       {
-        peak_before = before->peak;
         // two peaks may agree by accident, all ripples around them do not; 0
         // where the mesh before was not watched until then
         const double around =
           result.history->difference_around(peak.time, before->history);
         if (around != 0.)
-          change = std::max(std::abs(peak.force - peak_before->force), around) /
-            peak.force;
+          change =
+            std::max(std::abs(peak.force - before->force), around) / peak.force;
       }
     return peak_force_error_by_mesh(*result.peak_force_error,
                                     peak.force,
-                                    peak_before,
+                                    before,
                                     result.cell_size_at_load <= load,
                                     time_control->returns_before_peak(
                                       *result.history),

@@ -57,10 +57,12 @@ namespace PlateImpact
   };
 
 
-  /// Frontal Delaunay with Blossom; then triangles cut into three
-  /// quadrilaterals each, which cannot fail once there are triangles.
-  std::vector<MesherSettings>
-  default_mesher_settings();
+  /// Frontal Delaunay with Blossom, whose recombination halves the edges of a
+  /// twice coarser mesh; then triangles cut into three quadrilaterals each,
+  /// which halves theirs and cannot fail once there are triangles.
+  inline const std::vector<MesherSettings> default_mesher_settings = {
+    {"Blossom recombination", 6, 3, 0, 1.},
+    {"triangles cut into quadrilaterals", 5, -1, 1, 2.}};
 
 
   /// Meshes a polygon with quadrilaterals by Gmsh (Geuzaine & Remacle 2009,
@@ -86,5 +88,5 @@ namespace PlateImpact
     const dealii::Triangulation<2>      &old_mesh,
     const std::vector<double>           &sizes,
     std::vector<std::string>            &warnings,
-    const std::vector<MesherSettings>   &attempts = default_mesher_settings());
+    const std::vector<MesherSettings>   &attempts = default_mesher_settings);
 } // namespace PlateImpact

@@ -89,9 +89,8 @@ namespace PlateImpact
     adapt(AdaptationControl &control, AnalysisListener &listener);
 
     /// What a mesh is compared with.
-    struct Struck
+    struct Struck : PeakOnMesh
     {
-      PeakOnMesh     peak;
       ContactHistory history;
     };
 
