@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <limits>
 
 namespace PlateImpact
 {
@@ -57,28 +56,6 @@ namespace PlateImpact
       error.overall = std::max(error.overall, halving);
     }
   } // namespace
-
-
-
-  double
-  Goal::error(const CycleResult &result) const
-  {
-    if (!is_for_peak)
-      return result.error->eta;
-    return result.peak_force_error ? result.peak_force_error->bar() :
-                                     std::numeric_limits<double>::infinity();
-  }
-
-
-
-  bool
-  Goal::is_met(const CycleResult &result) const
-  {
-    return is_for_peak ?
-      result.peak_force_bar &&
-        result.peak_force_bar->total() <= adaptivity.target() :
-      result.error && result.error->eta <= adaptivity.target();
-  }
 
 
 

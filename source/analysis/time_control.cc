@@ -121,16 +121,6 @@ namespace PlateImpact
 
 
 
-  bool
-  TimeControl::is_whole(const Window &window, const CycleResult &seen) const
-  {
-    const double end = scene.time.end_time; // 0 for that of the contact
-    return window.extent == Extent::whole ||
-      (end > 0. && seen.history->states().back().time >= (1. - 1e-9) * end);
-  }
-
-
-
   double
   TimeControl::wanted_step(const Window &window, const CycleResult &seen) const
   {

@@ -25,9 +25,9 @@ namespace PlateImpact
     for (const StressRecovery::Patch &patch : recovery.patches)
       for (const StressRecovery::Image &image : patch.images)
         ++n_patches_to_come[image.cell];
-    for (unsigned int cell = 0; cell < samples.size(); ++cell)
-      for (unsigned int v = 0; v < 4; ++v)
-        for (const unsigned int patch : recovery.patches_at[cell][v])
+    for (const auto &corners : recovery.patches_at)
+      for (const auto &corner : corners)
+        for (const unsigned int patch : corner)
           ++n_cells_to_come[patch];
   }
 
@@ -104,18 +104,6 @@ namespace PlateImpact
 
 
 
-  void
-  RecoveredField::finish(const Cell &cell)
-  {
-    for (unsigned int v = 0; v < 4; ++v)
-      for (const unsigned int patch :
-           recovery.patches_at[cell->active_cell_index()][v])
-        if (--n_cells_to_come[patch] == 0)
-          coefficients[patch] = {};
-  }
-
-
-
   EnergyRoots::EnergyRoots(const PlateDiscretization &discretization,
                            const StressRecovery      &recovery,
                            const Eigen::MatrixXd     &fields)
@@ -147,16 +135,6 @@ namespace PlateImpact
         resultants.row(q) *= std::sqrt(shape.weights[q]);
         errors.row(q) *= std::sqrt(shape.weights[q]);
       }
-  }
-
-
-
-  Eigen::Map<const RowMajorMatrix>
-  by_resultant(const RowMajorMatrix &values, const unsigned int n_resultants)
-  {
-    return {values.data(),
-            n_resultants * values.rows(),
-            values.cols() / n_resultants};
   }
 
 

@@ -282,18 +282,6 @@ namespace PlateImpact
 
 
 
-  StressRecovery::Terms
-  StressRecovery::Patch::polynomial(const Point<2> &point) const
-  {
-    const auto   position = (point - centre) / size;
-    const double x = position[0], y = position[1];
-    Terms        P;
-    P << 1., x, y, x * x, x * y, y * y, x * x * y, x * y * y;
-    return P;
-  }
-
-
-
   RowMajorMatrix
   StressRecovery::Patch::coefficients(
     const std::vector<RowMajorMatrix> &samples,

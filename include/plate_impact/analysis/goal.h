@@ -4,6 +4,7 @@
 #include "plate_impact/base/choices.h"
 #include "plate_impact/base/parameters.h"
 
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -41,11 +42,23 @@ namespace PlateImpact
     /// What better meshes make smaller: eta, or the mesh's part of the error of
     /// the peak force, infinite where it cannot be estimated.
     double
-    error(const CycleResult &result) const;
+    error(const CycleResult &result) const
+    {
+      if (!is_for_peak)
+        return result.error->eta;
+      return result.peak_force_error ? result.peak_force_error->bar() :
+                                       std::numeric_limits<double>::infinity();
+    }
 
     /// Whether the error of the whole meets the target of the scene.
     bool
-    is_met(const CycleResult &result) const;
+    is_met(const CycleResult &result) const
+    {
+      return is_for_peak ?
+        result.peak_force_bar &&
+          result.peak_force_bar->total() <= adaptivity.target() :
+        result.error && result.error->eta <= adaptivity.target();
+    }
 
     /// Whether there is what the scene asks for, or no mesh can have it; empty
     /// where a better mesh is to come.

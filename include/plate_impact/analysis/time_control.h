@@ -65,7 +65,12 @@ namespace PlateImpact
 
     /// Whether the window ended where the scene does.
     bool
-    is_whole(const Window &window, const CycleResult &seen) const;
+    is_whole(const Window &window, const CycleResult &seen) const
+    {
+      const double end = scene.time.end_time; // 0 for that of the contact
+      return window.extent == Extent::whole ||
+        (end > 0. && seen.history->states().back().time >= (1. - 1e-9) * end);
+    }
 
     /// How often waves are back from the nearest edge before the peak.
     double

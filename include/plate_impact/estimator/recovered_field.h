@@ -46,7 +46,13 @@ namespace PlateImpact
 
     /// The cell will not be evaluated again.
     void
-    finish(const Cell &cell);
+    finish(const Cell &cell)
+    {
+      for (const auto &corner : recovery.patches_at[cell->active_cell_index()])
+        for (const unsigned int patch : corner)
+          if (--n_cells_to_come[patch] == 0)
+            coefficients[patch] = {};
+    }
 
   private:
     void
@@ -101,8 +107,13 @@ namespace PlateImpact
                 const Eigen::Ref<const Eigen::MatrixXd> &fields);
 
   /// The same, a row per point and resultant by n columns.
-  Eigen::Map<const RowMajorMatrix>
-  by_resultant(const RowMajorMatrix &values, unsigned int n_resultants);
+  inline Eigen::Map<const RowMajorMatrix>
+  by_resultant(const RowMajorMatrix &values, const unsigned int n_resultants)
+  {
+    return {values.data(),
+            n_resultants * values.rows(),
+            values.cols() / n_resultants};
+  }
 
   /// Recovered resultants at points of all cells, for all states at once, since
   /// what a patch costs most is its place.

@@ -71,7 +71,14 @@ namespace PlateImpact
 
       /// P of eq. 10 in the coordinates of the patch.
       Terms
-      polynomial(const dealii::Point<2> &point) const;
+      polynomial(const dealii::Point<2> &point) const
+      {
+        const auto   position = (point - centre) / size;
+        const double x = position[0], y = position[1];
+        Terms        P;
+        P << 1., x, y, x * x, x * y, y * y, x * x * y, x * y * y;
+        return P;
+      }
 
       /// Coefficients a from samples of n fields with m resultants at once: a
       /// row per term by m n columns.
