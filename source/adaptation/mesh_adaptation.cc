@@ -14,18 +14,6 @@ namespace PlateImpact
 {
   using namespace dealii;
 
-  std::vector<CellId>
-  sorted_cells(const Triangulation<2> &mesh)
-  {
-    std::vector<CellId> cells;
-    for (const auto &cell : mesh.active_cell_iterators())
-      cells.push_back(cell->id());
-    std::sort(cells.begin(), cells.end());
-    return cells;
-  }
-
-
-
   namespace
   {
     /// Refines every cell, whatever its error, unless one is at the minimum

@@ -1,7 +1,6 @@
 #include "plate_impact/adaptation/quad_mesher.h"
 
 #include <deal.II/base/bounding_box.h>
-#include <deal.II/base/tensor.h>
 
 #include "plate_impact/base/exceptions.h"
 
@@ -168,25 +167,6 @@ namespace PlateImpact
       return mesh;
     }
   } // namespace
-
-
-
-  double
-  QuadMesh::worst_scaled_jacobian() const
-  {
-    double worst = 1.;
-    for (const auto &cell : cells)
-      for (unsigned int v = 0; v < 4; ++v)
-        {
-          const Point<2>    &corner = vertices[cell[v]];
-          const Tensor<1, 2> a      = vertices[cell[(v + 1) % 4]] - corner,
-                             b      = vertices[cell[(v + 3) % 4]] - corner;
-          const double lengths      = a.norm() * b.norm(),
-                       area         = a[0] * b[1] - a[1] * b[0];
-          worst = std::min(worst, lengths > 0. ? area / lengths : 0.);
-        }
-    return worst;
-  }
 
 
 

@@ -6,6 +6,7 @@
 #include "plate_impact/base/parameters.h"
 #include "plate_impact/estimator/energy_norm_estimator.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -66,8 +67,15 @@ namespace PlateImpact
 
 
   /// The active cells, sorted: equal for equal meshes of one initial mesh.
-  std::vector<dealii::CellId>
-  sorted_cells(const dealii::Triangulation<2> &mesh);
+  inline std::vector<dealii::CellId>
+  sorted_cells(const dealii::Triangulation<2> &mesh)
+  {
+    std::vector<dealii::CellId> cells;
+    for (const auto &cell : mesh.active_cell_iterators())
+      cells.push_back(cell->id());
+    std::sort(cells.begin(), cells.end());
+    return cells;
+  }
 
 
   /// A mesh that is made to follow its error, and what that takes.

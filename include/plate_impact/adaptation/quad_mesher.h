@@ -5,6 +5,7 @@
 
 #include <gmsh.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
@@ -42,7 +43,21 @@ namespace PlateImpact
     /// Smallest scaled Jacobian, the sine of the angle at a corner, over all
     /// corners: 1 for rectangles, 0 and less for cells turned inside out.
     double
-    worst_scaled_jacobian() const;
+    worst_scaled_jacobian() const
+    {
+      double worst = 1.;
+      for (const auto &cell : cells)
+        for (unsigned int v = 0; v < 4; ++v)
+          {
+            const dealii::Point<2> &corner = vertices[cell[v]];
+            const auto              a = vertices[cell[(v + 1) % 4]] - corner,
+                       b              = vertices[cell[(v + 3) % 4]] - corner;
+            const double lengths      = a.norm() * b.norm(),
+                         area         = a[0] * b[1] - a[1] * b[0];
+            worst = std::min(worst, lengths > 0. ? area / lengths : 0.);
+          }
+      return worst;
+    }
   };
 
 
