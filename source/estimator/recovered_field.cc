@@ -52,21 +52,6 @@ namespace PlateImpact
 
 
 
-  void
-  RecoveredField::fit(const unsigned int patch)
-  {
-    const StressRecovery::Patch &it = recovery.patches[patch];
-    for (const StressRecovery::Image &image : it.images)
-      if (samples[image.cell].size() == 0)
-        samples[image.cell] = sampler(image.cell);
-    coefficients[patch] = it.coefficients(samples, n_resultants);
-    for (const StressRecovery::Image &image : it.images)
-      if (--n_patches_to_come[image.cell] == 0)
-        samples[image.cell] = {};
-  }
-
-
-
   RowMajorMatrix
   RecoveredField::evaluate(const Cell                  &cell,
                            const std::vector<Point<2>> &unit_points)

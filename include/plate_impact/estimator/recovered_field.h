@@ -56,7 +56,17 @@ namespace PlateImpact
 
   private:
     void
-    fit(unsigned int patch);
+    fit(const unsigned int patch)
+    {
+      const StressRecovery::Patch &it = recovery.patches[patch];
+      for (const StressRecovery::Image &image : it.images)
+        if (samples[image.cell].size() == 0)
+          samples[image.cell] = sampler(image.cell);
+      coefficients[patch] = it.coefficients(samples, n_resultants);
+      for (const StressRecovery::Image &image : it.images)
+        if (--n_patches_to_come[image.cell] == 0)
+          samples[image.cell] = {};
+    }
 
     const StressRecovery &recovery;
     const unsigned int    n_resultants;
