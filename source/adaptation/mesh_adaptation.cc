@@ -6,7 +6,6 @@
 #include "plate_impact/base/entries.h"
 #include "plate_impact/plate/plate_mesh.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 

@@ -4,7 +4,6 @@
 
 #include "plate_impact/base/exceptions.h"
 
-#include <algorithm>
 #include <cmath>
 #include <new>
 #include <unordered_map>

@@ -3,7 +3,6 @@
 #include "plate_impact/analysis/goal.h"
 #include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/transient/newmark_scheme.h"
-#include "plate_impact/transient/plate_model.h"
 
 #include <algorithm>
 #include <cmath>

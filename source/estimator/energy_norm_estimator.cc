@@ -10,9 +10,6 @@
 
 #include <Eigen/LU>
 
-#include <algorithm>
-#include <cmath>
-
 namespace PlateImpact
 {
   using namespace dealii;
