@@ -59,22 +59,6 @@ namespace PlateImpact
 
 
 
-  std::optional<Outcome>
-  Goal::outcome(const CycleResult &result) const
-  {
-    const unsigned int n_exempt =
-      adaptivity.singular_cells_count ? 0 : result.cells_at_minimum_size;
-    if (is_met(result) && (is_for_peak || result.cells_above_limit == n_exempt))
-      return Outcome::target_reached;
-    // the mesh may have half of the target in any case
-    if (is_for_peak && result.peak_force_bar &&
-        result.peak_force_bar->space <= 0.5 * adaptivity.target())
-      return Outcome::time_step_too_coarse;
-    return {};
-  }
-
-
-
   /// Of the peak force every cell may have the same share of the target. The
   /// ratio is that of the roots, which fall with the cell size as errors in the
   /// energy norm do.

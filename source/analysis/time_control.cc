@@ -46,21 +46,6 @@ namespace PlateImpact
 
 
   Window
-  TimeControl::first() const
-  {
-    const TimeParameters &time = scene.time;
-    const bool            waves_return =
-      time.end_time == 0. || time.end_time > return_of_waves;
-    return {!is_for_peak   ? Extent::whole :
-              waves_return ? Extent::peak_search :
-                             Extent::to_peak,
-            time.time_step,
-            length_of_rise};
-  }
-
-
-
-  Window
   TimeControl::on_next_mesh(const Window         &last,
                             const ContactHistory &history) const
   {

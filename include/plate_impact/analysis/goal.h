@@ -63,7 +63,19 @@ namespace PlateImpact
     /// Whether there is what the scene asks for, or no mesh can have it; empty
     /// where a better mesh is to come.
     std::optional<Outcome>
-    outcome(const CycleResult &result) const;
+    outcome(const CycleResult &result) const
+    {
+      const unsigned int n_exempt =
+        adaptivity.singular_cells_count ? 0 : result.cells_at_minimum_size;
+      if (is_met(result) &&
+          (is_for_peak || result.cells_above_limit == n_exempt))
+        return Outcome::target_reached;
+      // the mesh may have half of the target in any case
+      if (is_for_peak && result.peak_force_bar &&
+          result.peak_force_bar->space <= 0.5 * adaptivity.target())
+        return Outcome::time_step_too_coarse;
+      return {};
+    }
 
     /// Errors of the cells by what a target allows of them.
     ErrorRatios

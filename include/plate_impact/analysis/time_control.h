@@ -50,7 +50,17 @@ namespace PlateImpact
 
     /// The first window on the first mesh.
     Window
-    first() const;
+    first() const
+    {
+      const TimeParameters &time = scene.time;
+      const bool            waves_return =
+        time.end_time == 0. || time.end_time > return_of_waves;
+      return {!is_for_peak   ? Extent::whole :
+                waves_return ? Extent::peak_search :
+                               Extent::to_peak,
+              time.time_step,
+              length_of_rise};
+    }
 
     /// The first window on a finer mesh than that of the last one, which has
     /// shown a history; on the way to its peak, to the end of the contact where
