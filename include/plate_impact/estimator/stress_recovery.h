@@ -102,5 +102,8 @@ namespace PlateImpact
 
     /// By cell and corner, the patches whose polynomials are averaged there.
     std::vector<std::array<std::vector<unsigned int>, 4>> patches_at;
+
+  private:
+    class PatchFinder;
   };
 } // namespace PlateImpact
