@@ -76,24 +76,6 @@ namespace PlateImpact
 
 
 
-    void
-    set_options(const MesherSettings &settings)
-    {
-      const std::vector<std::pair<std::string, double>> options = {
-        {"Geometry.Tolerance", 1e-12},
-        {"Mesh.MeshSizeExtendFromBoundary", 0},
-        {"Mesh.MeshSizeFromPoints", 0},
-        {"Mesh.MeshSizeFromCurvature", 0},
-        {"Mesh.Algorithm", settings.algorithm},
-        {"Mesh.RecombineAll", settings.recombination >= 0},
-        {"Mesh.RecombinationAlgorithm", std::max(0, settings.recombination)},
-        {"Mesh.SubdivisionAlgorithm", settings.subdivision}};
-      for (const auto &[name, value] : options)
-        gmsh::option::setNumber(name, value);
-    }
-
-
-
     /// Nodes of all elements of a type, by Gmsh's number for it.
     std::vector<std::size_t>
     nodes_of_elements(const int type)
@@ -146,11 +128,21 @@ namespace PlateImpact
             const std::vector<double>   &sizes,
             const MesherSettings        &settings)
     {
+      const std::pair<const char *, double> options[] = {
+        {"Geometry.Tolerance", 1e-12},
+        {"Mesh.MeshSizeExtendFromBoundary", 0},
+        {"Mesh.MeshSizeFromPoints", 0},
+        {"Mesh.MeshSizeFromCurvature", 0},
+        {"Mesh.Algorithm", settings.algorithm},
+        {"Mesh.RecombineAll", settings.recombination >= 0},
+        {"Mesh.RecombinationAlgorithm", std::max(0, settings.recombination)},
+        {"Mesh.SubdivisionAlgorithm", settings.subdivision}};
       const GmshSession session;
+      for (const auto &[name, value] : options)
+        gmsh::option::setNumber(name, value);
       // Gmsh compares lengths with absolute tolerances
       const BoundingBox<2> box(corners);
       const double scale = std::max(box.side_length(0), box.side_length(1));
-      set_options(settings);
       add_domain(corners, inside, scale);
       set_sizes(old_mesh, sizes, scale, settings.size_factor);
       gmsh::model::mesh::generate(2);
