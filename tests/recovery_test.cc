@@ -2,7 +2,7 @@
 #include <deal.II/fe/mapping_q1.h>
 #include <deal.II/grid/grid_tools.h>
 
-#include "plate_impact/estimator/error_estimator.h"
+#include "plate_impact/estimator/energy_norm_estimator.h"
 #include "plate_impact/estimator/recovered_field.h"
 #include "test_plate.h"
 
@@ -43,13 +43,12 @@ namespace PlateImpact
           unit_points.emplace_back(x, y);
       std::vector<double> errors(mesh.n_active_cells());
       double              largest = 0.;
-      RowMajorMatrix      values;
       for (const auto &cell : mesh.active_cell_iterators())
         {
           std::vector<Point<2>> points;
           for (const Point<2> &unit : unit_points)
             points.push_back(mapping.transform_unit_to_real_cell(cell, unit));
-          recovered.evaluate(cell, unit_points, values);
+          const RowMajorMatrix values = recovered.evaluate(cell, unit_points);
           recovered.finish(cell);
           for (unsigned int q = 0; q < points.size(); ++q)
             {

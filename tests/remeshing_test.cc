@@ -29,7 +29,7 @@ namespace PlateImpact
     mesh_with_size(
       const double                       size,
       std::vector<std::string>          &warnings,
-      const std::vector<MesherSettings> &attempts = default_mesher_settings())
+      const std::vector<MesherSettings> &attempts = default_mesher_settings)
     {
       return mesh_by_gmsh(square,
                           {},
@@ -60,7 +60,7 @@ namespace PlateImpact
     QuadMesh
     mesh_square(
       const double                       size,
-      const std::vector<MesherSettings> &attempts = default_mesher_settings(),
+      const std::vector<MesherSettings> &attempts = default_mesher_settings,
       const bool                         expects_warning = false)
     {
       std::vector<std::string> warnings;
@@ -117,10 +117,10 @@ namespace PlateImpact
 
     TEST(QuadMesher, TriesSaferSettingsWhereTrianglesAreLeft)
     {
-      const std::vector<MesherSettings> attempts =
-        {triangles, default_mesher_settings()[1]};
-      const QuadMesh           mesh = mesh_square(0.1, attempts, true);
-      std::vector<std::string> warnings;
+      const std::vector<MesherSettings> attempts = {triangles,
+                                                    default_mesher_settings[1]};
+      const QuadMesh                    mesh = mesh_square(0.1, attempts, true);
+      std::vector<std::string>          warnings;
       mesh_with_size(0.1, warnings, attempts);
       EXPECT_NE(warnings.front().find("triangles are left"), std::string::npos)
         << warnings.front();

@@ -1,6 +1,6 @@
 // The plate reduced to Ritz vectors against the plate of the mesh.
 #include "plate_impact/contact/make_contact.h"
-#include "plate_impact/estimator/error_estimator.h"
+#include "plate_impact/estimator/energy_norm_estimator.h"
 #include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/scene/scene.h"
 #include "plate_impact/transient/ritz_reduction.h"

@@ -58,8 +58,7 @@ namespace PlateImpact
     for (const auto &cell : mesh.active_cell_iterators())
       {
         const unsigned int c = cell->active_cell_index();
-        // infinite without an error
-        sizes[c] = cell_size(cell) /
+        sizes[c]             = cell_size(cell) /
           std::pow(error.elements[c], size_exponent(cell, adaptivity));
       }
     return sizes;

@@ -16,18 +16,6 @@ namespace PlateImpact
 
 
 
-    /// A cell is coarsened by as many levels as its target size exceeds this
-    /// multiple of it. The error of a cell grows by 2^{p+1} when it is
-    /// coarsened (p = 2), while h_new = h / xi'^phi counts on 2^{1/phi}:
-    /// without the factor the next cycle refines again what this one coarsens.
-    double
-    coarsening_margin(const double size_exponent)
-    {
-      return std::max(1., std::pow(2., 3. * size_exponent - 1.));
-    }
-
-
-
     /// Level that brings a cell to its target size, as far as the smallest and
     /// the largest size allow it; of these the largest comes first.
     int
@@ -39,7 +27,11 @@ namespace PlateImpact
       const auto   levels = [](const double ratio) {
         return std::ceil(std::log2(ratio) - rounding);
       };
-      const double margin     = coarsening_margin(adaptivity.size_exponent);
+      // The error of a cell grows by 2^{p+1} when it is coarsened (p = 2),
+      // while h_new = h / xi'^phi counts on 2^{1/phi}: without the margin the
+      // next cycle refines again what this one coarsens.
+      const double margin =
+        std::max(1., std::pow(2., 3. * adaptivity.size_exponent - 1.));
       const double refinement = levels(h / target_size);
       const double coarsening = std::min(0., levels(margin * h / target_size));
       const double most =

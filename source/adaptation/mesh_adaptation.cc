@@ -4,26 +4,14 @@
 #include <deal.II/lac/vector.h>
 
 #include "plate_impact/base/entries.h"
+#include "plate_impact/plate/plate_mesh.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace PlateImpact
 {
   using namespace dealii;
-
-  std::vector<CellId>
-  sorted_cells(const Triangulation<2> &mesh)
-  {
-    std::vector<CellId> cells;
-    for (const auto &cell : mesh.active_cell_iterators())
-      cells.push_back(cell->id());
-    std::sort(cells.begin(), cells.end());
-    return cells;
-  }
-
-
 
   namespace
   {
@@ -37,17 +25,6 @@ namespace PlateImpact
           return false;
       adapting.mesh.refine_global();
       return true;
-    }
-
-
-
-    /// To about five digits.
-    double
-    rounded_to_sixteen_bits(const double value)
-    {
-      int          exponent;
-      const double mantissa = std::frexp(value, &exponent);
-      return std::ldexp(std::round(std::ldexp(mantissa, 16)), exponent - 16);
     }
 
 
@@ -70,9 +47,15 @@ namespace PlateImpact
       };
       const std::vector<CellId> before = sorted_cells(mesh);
       Vector<double>            criteria(errors.begin(), errors.end());
-      // of cells that mirror each other all or none: round-off ranks no one
+      // Of cells that mirror each other all or none: round-off ranks no one
+      // when 16 bits are left, about five digits.
       for (double &criterion : criteria)
-        criterion = rounded_to_sixteen_bits(criterion);
+        {
+          int          exponent;
+          const double mantissa = std::frexp(criterion, &exponent);
+          criterion =
+            std::ldexp(std::round(std::ldexp(mantissa, 16)), exponent - 16);
+        }
       for (const auto &cell : mesh.active_cell_iterators())
         if (is_settled(cell))
           criteria[cell->active_cell_index()] = 0.;
@@ -103,6 +86,79 @@ namespace PlateImpact
 
 
 
+    /// Cells of a first mesh towards a load, at most: along a line that is much
+    /// longer than wide they are too many.
+    constexpr unsigned int most_cells_at_first = 5000;
+
+
+
+    /// Refines cells that are larger than theta times their distance from the
+    /// contact, again and again, as long as the maximum of cells allows it.
+    /// @return whether the mesh is refined
+    bool
+    refine_towards_contact(Triangulation<2>           &mesh,
+                           const double                theta,
+                           const AdaptivityParameters &adaptivity,
+                           const double                contact_half_length)
+    {
+      for (bool is_refined = false;; is_refined = true)
+        {
+          bool is_marked = false;
+          for (const auto &cell : mesh.active_cell_iterators())
+            {
+              const Point<2> centre = cell->center();
+              const Point<2> nearest(std::clamp(centre[0],
+                                                -contact_half_length,
+                                                contact_half_length),
+                                     0.);
+              if (cell_size(cell) > theta * centre.distance(nearest) &&
+                  !is_smallest(cell, adaptivity))
+                {
+                  cell->set_refine_flag();
+                  is_marked = true;
+                }
+            }
+          if (!is_marked)
+            return is_refined;
+          // with those that hanging nodes ask for
+          mesh.prepare_coarsening_and_refinement();
+          unsigned int n_cells = mesh.n_active_cells();
+          for (const auto &cell : mesh.active_cell_iterators())
+            n_cells += cell->refine_flag_set() ? 3 : 0;
+          if (n_cells > adaptivity.maximum_cells)
+            {
+              for (const auto &cell : mesh.active_cell_iterators())
+                cell->clear_refine_flag();
+              return is_refined;
+            }
+          mesh.execute_coarsening_and_refinement();
+        }
+    }
+
+
+
+    /// A mesh chosen before anything is known of its error: cells are at most
+    /// theta r large, r the distance of their centre from the contact, down to
+    /// the minimum cell size. The ratio theta is 1 first and halved from mesh
+    /// to mesh.
+    bool
+    refine_graded(const Adapting &adapting)
+    {
+      const AdaptivityParameters &adaptivity = adapting.adaptivity;
+      // below that, cells far from the contact are at the minimum size as well
+      const double smallest_theta = adaptivity.minimum_cell_size /
+        (2. * adapting.mesh.n_active_cells() * adaptivity.maximum_cell_size);
+      for (double theta = 1.; theta > smallest_theta; theta *= 0.5)
+        if (refine_towards_contact(adapting.mesh,
+                                   theta,
+                                   adaptivity,
+                                   adapting.contact_half_length))
+          return true;
+      return false;
+    }
+
+
+
     struct StrategyRow
     {
       AdaptationStrategy choice;
@@ -110,29 +166,22 @@ namespace PlateImpact
       bool (*adapt)(const Adapting &);
       /// Sizes of cells that take the place of the present ones, by active
       /// index; null of strategies that refine cells once. [m]
-      decltype(&target_sizes) wanted_sizes;
+      decltype(&target_sizes) wanted_sizes = nullptr;
     };
 
     const std::vector<StrategyRow> strategies = {
       {AdaptationStrategy::none,
        "none",
-       [](const Adapting &) { return false; },
-       nullptr},
+       [](const Adapting &) { return false; }},
       {AdaptationStrategy::hanging_nodes,
        "hanging nodes",
        adapt_by_hanging_nodes,
        target_sizes},
       {AdaptationStrategy::remeshing, "remeshing", remesh, sizes_for_remeshing},
-      {AdaptationStrategy::fixed_fraction,
-       "fixed fraction",
-       refine_ranked,
-       nullptr},
-      {AdaptationStrategy::fixed_number,
-       "fixed number",
-       refine_ranked,
-       nullptr},
-      {AdaptationStrategy::uniform, "uniform", refine_uniformly, nullptr},
-      {AdaptationStrategy::graded, "graded", refine_graded, nullptr}};
+      {AdaptationStrategy::fixed_fraction, "fixed fraction", refine_ranked},
+      {AdaptationStrategy::fixed_number, "fixed number", refine_ranked},
+      {AdaptationStrategy::uniform, "uniform", refine_uniformly},
+      {AdaptationStrategy::graded, "graded", refine_graded}};
 
     const std::vector<Word<AdaptationGoal>> goals = {
       {AdaptationGoal::energy_norm, "energy norm"},
@@ -214,6 +263,24 @@ namespace PlateImpact
 
 
   void
+  refine_towards_load(Triangulation<2> &mesh, const Parameters &parameters)
+  {
+    AdaptivityParameters grading = parameters.adaptivity;
+    // cells that may be halved are larger than the patch
+    grading.minimum_cell_size = 0.5 *
+      (parameters.contact.has_patch() ? parameters.contact.patch_radius :
+                                        parameters.plate.thickness);
+    grading.maximum_cells =
+      std::min(grading.maximum_cells, most_cells_at_first);
+    refine_towards_contact(mesh,
+                           1.,
+                           grading,
+                           parameters.impactor.contact_half_length());
+  }
+
+
+
+  void
   AdaptivityParameters::declare_entries(Entries &entries)
   {
     const auto share = number_between(0, 1);
@@ -246,10 +313,7 @@ namespace PlateImpact
              "of the mesh use their patches.");
     entry("Target error", "0.05", share, target_error)
       .means("Relative error in the energy norm eta, a fraction. [-]");
-    entry("Target peak force error",
-          "1e-3",
-          number_between(0, 1),
-          target_peak_force_error)
+    entry("Target peak force error", "1e-3", share, target_peak_force_error)
       .means("For Goal = peak force: the largest error bar of the peak force, "
              "relative to it. [-]");
     entry("Verify", "false", truth(), verify)

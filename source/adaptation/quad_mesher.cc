@@ -1,11 +1,9 @@
 #include "plate_impact/adaptation/quad_mesher.h"
 
 #include <deal.II/base/bounding_box.h>
-#include <deal.II/base/tensor.h>
 
 #include "plate_impact/base/exceptions.h"
 
-#include <algorithm>
 #include <cmath>
 #include <new>
 #include <unordered_map>
@@ -24,22 +22,17 @@ namespace PlateImpact
 
 
 
-    int
-    add_point(const Point<2> &point, const double scale)
-    {
-      return gmsh::model::geo::addPoint(point[0] / scale, point[1] / scale, 0.);
-    }
-
-
-
     void
     add_domain(const std::vector<Point<2>> &corners,
                const std::vector<Point<2>> &inside,
                const double                 scale)
     {
       std::vector<int> points, sides, embedded;
+      const auto       add = [=](const Point<2> &p) {
+        return gmsh::model::geo::addPoint(p[0] / scale, p[1] / scale, 0.);
+      };
       for (const Point<2> &corner : corners)
-        points.push_back(add_point(corner, scale));
+        points.push_back(add(corner));
       for (unsigned int i = 0; i < points.size(); ++i)
         sides.push_back(
           gmsh::model::geo::addLine(points[i],
@@ -47,7 +40,7 @@ namespace PlateImpact
       const int surface = gmsh::model::geo::addPlaneSurface(
         {gmsh::model::geo::addCurveLoop(sides)});
       for (const Point<2> &point : inside)
-        embedded.push_back(add_point(point, scale));
+        embedded.push_back(add(point));
       gmsh::model::geo::synchronize();
       if (!embedded.empty())
         gmsh::model::mesh::embed(0, embedded, 2, surface);
@@ -79,24 +72,6 @@ namespace PlateImpact
       const int field = gmsh::model::mesh::field::add("PostView");
       gmsh::model::mesh::field::setNumber(field, "ViewTag", view);
       gmsh::model::mesh::field::setAsBackgroundMesh(field);
-    }
-
-
-
-    void
-    set_options(const MesherSettings &settings)
-    {
-      const std::vector<std::pair<std::string, double>> options = {
-        {"Geometry.Tolerance", 1e-12},
-        {"Mesh.MeshSizeExtendFromBoundary", 0},
-        {"Mesh.MeshSizeFromPoints", 0},
-        {"Mesh.MeshSizeFromCurvature", 0},
-        {"Mesh.Algorithm", settings.algorithm},
-        {"Mesh.RecombineAll", settings.recombination >= 0},
-        {"Mesh.RecombinationAlgorithm", std::max(0, settings.recombination)},
-        {"Mesh.SubdivisionAlgorithm", settings.subdivision}};
-      for (const auto &[name, value] : options)
-        gmsh::option::setNumber(name, value);
     }
 
 
@@ -153,11 +128,21 @@ namespace PlateImpact
             const std::vector<double>   &sizes,
             const MesherSettings        &settings)
     {
+      const std::pair<const char *, double> options[] = {
+        {"Geometry.Tolerance", 1e-12},
+        {"Mesh.MeshSizeExtendFromBoundary", 0},
+        {"Mesh.MeshSizeFromPoints", 0},
+        {"Mesh.MeshSizeFromCurvature", 0},
+        {"Mesh.Algorithm", settings.algorithm},
+        {"Mesh.RecombineAll", settings.recombination >= 0},
+        {"Mesh.RecombinationAlgorithm", std::max(0, settings.recombination)},
+        {"Mesh.SubdivisionAlgorithm", settings.subdivision}};
       const GmshSession session;
+      for (const auto &[name, value] : options)
+        gmsh::option::setNumber(name, value);
       // Gmsh compares lengths with absolute tolerances
       const BoundingBox<2> box(corners);
       const double scale = std::max(box.side_length(0), box.side_length(1));
-      set_options(settings);
       add_domain(corners, inside, scale);
       set_sizes(old_mesh, sizes, scale, settings.size_factor);
       gmsh::model::mesh::generate(2);
@@ -176,36 +161,6 @@ namespace PlateImpact
 
 
 
-  double
-  QuadMesh::worst_scaled_jacobian() const
-  {
-    double worst = 1.;
-    for (const auto &cell : cells)
-      for (unsigned int v = 0; v < 4; ++v)
-        {
-          const Point<2>    &corner = vertices[cell[v]];
-          const Tensor<1, 2> a      = vertices[cell[(v + 1) % 4]] - corner,
-                             b      = vertices[cell[(v + 3) % 4]] - corner;
-          const double lengths      = a.norm() * b.norm(),
-                       area         = a[0] * b[1] - a[1] * b[0];
-          worst = std::min(worst, lengths > 0. ? area / lengths : 0.);
-        }
-    return worst;
-  }
-
-
-
-  std::vector<MesherSettings>
-  default_mesher_settings()
-  {
-    // full-quad recombination halves the edges of a twice coarser mesh;
-    // cutting triangles halves theirs
-    return {{"Blossom recombination", 6, 3, 0, 1.},
-            {"triangles cut into quadrilaterals", 5, -1, 1, 2.}};
-  }
-
-
-
   QuadMesh
   mesh_by_gmsh(const std::vector<Point<2>>       &corners,
                const std::vector<Point<2>>       &inside,
@@ -217,7 +172,10 @@ namespace PlateImpact
     std::string failures;
     for (const MesherSettings &settings : attempts)
       {
-        std::string failure;
+        const auto note = [&](const std::string &failure) {
+          failures +=
+            (failures.empty() ? "" : "; ") + settings.name + ": " + failure;
+        };
         try
           {
             const QuadMesh mesh =
@@ -230,7 +188,7 @@ namespace PlateImpact
         // Gmsh 4.8 throws strings, later versions exceptions
         catch (const std::string &error)
           {
-            failure = error;
+            note(error);
           }
         catch (const std::bad_alloc &)
           {
@@ -238,10 +196,8 @@ namespace PlateImpact
           }
         catch (const std::exception &error)
           {
-            failure = error.what();
+            note(error.what());
           }
-        failures +=
-          (failures.empty() ? "" : "; ") + settings.name + ": " + failure;
       }
     throw ComputationError(
       "Gmsh made no mesh of quadrilaterals (" + failures +

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -34,15 +35,6 @@ namespace PlateImpact
 
     /// Ratio of sizes within which Gmsh's cells scatter.
     constexpr double scatter = 1.25;
-
-
-
-    double
-    rounded_size(const double size)
-    {
-      return std::exp2(std::round(sizes_per_octave * std::log2(size)) /
-                       sizes_per_octave);
-    }
 
 
 
@@ -88,16 +80,8 @@ namespace PlateImpact
 
 
 
+    /// The first and the last of the rectangle that is meshed.
     using Corners = std::pair<Point<2>, Point<2>>;
-
-    /// The first and the last corner of the rectangle that is meshed.
-    Corners
-    corners_of(const Triangulation<2> &mesh)
-    {
-      return GridTools::compute_bounding_box(mesh).get_boundary_points();
-    }
-
-
 
     /// The side of the mesh that a face of the boundary lies on. Planes of
     /// symmetry go through the impact, edges of the plate do not.
@@ -147,10 +131,8 @@ namespace PlateImpact
                                     end,
                                     {begin[0], end[1]}},
         inside;
-      std::vector<double> on_axis = {0.};
-      if (contact_half_length > 0.)
-        on_axis = {-contact_half_length, 0., contact_half_length};
-      for (const double x : on_axis)
+      for (const double x :
+           std::set<double>{0., -contact_half_length, contact_half_length})
         if (x == 0. || (x > begin[0] && x < end[0]))
           {
             if (begin[1] < 0. && begin[0] < x)
@@ -199,7 +181,9 @@ namespace PlateImpact
                           std::max(refinement_margin * size,
                    std::min(minimum_cell_size(cell, adaptivity), present)) :
                           std::max(size / growth_margin, present);
-        size = allowed_size(rounded_size(size), cell, adaptivity);
+        const double rounded = std::exp2(
+          std::round(sizes_per_octave * std::log2(size)) / sizes_per_octave);
+        size = allowed_size(rounded, cell, adaptivity);
       }
     return sizes;
   }
@@ -218,7 +202,8 @@ namespace PlateImpact
       sizes_for_remeshing(mesh, error, adaptivity);
     if (!is_worth_it(mesh, error, sizes, adaptivity))
       return false;
-    const Corners sides = corners_of(mesh);
+    const Corners sides =
+      GridTools::compute_bounding_box(mesh).get_boundary_points();
     const auto [corners, inside] =
       required_vertices(sides, contact_half_length);
     rebuild(mesh,

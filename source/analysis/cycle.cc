@@ -1,6 +1,6 @@
 #include "plate_impact/analysis/cycle.h"
 
-#include "plate_impact/estimator/error_estimator.h"
+#include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
 
 #include <algorithm>
@@ -36,6 +36,20 @@ namespace PlateImpact
 
 
 
+    /// Cells nearer to a point load than half the thickness.
+    std::vector<unsigned int>
+    singular_cells(const Parameters &parameters, const Triangulation<2> &mesh)
+    {
+      std::vector<unsigned int> cells;
+      if (parameters.contact.load_is_singular())
+        for (const auto &cell : mesh.active_cell_iterators())
+          if (cell->center().norm() < 0.5 * parameters.plate.thickness)
+            cells.push_back(cell->active_cell_index());
+      return cells;
+    }
+
+
+
     /// What is kept of a transient while it is stepped: samples for the
     /// estimator, states for the fields, and what the page shows, the state of
     /// the largest force and frames of a film, at most 48, fewer where they
@@ -67,10 +81,12 @@ namespace PlateImpact
       {
         charges.charge(&Seconds::stepping);
         if (wanted.errors)
-          estimator = make_error_estimator(impact,
-                                           cycle.discretization(),
-                                           cycle.recovery(),
-                                           wanted.film ? samples_per_frame : 0);
+          estimator.emplace(cycle.discretization(),
+                            cycle.recovery(),
+                            singular_cells(impact, cycle.mesh()),
+                            impact.adaptivity.singular_cells_count,
+                            wanted.film ? samples_per_frame : 0,
+                            impact.adaptivity.indicator);
         charges.charge(&Seconds::estimation);
       }
 
@@ -161,36 +177,14 @@ namespace PlateImpact
 
       const unsigned int sampling_interval, n_samples_at_once,
         samples_per_frame;
-      unsigned int                    n_samples = 0;
-      std::unique_ptr<ErrorEstimator> estimator; ///< where errors are wanted
+      unsigned int                       n_samples = 0;
+      std::optional<EnergyNormEstimator> estimator; ///< where errors are wanted
 
       Observation         seen; ///< states in coordinates of the system
       double              peak_force = 0.;
       std::vector<double> times;  ///< of samples that wait
       Eigen::MatrixXd     states; ///< at these
     };
-
-
-
-    /// Empty for loads under which the exact energy is infinite, and where
-    /// there is no dual problem.
-    std::optional<PeakForceError>
-    error_of_peak(const Cycle          &cycle,
-                  const Parameters     &impact,
-                  const LoadedPlate    &plate,
-                  const ContactHistory &history)
-    {
-      if (impact.contact.load_is_singular())
-        return {};
-      const auto problem = plate.peak_force_problem(history);
-      if (!problem)
-        return {};
-      return estimated_peak_force_error(cycle.discretization(),
-                                        cycle.recovery(),
-                                        *problem->system,
-                                        problem->motions,
-                                        history.peak().force);
-    }
   } // namespace
 
 
@@ -210,6 +204,27 @@ namespace PlateImpact
     result.cell_size_at_load =
       cell_sizes_near_load(mesh(), parameters.impactor.contact_half_length())
         .second;
+  }
+
+
+
+  const StressRecovery &
+  Cycle::recovery() const
+  {
+    if (stress_recovery)
+      return *stress_recovery;
+    const double line        = parameters.contact.load_is_line() ?
+             0.5 * parameters.impactor.length :
+             -1.;
+    const bool   is_interior = parameters.adaptivity.patches_are_interior;
+    const std::array<bool, 2> mirrors =
+      geometry_of(parameters.plate).is_symmetric;
+    return stress_recovery.emplace(mesh(), [=](const Point<2> &point) {
+      const bool is_on_plane =
+        (mirrors[0] && point[0] == 0.) || (mirrors[1] && point[1] == 0.);
+      return (point[1] == 0. && std::abs(point[0]) <= line) ||
+        (is_interior && is_on_plane);
+    });
   }
 
 
@@ -250,9 +265,15 @@ namespace PlateImpact
     seen.sensitivity = loaded.sensitivity(struck.history);
     seen.time_error  = loaded.time_error(struck.history);
     charges.charge(&Seconds::stepping);
-    if (wanted.errors)
-      seen.peak_force_error =
-        error_of_peak(*this, impact, loaded, struck.history);
+    // under a point load the exact energy is infinite
+    if (wanted.errors && !impact.contact.load_is_singular())
+      if (const auto problem = loaded.peak_force_problem(struck.history))
+        seen.peak_force_error =
+          estimated_peak_force_error(discretization(),
+                                     recovery(),
+                                     *problem->system,
+                                     problem->motions,
+                                     struck.history.peak().force);
     charges.charge(&Seconds::estimation);
 
     seen.work          = plate.work();

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <limits>
 
 namespace PlateImpact
 {
@@ -27,203 +26,111 @@ namespace PlateImpact
 
   namespace
   {
-    /// The error of the stresses in the energy norm, and xi' of every cell that
-    /// may still be refined (Table 1 of the paper).
-    class EnergyNormGoal : public Goal
+    /// Waves that have come back many times are everywhere, and what the cells
+    /// contribute adds up with either sign: every cell is halved once, and the
+    /// ripples of the force tell what that was worth.
+    /// @param halving  the ratio that halves a cell
+    void
+    halve_everywhere(ErrorRatios &error, const double halving)
     {
-    public:
-      using Goal::Goal;
-
-      double
-      error(const CycleResult &result) const override
-      {
-        return result.error->eta;
-      }
-
-      bool
-      is_met(const CycleResult &result) const override
-      {
-        return result.error && result.error->eta <= adaptivity.target_error;
-      }
-
-      std::optional<Outcome>
-      outcome(const CycleResult &result) const override
-      {
-        const unsigned int n_exempt =
-          adaptivity.singular_cells_count ? 0 : result.cells_at_minimum_size;
-        if (is_met(result) && result.cells_above_limit == n_exempt)
-          return Outcome::target_reached;
-        return {};
-      }
-
-      ErrorRatios
-      error_ratios(const Cycle &cycle, const double target) const override
-      {
-        return cycle.result.error->ratios(target);
-      }
-
-      std::string
-      warning(const CycleResult &result) const override
-      {
-        if (!result.error)
-          return {};
-        const std::string eta    = about_percentage(result.error->eta),
-                          target = about_percentage(adaptivity.target_error);
-        if (!is_met(result) && !adaptivity.is_adaptive())
-          return "eta is " + eta +
-            " on this mesh, more than Adaptivity/Target error, " + target +
-            "; choose Adaptivity/Strategy = hanging nodes or more Initial "
-            "cells";
-        if (!is_met(result))
-          return "eta is still " + eta + ": Adaptivity/Target error, " +
-            target +
-            ", is not met; choose more Maximum cycles, a smaller Minimum cell "
-            "size or a larger target";
-        if (adaptivity.is_adaptive() && !outcome(result))
-          return fmt::format(
-            "eta meets Adaptivity/Target error, but xi' of {} is up to {}, "
-            "wanted below 1; choose more Maximum cycles or a smaller Minimum "
-            "cell size",
-            counted(result.cells_above_limit, "cell"),
-            about(result.error_ratios->max_element()));
-        return {};
-      }
-    };
+      // halfway to the ratio of halving at least, in the order of before, by
+      // which some strategies choose
+      for (double &ratio : error.elements)
+        ratio = 1. + (halving - 1.) * (0.5 + 0.5 * ratio / (1. + ratio));
+      error.overall = halving;
+    }
 
 
 
-    /// The error bar of the peak force.
-    class PeakForceGoal : public Goal
+    /// Where there is no bar the mesh hides the load, or the waves that it
+    /// sends out, from the estimate: cells are halved once, whatever that says.
+    void
+    halve_at_load(const Cycle &cycle, ErrorRatios &error, const double halving)
     {
-    public:
-      using Goal::Goal;
+      for (const auto &cell : cycle.mesh().active_cell_iterators())
+        if (is_near_load(cell, cycle.parameters.impactor.contact_half_length()))
+          {
+            double &ratio = error.elements[cell->active_cell_index()];
+            ratio         = std::max(ratio, halving);
+          }
+      error.overall = std::max(error.overall, halving);
+    }
+  } // namespace
 
-      double
-      error(const CycleResult &result) const override
-      {
-        return result.peak_force_error ?
-          result.peak_force_error->bar() :
-          std::numeric_limits<double>::infinity();
-      }
 
-      bool
-      is_met(const CycleResult &result) const override
-      {
-        return result.peak_force_bar &&
-          result.peak_force_bar->total() <= adaptivity.target_peak_force_error;
-      }
 
-      std::optional<Outcome>
-      outcome(const CycleResult &result) const override
-      {
-        if (is_met(result))
-          return Outcome::target_reached;
-        // the mesh may have half of the target in any case
-        if (result.peak_force_bar &&
-            result.peak_force_bar->space <=
-              0.5 * adaptivity.target_peak_force_error)
-          return Outcome::time_step_too_coarse;
-        return {};
-      }
+  /// Of the peak force every cell may have the same share of the target. The
+  /// ratio is that of the roots, which fall with the cell size as errors in the
+  /// energy norm do.
+  ErrorRatios
+  Goal::error_ratios(const Cycle &cycle, const double target) const
+  {
+    const CycleResult &result = cycle.result;
+    if (!is_for_peak)
+      return result.error->ratios(target);
+    const double all = error(result),
+                 bar = result.peak_force_bar ?
+      std::min(all, result.peak_force_bar->space) :
+      all;
+    // What the time step leaves to the mesh, but a tenth of what there is at
+    // most: estimates on coarse meshes do not tell more.
+    const double for_mesh = std::max(
+      {0.5 * target, target - result.time_error.value_or(0.), 0.1 * bar});
+    const std::vector<double> &cells = result.peak_force_error->cells;
+    // waves that have come back add up to less than their contributions
+    const double share =
+      for_mesh / (safety_of_bar * cells.size()) * (all / bar);
+    ErrorRatios ratios{bar / for_mesh, std::sqrt(share), {}};
+    // Near the target no cell grows: the estimate knows nothing of the waves
+    // that a coarser mesh turns back after the window.
+    const double near_target = 3.,
+                 least = ratios.overall < near_target ? 1. / near_target : 0.;
+    for (const double cell : cells)
+      ratios.elements.push_back(
+        std::max(least, std::sqrt(std::abs(cell) / share)));
+    const double halving = std::exp2(1. / adaptivity.size_exponent);
+    if (!result.peak_force_bar && result.time_error)
+      halve_at_load(cycle, ratios, halving);
+    else if (result.peak_force_bar && result.peak_is_late &&
+             result.history->peak_is_on_ripples())
+      halve_everywhere(ratios, halving);
+    return ratios;
+  }
 
-      /// Every cell may have the same share of the target. The ratio is that of
-      /// the roots, which fall with the cell size as errors in the energy norm
-      /// do.
-      ErrorRatios
-      error_ratios(const Cycle &cycle, const double target) const override
-      {
-        const CycleResult &result = cycle.result;
-        const double       all    = error(result),
-                     bar          = result.peak_force_bar ?
-                   std::min(all, result.peak_force_bar->space) :
-                   all;
-        // What the time step leaves to the mesh, but a tenth of what there is
-        // at most: estimates on coarse meshes do not tell more.
-        const double for_mesh = std::max(
-          {0.5 * target, target - result.time_error.value_or(0.), 0.1 * bar});
-        const std::vector<double> &cells = result.peak_force_error->cells;
-        // waves that have come back add up to less than their contributions
-        const double share =
-          for_mesh / (safety_of_bar * cells.size()) * (all / bar);
-        ErrorRatios error{bar / for_mesh, std::sqrt(share), {}};
-        // Near the target no cell grows: the estimate knows nothing of the
-        // waves that a coarser mesh turns back after the window.
-        const double near_target = 3.,
-                     least =
-                       error.overall < near_target ? 1. / near_target : 0.;
-        for (const double cell : cells)
-          error.elements.push_back(
-            std::max(least, std::sqrt(std::abs(cell) / share)));
-        if (!result.peak_force_bar && result.time_error)
-          refine_at_load(cycle, error);
-        else if (result.peak_force_bar && result.peak_is_late &&
-                 result.history->peak_is_on_ripples())
-          refine_everywhere(error);
-        return error;
-      }
 
-      std::string
-      warning(const CycleResult &result) const override
-      {
-        if (is_met(result))
-          return {};
-        return fmt::format(
+
+  std::string
+  Goal::warning(const CycleResult &result) const
+  {
+    const std::string target = about_percentage(adaptivity.target());
+    if (is_for_peak)
+      return is_met(result) ?
+        "" :
+        fmt::format(
           "the error bar of the peak force is {}: Adaptivity/Target peak force "
           "error, {}, is not met; choose more Maximum cycles, a smaller Time "
           "step or Minimum cell size, or a larger target",
           result.peak_force_bar ?
             about_percentage(result.peak_force_bar->total()) :
             "not known",
-          about_percentage(adaptivity.target_peak_force_error));
-      }
-
-    private:
-      double
-      ratio_of_halving() const
-      {
-        return std::exp2(1. / adaptivity.size_exponent);
-      }
-
-      /// Waves that have come back many times are everywhere, and what the
-      /// cells contribute adds up with either sign: every cell is halved once,
-      /// and the ripples of the force tell what that was worth.
-      void
-      refine_everywhere(ErrorRatios &error) const
-      {
-        // halfway to the ratio of halving at least, in the order of before, by
-        // which some strategies choose
-        const double most = ratio_of_halving() - 1.;
-        for (double &ratio : error.elements)
-          ratio = 1. + most * (0.5 + 0.5 * ratio / (1. + ratio));
-        error.overall = ratio_of_halving();
-      }
-
-      /// Where there is no bar the mesh hides the load, or the waves that it
-      /// sends out, from the estimate: cells are halved once, whatever that
-      /// says.
-      void
-      refine_at_load(const Cycle &cycle, ErrorRatios &error) const
-      {
-        const double halving = ratio_of_halving();
-        for (const auto &cell : cycle.mesh().active_cell_iterators())
-          if (is_near_load(cell,
-                           cycle.parameters.impactor.contact_half_length()))
-            {
-              double &ratio = error.elements[cell->active_cell_index()];
-              ratio         = std::max(ratio, halving);
-            }
-        error.overall = std::max(error.overall, halving);
-      }
-    };
-  } // namespace
-
-
-
-  std::unique_ptr<const Goal>
-  make_goal(const AdaptivityParameters &adaptivity)
-  {
-    if (adaptivity.goal == AdaptationGoal::peak_force)
-      return std::make_unique<PeakForceGoal>(adaptivity);
-    return std::make_unique<EnergyNormGoal>(adaptivity);
+          target);
+    if (!result.error)
+      return {};
+    const std::string eta = about_percentage(result.error->eta);
+    if (!is_met(result) && !adaptivity.is_adaptive())
+      return "eta is " + eta +
+        " on this mesh, more than Adaptivity/Target error, " + target +
+        "; choose Adaptivity/Strategy = hanging nodes or more Initial cells";
+    if (!is_met(result))
+      return "eta is still " + eta + ": Adaptivity/Target error, " + target +
+        ", is not met; choose more Maximum cycles, a smaller Minimum cell "
+        "size or a larger target";
+    if (adaptivity.is_adaptive() && !outcome(result))
+      return fmt::format(
+        "eta meets Adaptivity/Target error, but xi' of {} is up to {}, wanted "
+        "below 1; choose more Maximum cycles or a smaller Minimum cell size",
+        counted(result.cells_above_limit, "cell"),
+        about(result.error_ratios->max_element()));
+    return {};
   }
 } // namespace PlateImpact

@@ -37,12 +37,11 @@ namespace PlateImpact
     , wanted(wanted.value_or(Wanted{parameters.needs_estimator(),
                                     parameters.output.write_report,
                                     parameters.output.field_samples}))
-    , expected(parameters.has_impactor() ?
-                 std::make_optional(make_zener_impact(parameters)) :
-                 std::nullopt)
-    , time_control(expected ?
-                     std::make_optional<TimeControl>(parameters, *expected) :
-                     std::nullopt)
+    , time_control(
+        parameters.has_impactor() ?
+          std::make_optional<TimeControl>(parameters,
+                                          make_zener_impact(parameters)) :
+          std::nullopt)
     , mesh(std::move(first_mesh))
   {
     const Timer timer;
@@ -70,12 +69,12 @@ namespace PlateImpact
         auto outcome = control.check(current->result); // decide
         if (!outcome)
           outcome = adapt(control, listener); // the next mesh
-        if (outcome && time_control)
-          if (const auto rest = time_control->rest(window, current->result))
-            {
-              window = *rest;
-              observe(listener);
-            }
+        if (outcome && time_control &&
+            !time_control->is_whole(window, current->result))
+          {
+            window.extent = Extent::whole;
+            observe(listener);
+          }
         listener.cycle(*current); // tell
         if (outcome)
           return *outcome;
@@ -89,10 +88,18 @@ namespace PlateImpact
   {
     listener.stage(n_cycles + 1, "matrices");
     const Timer timer;
-    before = std::move(here);
-    here.reset();
-    const double seconds_before =
-      current != nullptr ? current->result.cumulative_seconds() : 0.;
+    before.reset();
+    double seconds_before = 0.;
+    if (current != nullptr)
+      {
+        const CycleResult &last = current->result;
+        seconds_before          = last.cumulative_seconds();
+        if (last.peak_force_error)
+          before = Struck{{last.history->peak().force,
+                           last.mesh_part_of_bar,
+                           last.cells},
+                          *last.history};
+      }
     current.reset();
     current = std::make_unique<Cycle>(++n_cycles, parameters, std::move(mesh));
     current->result.seconds.mesh   = seconds_for_mesh;
@@ -142,10 +149,6 @@ namespace PlateImpact
     const Timer timer;
     static_cast<Observation &>(result) = std::move(seen);
     static_cast<Judgement &>(result)   = judgement();
-    if (result.peak_force_error)
-      here =
-        Struck{{result.history->peak().force, mesh_part_of_bar(), result.cells},
-               *result.history};
     if (result.new_vectors > 0.7 * result.steps ||
         (result.new_vectors > 0 &&
          result.new_solves >= result.new_vectors + 0.5 * result.steps))
@@ -172,10 +175,12 @@ namespace PlateImpact
                              " steps; choose a larger Time/Time step, or "
                              "Adaptivity/Goal = energy norm");
     Judgement worth;
-    worth.peak_is_late = time_control->is_late(*result.history);
-    if (const auto space = mesh_part_of_bar(); space && result.time_error)
-      worth.peak_force_bar =
-        PeakForceBar{*space, *result.time_error, result.vector_error};
+    worth.peak_is_late     = time_control->is_late(*result.history);
+    worth.mesh_part_of_bar = mesh_part_of_bar();
+    if (worth.mesh_part_of_bar && result.time_error)
+      worth.peak_force_bar = PeakForceBar{*worth.mesh_part_of_bar,
+                                          *result.time_error,
+                                          result.vector_error};
     if (!result.error)
       return worth;
     worth.error_ratios = result.error->ratios(adaptivity.target_error);
@@ -203,33 +208,27 @@ namespace PlateImpact
     // nor does a change of the force tell anything where no mesh sees the waves
     // that the contact sends out
     if (result.cell_size_at_load >
-        0.5 * std::max(expected->wave().length, 2. * load))
+        0.5 * std::max(time_control->expected.wave().length, 2. * load))
       return {};
-    return peak_force_error_by_mesh(
-      *result.peak_force_error,
-      result.history->peak().force,
-      before ? std::optional(before->peak) : std::nullopt,
-      result.cell_size_at_load <= load,
-      time_control->returns_before_peak(*result.history),
-      change_around_peak());
-  }
-
-
-
-  std::optional<double>
-  ImpactAnalysis::change_around_peak() const
-  {
-    const ContactHistory &history = *current->result.history;
-    if (!before)
-      return {};
-    const ContactState &peak = history.peak();
-    const double around = history.difference_around(peak.time, before->history);
-    if (around == 0.) // the mesh before was not watched until then
-      return {};
-    // two peaks may agree by accident, all ripples around them do not
-    return std::max(std::abs(peak.force - before->history.peak().force),
-                    around) /
-      peak.force;
+    const ContactState   &peak = result.history->peak();
+    std::optional<double> change;
+    if (before)
+      {
+        // two peaks may agree by accident, all ripples around them do not; 0
+        // where the mesh before was not watched until then
+        const double around =
+          result.history->difference_around(peak.time, before->history);
+        if (around != 0.)
+          change =
+            std::max(std::abs(peak.force - before->force), around) / peak.force;
+      }
+    return peak_force_error_by_mesh(*result.peak_force_error,
+                                    peak.force,
+                                    before,
+                                    result.cell_size_at_load <= load,
+                                    time_control->returns_before_peak(
+                                      *result.history),
+                                    change);
   }
 
 
@@ -259,7 +258,8 @@ namespace PlateImpact
             if (adapted->n_active_cells() > adaptivity.maximum_cells)
               return Outcome::maximum_cells;
             if (time_control)
-              window = time_control->on_next_mesh(window, current->result);
+              window =
+                time_control->on_next_mesh(window, *current->result.history);
             mesh             = std::move(adapted);
             seconds_for_mesh = timer.wall_time();
             return {};
@@ -313,13 +313,13 @@ namespace PlateImpact
   Warnings
   ImpactAnalysis::all_warnings() const
   {
-    if (!expected)
+    if (!time_control)
       return {};
     Parameters last_struck = parameters;
     last_struck.time       = current->result.time;
     Warnings all =
-      reliability_warnings({last_struck, *expected, current->result},
-                           current->mesh());
+      impact_warnings({last_struck, time_control->expected, current->result},
+                      &current->mesh());
     all.numerical.insert(all.numerical.end(), warnings.begin(), warnings.end());
     return all;
   }

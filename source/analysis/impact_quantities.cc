@@ -51,15 +51,6 @@ namespace PlateImpact
 
 
     Value
-    delamination_threshold(const ComputedImpact &impact)
-    {
-      const auto crack = delamination(impact);
-      return crack ? Value(crack->threshold) : Value();
-    }
-
-
-
-    Value
     restitution(const ComputedImpact &impact)
     {
       if (impact.history.n_contacts() == 0 || impact.last.overlap() > 0. ||
@@ -70,19 +61,12 @@ namespace PlateImpact
 
 
 
-    bool
-    is_sphere(const ComputedImpact &impact)
-    {
-      return !impact.impactor.is_cylinder();
-    }
-
-
-
     Value
     restitution_over_zener(const ComputedImpact &impact)
     {
       const Value e = restitution(impact);
-      if (!is_sphere(impact) || !e || impact.history.n_contacts() != 1)
+      if (impact.impactor.is_cylinder() || !e ||
+          impact.history.n_contacts() != 1)
         return {};
       const double of_zener = impact.expected.restitution();
       return of_zener > 0. ? Value(*e / of_zener) : Value();
@@ -92,114 +76,77 @@ namespace PlateImpact
 
 
   const std::vector<ImpactQuantity> impact_quantities = {
-    {"peak_force",
-     "Peak force",
-     "N",
+    {{"peak_force", "Peak force", "N"},
      [](Computed i) -> Value { return i.peak.force; }},
-    {"time_of_peak_force",
-     "Time of the peak force",
-     "s",
+    {{"time_of_peak_force", "Time of the peak force", "s"},
      [](Computed i) -> Value { return i.peak.time; }},
-    {"first_contact_end",
-     "End of the first contact",
-     "s",
+    {{"first_contact_end", "End of the first contact", "s"},
      [](Computed i) { return i.history.first_contact_end(); }},
-    {"number_of_contacts",
-     "Number of contacts",
-     "",
+    {{"number_of_contacts", "Number of contacts"},
      [](Computed i) -> Value { return i.history.n_contacts(); }},
-    {"impulse",
-     "Impulse",
-     "N s",
+    {{"impulse", "Impulse", "N s"},
      [](Computed i) -> Value { return i.result.impulse; }},
-    {"final_impactor_velocity",
-     "Final velocity of the impactor",
-     "m/s",
+    {{"final_impactor_velocity", "Final velocity of the impactor", "m/s"},
      [](Computed i) -> Value { return i.last.impactor_velocity; }},
-    {"max_plate_displacement",
-     "Largest displacement of the plate",
-     "m",
+    {{"max_plate_displacement", "Largest displacement of the plate", "m"},
      [](Computed i) -> Value { return i.history.max_plate_displacement(); }},
-    {"contact_radius_over_thickness",
-     "Largest contact radius over the thickness",
-     "",
+    {{"contact_radius_over_thickness",
+      "Largest contact radius over the thickness"},
      [](Computed i) -> Value {
        return i.bodies.radius(i.peak.force, i.peak.indentation) /
          i.plate.thickness;
      }},
-    {"relative_energy_drift",
-     "Relative drift of the energy",
-     "",
+    {{"relative_energy_drift", "Relative drift of the energy"},
      [](Computed i) -> Value { return i.history.relative_energy_drift(); }},
-    {"coefficient_of_restitution",
-     "Coefficient of restitution",
-     "",
-     restitution},
-    {"plate_energy_fraction",
-     "Energy left in the plate, fraction",
-     "",
+    {{"coefficient_of_restitution", "Coefficient of restitution"}, restitution},
+    {{"plate_energy_fraction", "Energy left in the plate, fraction"},
      [](Computed i) -> Value {
        return i.last.plate_energy / i.first.total_energy();
      }},
-    {"zener_loss_factor",
-     "Loss factor of Zener's formula",
-     "",
+    {{"zener_loss_factor", "Loss factor of Zener's formula"},
      [](Computed i) {
-       return is_sphere(i) ? i.expected.loss_factor() : Value();
+       return i.impactor.is_cylinder() ? Value() : i.expected.loss_factor();
      }},
-    {"peak_force_over_zener",
-     "Peak force over Zener's",
-     "",
+    {{"peak_force_over_zener", "Peak force over Zener's"},
      [](Computed i) {
-       return is_sphere(i) ? i.peak.force / i.expected.peak.force : Value();
+       return i.impactor.is_cylinder() ? Value() :
+                                         i.peak.force / i.expected.peak.force;
      }},
-    {"restitution_over_zener",
-     "Restitution over Zener's",
-     "",
+    {{"restitution_over_zener", "Restitution over Zener's"},
      restitution_over_zener},
-    {"discretization_error",
-     "Relative error in the energy norm eta, fraction",
-     "",
+    {{"discretization_error",
+      "Relative error in the energy norm eta, fraction"},
      [](Computed i) {
        return i.result.error ? Value(i.result.error->eta) : Value();
      }},
-    {"peak_force_error_bar",
-     "Error bar of the peak force, fraction",
-     "",
+    {{"peak_force_error_bar", "Error bar of the peak force, fraction"},
      [](Computed i) {
        const auto &bar = i.result.peak_force_bar;
        return bar ? Value(bar->total()) : Value();
      }},
-    {"contact_pressure", "Largest contact pressure", "Pa", contact_pressure},
-    {"mean_pressure_over_yield_strength",
-     "Mean contact pressure over the yield strength",
-     "",
+    {{"contact_pressure", "Largest contact pressure", "Pa"}, contact_pressure},
+    {{"mean_pressure_over_yield_strength",
+      "Mean contact pressure over the yield strength"},
      pressure_over_strength},
-    {"permanent_indentation",
-     "Dent",
-     "m",
+    {{"permanent_indentation", "Dent", "m"},
      [](Computed i) { return if_dented(i, i.last.permanent_indentation); }},
-    {"dissipated_energy",
-     "Energy dissipated by the contact",
-     "J",
+    {{"dissipated_energy", "Energy dissipated by the contact", "J"},
      [](Computed i) { return if_dented(i, i.last.dissipated_energy); }},
-    {"plate_dissipated_energy",
-     "Energy dissipated by the plate",
-     "J",
+    {{"plate_dissipated_energy", "Energy dissipated by the plate", "J"},
      [](Computed i) -> Value {
        const double energy = i.last.plate_dissipated_energy;
        return energy > 0. ? Value(energy) : Value();
      }},
-    {"delamination_threshold",
-     "Delamination threshold",
-     "N",
-     delamination_threshold},
-    {"peak_force_over_delamination_threshold",
-     "Peak force over the delamination threshold",
-     "",
-     [](Computed i) -> Value {
-       const Value threshold = delamination_threshold(i);
-       return threshold ? Value(i.peak.force / *threshold) : Value();
+    {{"delamination_threshold", "Delamination threshold", "N"},
+     [](Computed i) {
+       const auto crack = delamination(i);
+       return crack ? Value(crack->threshold) : Value();
+     }},
+    {{"peak_force_over_delamination_threshold",
+      "Peak force over the delamination threshold"},
+     [](Computed i) {
+       const auto crack = delamination(i);
+       return crack ? Value(i.peak.force / crack->threshold) : Value();
      }}};
 
 

@@ -180,7 +180,7 @@ namespace PlateImpact
 
 
   Warnings
-  impact_warnings(const ComputedImpact &impact)
+  impact_warnings(const ComputedImpact &impact, const Triangulation<2> *mesh)
   {
     Sentences of_time;
     warn_of_step(impact, of_time);
@@ -190,27 +190,19 @@ namespace PlateImpact
     warnings.numerical.insert(warnings.numerical.begin(),
                               of_time.begin(),
                               of_time.end());
-    return warnings;
-  }
-
-
-
-  Warnings
-  reliability_warnings(const ComputedImpact   &impact,
-                       const Triangulation<2> &mesh)
-  {
-    Warnings   warnings = impact_warnings(impact);
-    const auto goal     = make_goal(impact.parameters.adaptivity);
+    if (mesh == nullptr)
+      return warnings;
+    const Goal goal(impact.parameters.adaptivity);
     // of the cells that the waves of the contact reach
     const double largest_cell =
-      cell_sizes_near_load(mesh,
+      cell_sizes_near_load(*mesh,
                            impact.impactor.contact_half_length(),
                            impact.expected.wave().group_speed *
                              impact.parameters.time.end_time)
         .second;
-    if (!goal->is_met(impact.result))
+    if (!goal.is_met(impact.result))
       warn_of_resolution(impact, largest_cell, warnings.numerical);
-    if (const auto warning = goal->warning(impact.result); !warning.empty())
+    if (const auto warning = goal.warning(impact.result); !warning.empty())
       warnings.numerical.push_back(warning);
     warn_of_mesh(impact, largest_cell, warnings.numerical);
     return warnings;

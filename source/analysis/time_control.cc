@@ -3,7 +3,6 @@
 #include "plate_impact/analysis/goal.h"
 #include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/transient/newmark_scheme.h"
-#include "plate_impact/transient/plate_model.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +35,8 @@ namespace PlateImpact
 
 
   TimeControl::TimeControl(const Parameters &scene, const ZenerImpact &expected)
-    : scene(scene)
+    : expected(expected)
+    , scene(scene)
     , is_for_peak(scene.adaptivity.is_for_peak_force())
     , length_of_rise(2.5 * expected.peak.time)
     , return_of_waves(2. * geometry_of(scene.plate).distance_to_edge /
@@ -46,34 +46,11 @@ namespace PlateImpact
 
 
   Window
-  TimeControl::first() const
-  {
-    const TimeParameters &time = scene.time;
-    const bool            waves_return =
-      time.end_time == 0. || time.end_time > return_of_waves;
-    return {!is_for_peak   ? Extent::whole :
-              waves_return ? Extent::peak_search :
-                             Extent::to_peak,
-            time.time_step,
-            length_of_rise};
-  }
-
-
-
-  Window
-  TimeControl::on_next_mesh(const Window &last, const CycleResult &seen) const
+  TimeControl::on_next_mesh(const Window         &last,
+                            const ContactHistory &history) const
   {
     if (!is_for_peak)
       return last;
-    return with_peak(last, *seen.history);
-  }
-
-
-
-  Window
-  TimeControl::with_peak(const Window         &last,
-                         const ContactHistory &history) const
-  {
     const double peak = history.peak().time;
     Window       next{Extent::to_peak,
                 last.step,
@@ -105,7 +82,7 @@ namespace PlateImpact
           next.extent = Extent::to_peak;
         else
           {
-            next = with_peak(last, *seen.history);
+            next = on_next_mesh(last, *seen.history);
             if (scene.time.step_is_chosen)
               next.step = std::min(next.step, peak / fewest_steps_to_late_peak);
           }
@@ -120,48 +97,10 @@ namespace PlateImpact
     next.step = wanted_step(last, seen);
     if (next.step < last.step)
       return next;
-    if (is_end || !make_goal(scene.adaptivity)->is_met(seen))
+    if (is_end || !Goal(scene.adaptivity).is_met(seen))
       return {};
     next.extent = Extent::whole;
     return next;
-  }
-
-
-
-  std::optional<Window>
-  TimeControl::rest(const Window &last, const CycleResult &seen) const
-  {
-    if (!is_for_peak || is_whole(last, seen))
-      return {};
-    Window rest = last;
-    rest.extent = Extent::whole;
-    return rest;
-  }
-
-
-
-  double
-  TimeControl::returns_before_peak(const ContactHistory &history) const
-  {
-    return history.peak().time / return_of_waves;
-  }
-
-
-
-  bool
-  TimeControl::is_late(const ContactHistory &history) const
-  {
-    return returns_before_peak(history) > 1.;
-  }
-
-
-
-  bool
-  TimeControl::is_whole(const Window &window, const CycleResult &seen) const
-  {
-    const double end = scene.time.end_time; // 0 for that of the contact
-    return window.extent == Extent::whole ||
-      (end > 0. && seen.history->states().back().time >= (1. - 1e-9) * end);
   }
 
 

@@ -67,14 +67,14 @@ namespace PlateImpact
       {
         if (const auto outcome = end(result))
           return outcome;
-        const double error      = goal->error(result);
+        const double error      = goal.error(result);
         const bool   is_in_vain = result.cells_at_minimum_size > 0 &&
           error > least_progress * error_before;
         if (is_in_vain)
           return Outcome::minimum_cell_size;
         error_before = error;
         n_halvings   = 0;
-        while (goal->error(result) <= target && tighten())
+        while (goal.error(result) <= target && tighten())
           ;
         return {};
       }
@@ -225,9 +225,9 @@ namespace PlateImpact
     const std::function<void(const ComparisonCurve &)> &listener)
   {
     const Parameters parameters = parameters_of(curve.strategy, curve.element);
-    const auto       goal       = make_goal(parameters.adaptivity);
-    double           seconds    = 0.; // of the meshes so far
-    Timer            timer;           // of the next one
+    const Goal       goal(parameters.adaptivity);
+    double           seconds = 0.; // of the meshes so far
+    Timer            timer;        // of the next one
     const auto       is_spent = [&] {
       return !curve.meshes.empty() &&
         seconds + timer.wall_time() > parameters.comparison.time_budget;
@@ -238,7 +238,7 @@ namespace PlateImpact
       // there is nothing to learn from a comparison
       if (reference.computed &&
           (parameters.adaptivity.goal == AdaptationGoal::peak_force ?
-             goal->error(result) < 3. * reference.uncertainty :
+             goal.error(result) < 3. * reference.uncertainty :
              result.error->eta < 3. * reference.computed->error->eta))
         return Outcome::nearly_as_fine_as_the_reference;
       if (result.cycle == parameters.comparison.maximum_cycles)

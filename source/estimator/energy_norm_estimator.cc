@@ -1,11 +1,14 @@
 #include "plate_impact/estimator/energy_norm_estimator.h"
 
+#include <deal.II/base/function.h>
 #include <deal.II/base/geometry_info.h>
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/lac/vector.h>
+#include <deal.II/numerics/error_estimator.h>
+
+#include "plate_impact/plate/plate_mesh.h"
 
 #include <Eigen/LU>
-
-#include <algorithm>
-#include <cmath>
 
 namespace PlateImpact
 {
@@ -23,18 +26,72 @@ namespace PlateImpact
 
 
 
+  template <>
+  const std::vector<Word<ErrorIndicator>> Choices<ErrorIndicator>::words =
+    {{ErrorIndicator::SPR, "SPR"}, {ErrorIndicator::Kelly, "Kelly"}};
+
+
+
+  Eigen::MatrixXd
+  jumps_of_cells(const PlateDiscretization &discretization,
+                 const Eigen::MatrixXd     &states)
+  {
+    const unsigned int                  n_states = states.cols();
+    std::vector<Vector<double>>         nodal(n_states);
+    std::vector<Vector<float>>          jumps(n_states);
+    std::vector<const Vector<double> *> solutions;
+    std::vector<Vector<float> *>        errors;
+    for (unsigned int n = 0; n < n_states; ++n)
+      {
+        // deal.II has jumps as floats: states are scaled to numbers near 1
+        const double largest = states.col(n).cwiseAbs().maxCoeff();
+        nodal[n]             = discretization.free_unknowns().nodal_values(
+          states.col(n) / (largest > 0. ? largest : 1.));
+        solutions.push_back(&nodal[n]);
+        errors.push_back(&jumps[n]);
+      }
+    // jumps of slopes and of rotations as energies
+    const PlateSection &section = discretization.section();
+    std::vector<double> roots(
+      discretization.element.finite_element.n_components(),
+      std::sqrt(section.membrane_stiffness.topLeftCorner<2, 2>().trace() / 2.));
+    roots[deflection] = std::sqrt(section.mean_shear_stiffness());
+    roots[rotation_x] = roots[rotation_y] =
+      std::sqrt(section.mean_bending_stiffness());
+    const Functions::ConstantFunction<2> coefficients(roots);
+    KellyErrorEstimator<2>::estimate(mapping_of(discretization.mesh()),
+                                     discretization.dof_handler(),
+                                     QGauss<1>(3),
+                                     {},
+                                     solutions,
+                                     errors,
+                                     {},
+                                     &coefficients);
+    Eigen::MatrixXd result(discretization.mesh().n_active_cells(), n_states);
+    for (unsigned int n = 0; n < n_states; ++n)
+      result.col(n) =
+        Eigen::Map<Eigen::VectorXf>(jumps[n].data(), jumps[n].size())
+          .cast<double>();
+    return result;
+  }
+
+
+
   EnergyNormEstimator::EnergyNormEstimator(
     const PlateDiscretization       &discretization,
     const StressRecovery            &recovery,
     const std::vector<unsigned int> &singular_cells,
     const bool                       singular_cells_count,
-    const unsigned int               kept_interval)
+    const unsigned int               kept_interval,
+    const ErrorIndicator             indicator)
     : discretization(discretization)
     , recovery(recovery)
     , kept_interval(kept_interval)
+    , indicator(indicator)
     , is_regular(Eigen::VectorXd::Ones(discretization.mesh().n_active_cells()))
     , norms(Norms::Zero())
     , relative(Eigen::VectorXd::Zero(is_regular.size()))
+    , jumps(relative)
   {
     for (const unsigned int cell : singular_cells)
       is_regular[cell] = 0.;
@@ -50,6 +107,13 @@ namespace PlateImpact
     const Eigen::Ref<const Eigen::MatrixXd> &vectors,
     const Eigen::MatrixXd                   &coordinates)
   {
+    if (indicator == ErrorIndicator::Kelly)
+      {
+        const Eigen::MatrixXd of_cells =
+          jumps_of_cells(discretization, vectors * coordinates);
+        for (std::size_t n = 0; n < times.size(); ++n)
+          jumps.add(times[n], of_cells.col(n).normalized());
+      }
     const Eigen::Index batch =
       std::max<Eigen::Index>(1, max_numbers / vectors.rows());
     if (!discretization.is_nonlinear())
@@ -137,14 +201,14 @@ namespace PlateImpact
     const Eigen::MatrixXd unscaled =
       section.root_of_compliance().topLeftCorner(n, n).inverse();
     Eigen::MatrixXd &max_stresses = samples.max_stresses;
-    RowMajorMatrix   recovered;
     for (const unsigned int v : cell->vertex_indices())
       {
         // all cells recover the same there, or at an edge nearly so
         if (vertex_is_done[cell->vertex_index(v)])
           continue;
         vertex_is_done[cell->vertex_index(v)] = true;
-        field.evaluate(cell, {GeometryInfo<2>::unit_cell_vertex(v)}, recovered);
+        const RowMajorMatrix recovered =
+          field.evaluate(cell, {GeometryInfo<2>::unit_cell_vertex(v)});
         const Eigen::MatrixXd resultants = unscaled *
           by_resultant(recovered, section.n_resultants()).topRows(n) *
           coordinates;
@@ -174,7 +238,10 @@ namespace PlateImpact
     result.eta_of_all_cells     = eta(2);
     result.eta = samples.singular_cells_count ? result.eta_of_all_cells :
                                                 result.eta_of_regular_cells;
-    for (const double integral : relative.integral)
+    const bool            is_by_jumps = indicator == ErrorIndicator::Kelly;
+    const Eigen::VectorXd errors =
+      is_by_jumps ? result.eta * jumps.integral : relative.integral;
+    for (const double integral : errors)
       result.element_errors.push_back(
         relative.time > 0. ? integral / relative.time : 0.);
     return result;

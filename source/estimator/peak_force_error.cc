@@ -1,7 +1,6 @@
 #include "plate_impact/estimator/peak_force_error.h"
 
-#include "plate_impact/estimator/error_estimator.h"
-#include "plate_impact/estimator/recovered_field.h"
+#include "plate_impact/estimator/energy_norm_estimator.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,53 +21,6 @@ namespace PlateImpact
     /// Of waves, from which on what cells contribute has random signs: chosen
     /// on random heavy impactors (doc/theory.md).
     constexpr double many_returns = 3.;
-
-
-
-    /// Motions as combinations of few fields: fields, and the symmetric matrix
-    /// of the products of their coordinates, summed over the times.
-    struct Products
-    {
-      Eigen::MatrixXd fields, of_coordinates;
-    };
-
-    /// The error of a mesh, from the change of the force from the mesh before:
-    /// no more than that, and a third where every cell is halved, since errors
-    /// fall at least with the square of the size. Empty for about as many
-    /// cells, which change little, whatever their error.
-    std::optional<double>
-    error_by_change(const double      change,
-                    const std::size_t n_cells,
-                    const std::size_t n_before)
-    {
-      if (n_cells < 1.5 * n_before)
-        return {};
-      return n_cells < 4 * n_before ? change : change / 3.;
-    }
-
-
-
-    Products
-    products_of(const SemidiscreteSystem &system, const DualMotions &motions)
-    {
-      // of equal size, so that one tolerance serves both
-      const Eigen::Index n            = motions.motion.cols();
-      const double       motion_scale = motions.motion.norm(),
-                   dual_scale         = motions.dual.norm();
-      Eigen::MatrixXd states(motions.motion.rows(), 2 * n);
-      states << motions.motion / motion_scale, motions.dual / dual_scale;
-      const SemidiscreteSystem::Span span = system.span(states);
-
-      const Eigen::MatrixXd combinations =
-        leading_combinations(span.coordinates, tolerance_of_span);
-      const Eigen::MatrixXd coordinates =
-        combinations.transpose() * span.coordinates;
-      const Eigen::MatrixXd product = motions.weight * motion_scale *
-        dual_scale * coordinates.leftCols(n) *
-        coordinates.rightCols(n).transpose();
-      return {span.vectors * combinations,
-              0.5 * (product + product.transpose())};
-    }
 
 
 
@@ -111,8 +63,24 @@ namespace PlateImpact
                              const DualMotions         &motions,
                              const double               peak)
   {
-    const Products products = products_of(system, motions);
-    EnergyRoots    roots(discretization, recovery, products.fields);
+    // motions as combinations of few fields; of equal size, so that one
+    // tolerance serves both
+    const Eigen::Index n            = motions.motion.cols();
+    const double       motion_scale = motions.motion.norm(),
+                 dual_scale         = motions.dual.norm();
+    Eigen::MatrixXd states(motions.motion.rows(), 2 * n);
+    states << motions.motion / motion_scale, motions.dual / dual_scale;
+    const SemidiscreteSystem::Span span = system.span(states);
+    const Eigen::MatrixXd          combinations =
+      leading_combinations(span.coordinates, tolerance_of_span);
+    const Eigen::MatrixXd coordinates =
+      combinations.transpose() * span.coordinates;
+    // of the coordinates, summed over the times
+    const Eigen::MatrixXd product = motions.weight * motion_scale * dual_scale *
+      coordinates.leftCols(n) * coordinates.rightCols(n).transpose();
+    const Eigen::MatrixXd products = 0.5 * (product + product.transpose());
+    const Eigen::MatrixXd fields   = span.vectors * combinations;
+    EnergyRoots           roots(discretization, recovery, fields);
     // integrals are over one of the parts of the plate
     const double   factor = discretization.n_parts / peak;
     PeakForceError result;
@@ -123,7 +91,7 @@ namespace PlateImpact
         const auto e =
           by_resultant(roots.errors, discretization.section().n_resultants());
         result.cells[cell->active_cell_index()] =
-          factor * (e * products.of_coordinates).cwiseProduct(e).sum();
+          factor * (e * products).cwiseProduct(e).sum();
         roots.recovered.finish(cell);
       }
     result.rings = sums_over_rings(discretization.mesh(), result.cells);
@@ -147,13 +115,15 @@ namespace PlateImpact
     double bar = estimate.bar();
     if (returns > many_returns)
       {
-        bar = estimate.bar_of_random_signs();
-        if (change)
-          bar = std::min(bar,
-                         error_by_change(*change,
-                                         estimate.cells.size(),
-                                         before->n_cells)
-                           .value_or(bar));
+        // A third of the change where every cell is halved: errors fall at
+        // least with the square of the size. About as many cells change little,
+        // whatever their error.
+        const std::size_t n_cells = estimate.cells.size();
+        bar                       = estimate.bar_of_random_signs();
+        if (change && n_cells >= 1.5 * before->n_cells)
+          bar =
+            std::min(bar,
+                     n_cells < 4 * before->n_cells ? *change : *change / 3.);
       }
     if (resolves_load)
       return bar;

@@ -25,9 +25,9 @@ namespace PlateImpact
     for (const StressRecovery::Patch &patch : recovery.patches)
       for (const StressRecovery::Image &image : patch.images)
         ++n_patches_to_come[image.cell];
-    for (unsigned int cell = 0; cell < samples.size(); ++cell)
-      for (unsigned int v = 0; v < 4; ++v)
-        for (const unsigned int patch : recovery.patches_at[cell][v])
+    for (const auto &corners : recovery.patches_at)
+      for (const auto &corner : corners)
+        for (const unsigned int patch : corner)
           ++n_cells_to_come[patch];
   }
 
@@ -52,32 +52,16 @@ namespace PlateImpact
 
 
 
-  void
-  RecoveredField::fit(const unsigned int patch)
-  {
-    const StressRecovery::Patch &it = recovery.patches[patch];
-    for (const StressRecovery::Image &image : it.images)
-      if (samples[image.cell].size() == 0)
-        samples[image.cell] = sampler(image.cell);
-    coefficients[patch] = it.coefficients(samples, n_resultants);
-    for (const StressRecovery::Image &image : it.images)
-      if (--n_patches_to_come[image.cell] == 0)
-        samples[image.cell] = {};
-  }
-
-
-
-  void
+  RowMajorMatrix
   RecoveredField::evaluate(const Cell                  &cell,
-                           const std::vector<Point<2>> &unit_points,
-                           RowMajorMatrix              &values)
+                           const std::vector<Point<2>> &unit_points)
   {
     const unsigned int    n_points = unit_points.size();
     std::vector<Point<2>> points;
     for (const Point<2> &unit_point : unit_points)
       points.push_back(
         mapping_of(cell).transform_unit_to_real_cell(cell, unit_point));
-    values.resize(n_points, 0);
+    RowMajorMatrix  values(n_points, 0);
     Eigen::VectorXd blend(n_points);
     Eigen::MatrixXd weights(n_points, StressRecovery::n_terms);
     for (unsigned int v = 0; v < 4; ++v)
@@ -100,18 +84,7 @@ namespace PlateImpact
             values.noalias() += weights * coefficients[patch];
           }
       }
-  }
-
-
-
-  void
-  RecoveredField::finish(const Cell &cell)
-  {
-    for (unsigned int v = 0; v < 4; ++v)
-      for (const unsigned int patch :
-           recovery.patches_at[cell->active_cell_index()][v])
-        if (--n_cells_to_come[patch] == 0)
-          coefficients[patch] = {};
+    return values;
   }
 
 
@@ -139,25 +112,14 @@ namespace PlateImpact
                                factor,
                                shape.at_quadrature,
                                fields);
-    recovered.evaluate(cell,
-                       discretization.element.quadrature.get_points(),
-                       errors);
-    errors -= resultants;
+    errors =
+      recovered.evaluate(cell, discretization.element.quadrature.get_points()) -
+      resultants;
     for (unsigned int q = 0; q < shape.weights.size(); ++q)
       {
         resultants.row(q) *= std::sqrt(shape.weights[q]);
         errors.row(q) *= std::sqrt(shape.weights[q]);
       }
-  }
-
-
-
-  Eigen::Map<const RowMajorMatrix>
-  by_resultant(const RowMajorMatrix &values, const unsigned int n_resultants)
-  {
-    return {values.data(),
-            n_resultants * values.rows(),
-            values.cols() / n_resultants};
   }
 
 
@@ -209,10 +171,9 @@ namespace PlateImpact
     std::vector<Eigen::MatrixXd> result(n_states);
     for (Eigen::MatrixXd &resultants : result)
       resultants.resize(m, n_points * discretization.mesh().n_active_cells());
-    RowMajorMatrix values;
     for (const auto &cell : discretization.mesh().active_cell_iterators())
       {
-        field.evaluate(cell, unit_points, values);
+        const RowMajorMatrix values = field.evaluate(cell, unit_points);
         field.finish(cell);
         const auto first = n_points * cell->active_cell_index();
         for (std::size_t state = 0; state < n_states; ++state)

@@ -6,8 +6,7 @@
 #include <deal.II/grid/grid_tools_cache.h>
 
 #include "plate_impact/base/exceptions.h"
-#include "plate_impact/estimator/error_estimator.h"
-#include "plate_impact/estimator/recovered_field.h"
+#include "plate_impact/estimator/energy_norm_estimator.h"
 #include "plate_impact/plate/plate_mesh.h"
 
 #include <cmath>

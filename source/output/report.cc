@@ -133,9 +133,7 @@ namespace PlateImpact
                             stiffness,
                             plate.element.strains_at(cell, unit_points),
                             state.unknowns));
-          RowMajorMatrix smooth;
-          field.evaluate(cell, unit_points, smooth);
-          add("recovered", smooth);
+          add("recovered", field.evaluate(cell, unit_points));
         }
       result["distance"] = numbers_on_page(distances);
       return result;

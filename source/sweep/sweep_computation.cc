@@ -216,9 +216,9 @@ namespace PlateImpact
     result.min_cell_size = min_cell_size;
     // an adapted mesh was judged with the worst point
     const ComputedImpact computed{parameters, point.expected, result};
-    const Warnings       warnings = parameters.adaptivity.is_adaptive() ?
-            impact_warnings(computed) :
-            reliability_warnings(computed, mesh);
+    const Warnings       warnings =
+      impact_warnings(computed,
+                      parameters.adaptivity.is_adaptive() ? nullptr : &mesh);
     return {std::move(result), warnings.all()};
   }
 
@@ -253,7 +253,7 @@ namespace PlateImpact
     const CycleResult &last = analysis.last_cycle().result;
     work.meshes += last.cycle - 1;
     if (const std::string warning =
-          make_goal(worst->parameters.adaptivity)->warning(last);
+          Goal(worst->parameters.adaptivity).warning(last);
         !warning.empty())
       mesh_warnings.push_back(
         "on the mesh adapted for the point with the shortest contact, " +

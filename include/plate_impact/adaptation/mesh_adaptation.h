@@ -4,8 +4,9 @@
 #include <deal.II/grid/tria.h>
 
 #include "plate_impact/base/parameters.h"
-#include "plate_impact/estimator/error_estimator.h"
+#include "plate_impact/estimator/energy_norm_estimator.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -66,8 +67,15 @@ namespace PlateImpact
 
 
   /// The active cells, sorted: equal for equal meshes of one initial mesh.
-  std::vector<dealii::CellId>
-  sorted_cells(const dealii::Triangulation<2> &mesh);
+  inline std::vector<dealii::CellId>
+  sorted_cells(const dealii::Triangulation<2> &mesh)
+  {
+    std::vector<dealii::CellId> cells;
+    for (const auto &cell : mesh.active_cell_iterators())
+      cells.push_back(cell->id());
+    std::sort(cells.begin(), cells.end());
+    return cells;
+  }
 
 
   /// A mesh that is made to follow its error, and what that takes.
@@ -110,8 +118,6 @@ namespace PlateImpact
   /// Satisfies target sizes by a new mesh of quadrilaterals, as the paper does.
   /// The impact and the end of a line contact are vertices.
   ///
-  /// Sizes are held at the vertices of the old mesh, the smallest that the
-  /// cells there need, bilinear between them and limited in gradation.
   /// Gmsh's cells scatter around their size, and xi' with its square, so that
   /// without more half of the cells would exceed their limit for ever: cells to
   /// be refined get somewhat less than they need, and cells grow only when
@@ -125,14 +131,6 @@ namespace PlateImpact
   sizes_for_remeshing(const dealii::Triangulation<2> &mesh,
                       const ErrorRatios              &error,
                       const AdaptivityParameters     &adaptivity);
-
-  /// A mesh chosen before anything is known of its error: cells are at most
-  /// theta r large, r the distance of their centre from the contact, down to
-  /// the minimum cell size. The ratio theta is 1 first and halved from mesh to
-  /// mesh.
-  bool
-  refine_graded(const Adapting &adapting);
-
 
   /// Refines cells until those at the load are no larger than its patch, or the
   /// thickness, and others no larger than their distance from it, or 5000 cells

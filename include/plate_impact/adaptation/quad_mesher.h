@@ -5,6 +5,7 @@
 
 #include <gmsh.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
@@ -42,7 +43,21 @@ namespace PlateImpact
     /// Smallest scaled Jacobian, the sine of the angle at a corner, over all
     /// corners: 1 for rectangles, 0 and less for cells turned inside out.
     double
-    worst_scaled_jacobian() const;
+    worst_scaled_jacobian() const
+    {
+      double worst = 1.;
+      for (const auto &cell : cells)
+        for (unsigned int v = 0; v < 4; ++v)
+          {
+            const dealii::Point<2> &corner = vertices[cell[v]];
+            const auto              a = vertices[cell[(v + 1) % 4]] - corner,
+                       b              = vertices[cell[(v + 3) % 4]] - corner;
+            const double lengths      = a.norm() * b.norm(),
+                         area         = a[0] * b[1] - a[1] * b[0];
+            worst = std::min(worst, lengths > 0. ? area / lengths : 0.);
+          }
+      return worst;
+    }
   };
 
 
@@ -57,10 +72,12 @@ namespace PlateImpact
   };
 
 
-  /// Frontal Delaunay with Blossom; then triangles cut into three
-  /// quadrilaterals each, which cannot fail once there are triangles.
-  std::vector<MesherSettings>
-  default_mesher_settings();
+  /// Frontal Delaunay with Blossom, whose recombination halves the edges of a
+  /// twice coarser mesh; then triangles cut into three quadrilaterals each,
+  /// which halves theirs and cannot fail once there are triangles.
+  inline const std::vector<MesherSettings> default_mesher_settings = {
+    {"Blossom recombination", 6, 3, 0, 1.},
+    {"triangles cut into quadrilaterals", 5, -1, 1, 2.}};
 
 
   /// Meshes a polygon with quadrilaterals by Gmsh (Geuzaine & Remacle 2009,
@@ -86,5 +103,5 @@ namespace PlateImpact
     const dealii::Triangulation<2>      &old_mesh,
     const std::vector<double>           &sizes,
     std::vector<std::string>            &warnings,
-    const std::vector<MesherSettings>   &attempts = default_mesher_settings());
+    const std::vector<MesherSettings>   &attempts = default_mesher_settings);
 } // namespace PlateImpact

@@ -83,34 +83,27 @@ namespace PlateImpact
     observe(AnalysisListener &listener);
     Judgement
     judgement() const;
-    /// Of the bar of the peak force; empty on blind meshes.
     std::optional<double>
     mesh_part_of_bar() const;
-    /// Of the force around its peak, from the mesh before, over the peak; empty
-    /// where that was not watched until then.
-    std::optional<double>
-    change_around_peak() const;
     std::optional<Outcome>
     adapt(AdaptationControl &control, AnalysisListener &listener);
 
-    /// What the next mesh is compared with.
-    struct Struck
+    /// What a mesh is compared with.
+    struct Struck : PeakOnMesh
     {
-      PeakOnMesh     peak;
       ContactHistory history;
     };
 
     const Parameters                 parameters;
     const Wanted                     wanted;
-    const std::optional<ZenerImpact> expected; ///< of an impactor
-    const std::optional<TimeControl> time_control;
+    const std::optional<TimeControl> time_control; ///< of an impactor
 
     std::unique_ptr<dealii::Triangulation<2>> mesh; ///< the next one
     std::unique_ptr<Cycle> current;                 ///< null before the first
     unsigned int           n_cycles         = 0;
     double                 seconds_for_mesh = 0.;
-    std::optional<Struck>  here, before; ///< of this mesh and the one before
-    Window                 window;       ///< the last, or the next
+    std::optional<Struck>  before; ///< of the mesh before the current one
+    Window                 window; ///< the last, or the next
 
     /// Of a mesh on which Ritz vectors were more than steps, or nearly so: a
     /// finer mesh needs more vectors, and one of about its size as many.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "plate_impact/analysis/cycle_result.h"
+#include "plate_impact/analysis/cycle.h"
 #include "plate_impact/base/parameters.h"
 #include "plate_impact/contact/contact_bodies.h"
 #include "plate_impact/contact/contact_history.h"
@@ -32,13 +32,17 @@ namespace PlateImpact
   };
 
 
-  /// A quantity that an engineer reads from an impact.
-  struct ImpactQuantity
+  /// What a quantity is called.
+  struct QuantityName
   {
     std::string name; ///< in summary.json and sweep.csv
     std::string title;
-    std::string unit; ///< of SI; empty: a pure number
+    std::string unit = ""; ///< of SI; empty: a pure number
+  };
 
+  /// A quantity that an engineer reads from an impact.
+  struct ImpactQuantity : QuantityName
+  {
     /// Empty where an impact has none: an end of the contact that lasts to the
     /// end time, a restitution while bodies still touch or approach, Zener's
     /// numbers for a cylinder, their deviations after several contacts.

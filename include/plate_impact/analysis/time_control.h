@@ -1,6 +1,6 @@
 #pragma once
 
-#include "plate_impact/analysis/cycle_result.h"
+#include "plate_impact/analysis/cycle.h"
 #include "plate_impact/base/parameters.h"
 #include "plate_impact/contact/zener.h"
 #include "plate_impact/transient/plate_model.h"
@@ -36,47 +36,65 @@ namespace PlateImpact
   }
 
 
-  /// How long a plate is watched on a mesh and in which steps. With the goal
-  /// `energy norm` that is what the scene says. On the way to a peak force it
-  /// is no longer than the peak takes, and in steps, where the program chooses
-  /// them, that leave most of the target to the mesh; a mesh that meets the
-  /// target is watched to the end, for a later force may be larger. The first
-  /// mesh is as well: before waves are back from the edges a force has one
-  /// peak, and a larger one later is the mesh's own; one after that is the
-  /// impact's. The waves may then bring a still larger one while the contact
-  /// lasts, and the window holds the contact.
+  /// How long a plate is watched on a mesh and in which steps: with the goal
+  /// `energy norm` as the scene says, on the way to a peak force no longer than
+  /// the peak takes (doc/theory.md). Before waves are back from the edges a
+  /// force has one peak, and a larger one later is the mesh's own; one after
+  /// that is the impact's, and waves may bring a still larger one while the
+  /// contact lasts.
   class TimeControl
   {
   public:
-    /// @param scene     complete; with an impactor
-    /// @param expected  of it
+    /// @param scene  complete; with an impactor
     TimeControl(const Parameters &scene, const ZenerImpact &expected);
 
     /// The first window on the first mesh.
     Window
-    first() const;
+    first() const
+    {
+      const TimeParameters &time = scene.time;
+      const bool            waves_return =
+        time.end_time == 0. || time.end_time > return_of_waves;
+      return {!is_for_peak   ? Extent::whole :
+                waves_return ? Extent::peak_search :
+                               Extent::to_peak,
+              time.time_step,
+              length_of_rise};
+    }
 
-    /// The first window on a finer mesh than that of the last one.
+    /// The first window on a finer mesh than that of the last one, which has
+    /// shown a history; on the way to its peak, to the end of the contact where
+    /// that is late.
     Window
-    on_next_mesh(const Window &last, const CycleResult &seen) const;
+    on_next_mesh(const Window &last, const ContactHistory &history) const;
 
     /// The next window on the same mesh, after what the last one has shown;
     /// empty where that is enough to judge the mesh.
     std::optional<Window>
     next(const Window &last, const CycleResult &seen) const;
 
-    /// For a mesh that will be the last: the whole impact, unless the last
-    /// window was that.
-    std::optional<Window>
-    rest(const Window &last, const CycleResult &seen) const;
+    /// Whether the window ended where the scene does.
+    bool
+    is_whole(const Window &window, const CycleResult &seen) const
+    {
+      const double end = scene.time.end_time; // 0 for that of the contact
+      return window.extent == Extent::whole ||
+        (end > 0. && seen.history->states().back().time >= (1. - 1e-9) * end);
+    }
 
     /// How often waves are back from the nearest edge before the peak.
     double
-    returns_before_peak(const ContactHistory &history) const;
+    returns_before_peak(const ContactHistory &history) const
+    {
+      return history.peak().time / return_of_waves;
+    }
 
     /// Whether they are back at all.
     bool
-    is_late(const ContactHistory &history) const;
+    is_late(const ContactHistory &history) const
+    {
+      return returns_before_peak(history) > 1.;
+    }
 
     /// The scene with the end time and the step of a window.
     /// @param needs_states  as for PlateModel::under()
@@ -84,14 +102,9 @@ namespace PlateImpact
     Parameters
     impact(const Window &window, PlateModel &plate, bool needs_states) const;
 
+    const ZenerImpact expected; ///< of the scene
+
   private:
-    /// A window on the way to a peak that is known about; to the end of the
-    /// contact where it is late.
-    Window
-    with_peak(const Window &last, const ContactHistory &history) const;
-    /// Whether the window ended where the scene does.
-    bool
-    is_whole(const Window &window, const CycleResult &seen) const;
     /// The step for a share of the target; that of the window where it keeps
     /// to it.
     double

@@ -72,12 +72,10 @@ namespace PlateImpact
   Warnings
   model_warnings(const ComputedImpact &impact);
 
-  /// The same, and where end time and time step leave the peak force open.
+  /// The same, and where end time, time step and mesh leave the peak force
+  /// open.
+  /// @param mesh  null: not judged
   Warnings
-  impact_warnings(const ComputedImpact &impact);
-
-  /// The same, and where the mesh leaves it open.
-  Warnings
-  reliability_warnings(const ComputedImpact           &impact,
-                       const dealii::Triangulation<2> &mesh);
+  impact_warnings(const ComputedImpact           &impact,
+                  const dealii::Triangulation<2> *mesh = nullptr);
 } // namespace PlateImpact

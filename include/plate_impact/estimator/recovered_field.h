@@ -39,19 +39,34 @@ namespace PlateImpact
                    const Eigen::Ref<const Eigen::MatrixXd> &fields);
 
     /// Recovered resultants at points of the reference cell.
-    /// @param values  set to a row per point by m n columns
-    void
+    /// @return a row per point by m n columns
+    RowMajorMatrix
     evaluate(const Cell                          &cell,
-             const std::vector<dealii::Point<2>> &unit_points,
-             RowMajorMatrix                      &values);
+             const std::vector<dealii::Point<2>> &unit_points);
 
     /// The cell will not be evaluated again.
     void
-    finish(const Cell &cell);
+    finish(const Cell &cell)
+    {
+      for (const auto &corner : recovery.patches_at[cell->active_cell_index()])
+        for (const unsigned int patch : corner)
+          if (--n_cells_to_come[patch] == 0)
+            coefficients[patch] = {};
+    }
 
   private:
     void
-    fit(unsigned int patch);
+    fit(const unsigned int patch)
+    {
+      const StressRecovery::Patch &it = recovery.patches[patch];
+      for (const StressRecovery::Image &image : it.images)
+        if (samples[image.cell].size() == 0)
+          samples[image.cell] = sampler(image.cell);
+      coefficients[patch] = it.coefficients(samples, n_resultants);
+      for (const StressRecovery::Image &image : it.images)
+        if (--n_patches_to_come[image.cell] == 0)
+          samples[image.cell] = {};
+    }
 
     const StressRecovery &recovery;
     const unsigned int    n_resultants;
@@ -102,8 +117,13 @@ namespace PlateImpact
                 const Eigen::Ref<const Eigen::MatrixXd> &fields);
 
   /// The same, a row per point and resultant by n columns.
-  Eigen::Map<const RowMajorMatrix>
-  by_resultant(const RowMajorMatrix &values, unsigned int n_resultants);
+  inline Eigen::Map<const RowMajorMatrix>
+  by_resultant(const RowMajorMatrix &values, const unsigned int n_resultants)
+  {
+    return {values.data(),
+            n_resultants * values.rows(),
+            values.cols() / n_resultants};
+  }
 
   /// Recovered resultants at points of all cells, for all states at once, since
   /// what a patch costs most is its place.

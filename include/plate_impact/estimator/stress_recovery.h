@@ -3,8 +3,6 @@
 #include <deal.II/base/point.h>
 #include <deal.II/grid/tria.h>
 
-#include "plate_impact/base/parameters.h"
-
 #include <Eigen/Core>
 
 #include <array>
@@ -31,28 +29,13 @@ namespace PlateImpact
   /// average over patches that the paper takes. Since everything is linear in
   /// the samples, a patch is one small matrix, built once per mesh.
   ///
-  /// What makes it work on every patch:
-  ///
-  /// Coordinates are centred at the vertex and scaled by the patch (in metres
-  /// the normal matrix of eq. 15 has a condition number of 4e13 for 1 cm), and
-  /// the fit uses a rank-revealing orthogonal decomposition, not eq. 14.
-  ///
-  /// Samples are mirrored across the planes of symmetry: M_x and M_y are even,
-  /// M_xy odd across both, membrane forces the same, Q_x odd across x = 0 and
-  /// even across y = 0, Q_y the other way round.
-  ///
-  /// At a vertex on an edge of the plate the patches of neighbouring vertices
-  /// in the interior are used, averaged. So they are at hanging vertices: the
-  /// twelve samples of their three cells do determine eight terms, but such a
-  /// fit follows the error that it should expose (measured on a simply
-  /// supported plate: cells along a change of level then have half of their
-  /// error in the estimate). Where cells of several sizes meet, a cell takes
-  /// none of the smaller patches that it is no part of: a polynomial of small
-  /// cells goes astray in a large one beside them.
-  ///
-  /// A patch whose samples do not determine the polynomial grows by the cells
-  /// around it: decided by rank, since 2x2 points in two cells side by side are
-  /// eight and determine six terms.
+  /// Samples are mirrored across the planes of symmetry. Vertices on an edge of
+  /// the plate use the patches of their neighbours in the interior, averaged.
+  /// So do hanging vertices: the twelve samples of their three cells do
+  /// determine eight terms, but such a fit follows the error that it should
+  /// expose (measured on a simply supported plate: cells along a change of
+  /// level then have half of their error in the estimate). A patch whose
+  /// samples do not determine the polynomial grows by the cells around it.
   ///
   /// This is the part that depends on the mesh alone; RecoveredField applies
   /// it.
@@ -88,7 +71,14 @@ namespace PlateImpact
 
       /// P of eq. 10 in the coordinates of the patch.
       Terms
-      polynomial(const dealii::Point<2> &point) const;
+      polynomial(const dealii::Point<2> &point) const
+      {
+        const auto   position = (point - centre) / size;
+        const double x = position[0], y = position[1];
+        Terms        P;
+        P << 1., x, y, x * x, x * y, y * y, x * x * y, x * y * y;
+        return P;
+      }
 
       /// Coefficients a from samples of n fields with m resultants at once: a
       /// row per term by m n columns.
@@ -112,11 +102,8 @@ namespace PlateImpact
 
     /// By cell and corner, the patches whose polynomials are averaged there.
     std::vector<std::array<std::vector<unsigned int>, 4>> patches_at;
+
+  private:
+    class PatchFinder;
   };
-
-
-  /// The recovery for a scene's load.
-  StressRecovery
-  make_stress_recovery(const Parameters               &parameters,
-                       const dealii::Triangulation<2> &mesh);
 } // namespace PlateImpact

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "plate_impact/analysis/cycle_result.h"
+#include "plate_impact/analysis/cycle.h"
 #include "plate_impact/analysis/goal.h"
 #include "plate_impact/analysis/warnings.h"
 #include "plate_impact/base/parameters.h"

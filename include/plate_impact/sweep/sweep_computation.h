@@ -1,6 +1,6 @@
 #pragma once
 
-#include "plate_impact/analysis/cycle_result.h"
+#include "plate_impact/analysis/cycle.h"
 #include "plate_impact/scene/scene.h"
 #include "plate_impact/sweep/sweep_results.h"
 #include "plate_impact/transient/plate_model.h"
