@@ -1,7 +1,5 @@
 #include "plate_impact/transient/peak_force_dual.h"
 
-#include "plate_impact/transient/plate_stepper.h"
-
 #include <algorithm>
 
 namespace PlateImpact

@@ -1,7 +1,6 @@
 #include "plate_impact/transient/plate_response.h"
 
 #include "plate_impact/base/exceptions.h"
-#include "plate_impact/transient/plate_stepper.h"
 
 namespace PlateImpact
 {

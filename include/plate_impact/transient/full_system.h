@@ -1,6 +1,6 @@
 #pragma once
 
-#include "plate_impact/transient/effective_stiffness.h"
+#include "plate_impact/transient/linear_solver.h"
 #include "plate_impact/transient/semidiscrete_system.h"
 
 #include <memory>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "plate_impact/plate/large_deflection.h"
-#include "plate_impact/transient/effective_stiffness.h"
+#include "plate_impact/transient/linear_solver.h"
 #include "plate_impact/transient/newmark_scheme.h"
 #include "plate_impact/transient/semidiscrete_system.h"
 

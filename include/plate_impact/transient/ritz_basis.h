@@ -5,9 +5,17 @@
 #include <Eigen/Core>
 
 #include <map>
+#include <optional>
 
 namespace PlateImpact
 {
+  /// A symmetric matrix of three diagonals.
+  struct TridiagonalMatrix
+  {
+    Eigen::VectorXd diagonal, beside;
+  };
+
+
   /// Load-dependent Ritz vectors of a plate (Wilson, Yuan & Dickens 1982,
   /// doi:10.1002/eqe.4290100606; Nour-Omid & Clough 1984,
   /// doi:10.1002/eqe.4290120410): since the contact force always has the same
@@ -62,18 +70,11 @@ namespace PlateImpact
       return Q.leftCols(n);
     }
 
-    /// Diagonal of T, the mass in the basis. [s^2]
-    Eigen::Ref<const Eigen::VectorXd>
-    mass_diagonal() const
+    /// T of the first vectors, the mass in the basis. [s^2]
+    TridiagonalMatrix
+    mass(const unsigned int n_first) const
     {
-      return diagonal.head(n);
-    }
-
-    /// Its other diagonals. [s^2]
-    Eigen::Ref<const Eigen::VectorXd>
-    mass_subdiagonal() const
-    {
-      return subdiagonal.head(n - 1);
+      return {diagonal.head(n_first), subdiagonal.head(n_first - 1)};
     }
 
     /// The load in the basis, this times the first unit vector.
@@ -105,6 +106,75 @@ namespace PlateImpact
     Eigen::VectorXd A_last, A_before;       ///< A times the last two vectors
     Eigen::VectorXd M_last;                 ///< M times the last vector
   };
+
+
+  /// The plate in the first vectors of a basis: M = T and K = I - sigma T are
+  /// tridiagonal, a product or a solve costs a few operations per vector. A
+  /// chain, in other words, that is struck at its first vector.
+  ///
+  /// Waves would come back from its end. Vectors beyond the first can be
+  /// assumed in place of computed: away from the load the coefficients of T are
+  /// about those of a continuous spectrum from 0 to infinity, 1/(2 sigma) and
+  /// 1/(4 sigma) all along, and a uniform chain of these joined to the end, the
+  /// terminator of the recursion method (Haydock, Heine & Kelly 1972,
+  /// doi:10.1088/0022-3719/5/20/004), takes the waves up. What lies in it has
+  /// no displacements on the plate. The joint is such that K and M stay
+  /// positive.
+  class ReducedSystem : public SemidiscreteSystem
+  {
+  public:
+    /// @param basis        must outlive the system
+    /// @param n            vectors used, at most basis.n_vectors()
+    /// @param n_terminator  length of the terminator; none is joined to all
+    ///                      vectors of a complete basis
+    ReducedSystem(const RitzBasis &basis,
+                  unsigned int     n,
+                  unsigned int     n_terminator = 0);
+
+    void
+    multiply_stiffness(const Eigen::VectorXd &x,
+                       Eigen::VectorXd       &y) const override;
+    void
+    solve(double c, const Eigen::VectorXd &b, Eigen::VectorXd &x) override;
+
+    double
+    static_compliance() override
+    {
+      return compliance;
+    }
+
+    Span
+    span(const Eigen::Ref<const Eigen::MatrixXd> &states) const override
+    {
+      return {basis.vectors().leftCols(n), states.topRows(n)};
+    }
+
+    unsigned int
+    n_states_at_once() const override
+    {
+      return 500;
+    }
+
+    unsigned int
+    n_vectors() const
+    {
+      return n;
+    }
+
+  private:
+    ReducedSystem(const RitzBasis         &basis,
+                  unsigned int             n,
+                  const TridiagonalMatrix &mass);
+
+    const RitzBasis        &basis;
+    const unsigned int      n;
+    const TridiagonalMatrix mass;      ///< T [s^2], with what is joined to it
+    const TridiagonalMatrix stiffness; ///< I - sigma T
+    const double            compliance;
+    std::optional<double>   factorized_for;         ///< c [1/s^2]
+    Eigen::VectorXd         inverse_pivots, factor; ///< of K + c M
+  };
+
 
 
   /// A mesh under one load, and the bases that were made of it, by the half

@@ -2,7 +2,6 @@
 
 #include "plate_impact/base/parameters.h"
 #include "plate_impact/transient/plate_response.h"
-#include "plate_impact/transient/reduced_system.h"
 #include "plate_impact/transient/ritz_basis.h"
 
 #include <map>

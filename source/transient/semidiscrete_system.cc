@@ -1,7 +1,15 @@
-#include "plate_impact/transient/plate_stepper.h"
+#include "plate_impact/transient/semidiscrete_system.h"
 
 namespace PlateImpact
 {
+  std::unique_ptr<PlateMotion>
+  SemidiscreteSystem::motion(const NewmarkScheme &scheme)
+  {
+    return std::make_unique<PlateStepper>(scheme, *this);
+  }
+
+
+
   PlateStepper::PlateStepper(const NewmarkScheme &scheme,
                              SemidiscreteSystem  &plate)
     : scheme(scheme)
