@@ -322,7 +322,7 @@ namespace PlateImpact
             with.impact().separation_time;
           EXPECT_GE(complete.n_contacts(), 3u);
           EXPECT_LT(history.relative_energy_drift(),
-                    integration.acts_at_begin() ? 1e-11 : 1e-4);
+                    integration.acts_at_begin ? 1e-11 : 1e-4);
           EXPECT_FALSE(without.impact().separation_time);
           ASSERT_TRUE(separation_time);
           bool had_gap = false;

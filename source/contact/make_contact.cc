@@ -16,26 +16,6 @@ namespace PlateImpact
 {
   namespace
   {
-    /// The constant beside ln(l/a) of a line contact on a layer: the plate's
-    /// side of the approach is F' (1 - nu) / (pi G) (ln(h/a) + Lambda), the
-    /// cylinder's F' (1 - nu^2) / (pi E) (2 ln(4r/a) - 1), to its axis
-    /// (Johnson, sec. 5.6), F' the force per length.
-    double
-    line_constant_of_layer(const Parameters    &parameters,
-                           const PlateSection  &section,
-                           const ContactBodies &bodies,
-                           const double         Lambda)
-    {
-      const ImpactorParameters &impactor = parameters.impactor;
-      return bodies.modulus *
-        (section.half_space_compliance *
-           (std::log(parameters.plate.thickness) + Lambda) +
-         bodies.impactor_compliance * (std::log(4. * impactor.radius) - 0.5)) -
-        std::log(0.5 * impactor.length);
-    }
-
-
-
     /// Of the ball that the scene takes for one, at the contact radius of the
     /// expected peak: it depends on that by a logarithm. [m/N]
     double
@@ -79,18 +59,20 @@ namespace PlateImpact
         compliance = *layer_constant /
             (section.shear_modulus * parameters.plate.thickness) +
           compliance_of_ball(parameters, bodies);
+      std::shared_ptr<const ContactLaw> law = std::make_shared<HertzLaw>(k);
+      std::shared_ptr<const Unloading>  unloading;
       if (parameters.contact.unloading == UnloadingLaw::Yang_Sun)
-        return Contact(std::make_shared<HertzLaw>(k),
-                       compliance,
-                       yang_sun_unloading(
-                         parameters.contact.critical_indentation));
-      if (!bodies.weaker)
-        return Contact(std::make_shared<HertzLaw>(k), compliance);
-      const auto law =
-        std::make_shared<YieldingLaw>(k,
-                                      *bodies.yield_indentation,
-                                      bodies.weaker->share_of_compliance);
-      return Contact(law, compliance, plastic_unloading(law));
+        unloading = yang_sun_unloading(parameters.contact.critical_indentation);
+      else if (bodies.weaker)
+        {
+          const auto yielding =
+            std::make_shared<YieldingLaw>(k,
+                                          *bodies.yield_indentation,
+                                          bodies.weaker->share_of_compliance);
+          law       = yielding;
+          unloading = plastic_unloading(yielding);
+        }
+      return Contact(law, compliance, unloading);
     }
 
 
@@ -102,13 +84,22 @@ namespace PlateImpact
       const ImpactorParameters &impactor = parameters.impactor;
       const PlateSection        section(parameters.plate);
       const ContactBodies       bodies(parameters, section);
-      return Contact(std::make_shared<LineLaw>(
-        impactor.radius,
-        0.5 * impactor.length,
-        bodies.modulus,
-        layer_constant ?
-          line_constant_of_layer(parameters, section, bodies, *layer_constant) :
-          LineLaw::constant_of_half_space));
+      const double              half_length = 0.5 * impactor.length;
+      double                    constant    = LineLaw::constant_of_half_space;
+      // of a layer: the plate's side of the approach is F' (1 - nu) / (pi G)
+      // (ln(h/a) + Lambda), the cylinder's F' (1 - nu^2) / (pi E) (2 ln(4r/a) -
+      // 1), to its axis (Johnson, sec. 5.6), F' the force per length
+      if (layer_constant)
+        constant = bodies.modulus *
+            (section.half_space_compliance *
+               (std::log(parameters.plate.thickness) + *layer_constant) +
+             bodies.impactor_compliance *
+               (std::log(4. * impactor.radius) - 0.5)) -
+          std::log(half_length);
+      return Contact(std::make_shared<LineLaw>(impactor.radius,
+                                               half_length,
+                                               bodies.modulus,
+                                               constant));
     }
 
 
@@ -125,6 +116,14 @@ namespace PlateImpact
       {ForceLaw::Sun, "Sun", make_sphere_contact},
       {ForceLaw::Hertz, "Hertz", make_sphere_contact},
       {ForceLaw::line, "line", make_line_contact}};
+
+    const std::vector<Word<UnloadingLaw>> unloadings = {
+      {UnloadingLaw::elastic, "elastic"},
+      {UnloadingLaw::Yang_Sun, "Yang-Sun"}};
+
+    const std::vector<Word<ForceIntegration>> integrations = {
+      {ForceIntegration::energy_conserving, "energy conserving"},
+      {ForceIntegration::collocation, "collocation"}};
   } // namespace
 
 
@@ -175,19 +174,6 @@ namespace PlateImpact
   const std::vector<Word<LocalResponse>> Choices<LocalResponse>::words = {
     {LocalResponse::layer, "layer"},
     {LocalResponse::half_space, "half-space"}};
-
-
-
-  namespace
-  {
-    const std::vector<Word<UnloadingLaw>> unloadings = {
-      {UnloadingLaw::elastic, "elastic"},
-      {UnloadingLaw::Yang_Sun, "Yang-Sun"}};
-
-    const std::vector<Word<ForceIntegration>> integrations = {
-      {ForceIntegration::energy_conserving, "energy conserving"},
-      {ForceIntegration::collocation, "collocation"}};
-  } // namespace
 
 
 

@@ -135,10 +135,7 @@ namespace PlateImpact
     longer.time_step      = factor * scheme.dt;
     longer.end_time =
       longer.time_step * ((scheme.n_steps + factor - 1) / factor);
-    TimeStepper           stepper({longer, scheme.integration},
-                        system,
-                        contact,
-                        impactor);
+    TimeStepper           stepper = steps(longer);
     const ContactHistory &history = stepper.impact().history;
     while (history.states().size() <= stepper.n_steps() &&
            stepper.state().time < until)

@@ -19,7 +19,7 @@ namespace PlateImpact
       {
         // the response has phi at the beginning of the step as well
         w_of_unit_response = reversed[reversed.size() - 1] /
-          (scheme.integration.acts_at_begin() ? 1. + scheme.c2 : 1.);
+          (scheme.integration.acts_at_begin ? 1. + scheme.c2 : 1.);
       }
 
       double

@@ -190,8 +190,8 @@ namespace PlateImpact
     : SemidiscreteSystem(basis.load() *
                            Eigen::VectorXd::Unit(mass.diagonal.size(), 0),
                          basis.matrices.damping)
+    , n_vectors(n)
     , basis(basis)
-    , n(n)
     , mass(mass)
     , stiffness{1. - basis.sigma * mass.diagonal.array(),
                 -basis.sigma * mass.beside}

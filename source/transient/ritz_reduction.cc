@@ -2,6 +2,7 @@
 
 #include "plate_impact/base/entries.h"
 #include "plate_impact/base/exceptions.h"
+#include "plate_impact/contact/hertz_law.h"
 #include "plate_impact/contact/make_contact.h"
 #include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/transient/time_stepper.h"
@@ -146,14 +147,6 @@ namespace PlateImpact
 
 
 
-    double
-    frequency(const int half_octave)
-    {
-      return std::exp2(0.5 * half_octave);
-    }
-
-
-
     /// Twice the logarithm to base 2 of the root of the shift [1/s].
     int
     half_octave(const double contact_time, const double end_time)
@@ -194,7 +187,8 @@ namespace PlateImpact
       if (n_unknowns < 3. * time.end_time / time.time_step)
         return false;
       const ZenerImpact expected = make_zener_impact(scene);
-      if (!expected.contact.first_loading().hertz_coefficient())
+      if (dynamic_cast<const HertzLaw *>(&expected.contact.first_loading()) ==
+          nullptr)
         return false;
       const double back = return_of_waves(scene.plate, expected);
       return time.end_time > back &&
@@ -204,17 +198,11 @@ namespace PlateImpact
 
 
 
-    /// The power of two above or below.
+    /// The power of two above, in a unit.
     double
     round_up(const double value, const double unit)
     {
       return unit * std::exp2(std::ceil(std::log2(value / unit)));
-    }
-
-    double
-    round_down(const double value, const double unit)
-    {
-      return unit * std::exp2(std::floor(std::log2(value / unit)));
     }
 
 
@@ -225,9 +213,10 @@ namespace PlateImpact
     nearby(ImpactorParameters impactor, const PlateParameters &plate)
     {
       const double h = plate.thickness, density = plate.density,
-                   E = PlateSection(plate).contact_modulus;
-      impactor.mass =
-        round_down(make_impactor(impactor).mass, density * h * h * h);
+                   E    = PlateSection(plate).contact_modulus,
+                   mass = density * h * h * h;
+      impactor.mass     = mass *
+        std::exp2(std::floor(std::log2(make_impactor(impactor).mass / mass)));
       impactor.density        = 0.; // what counts is the mass
       impactor.contact_radius = 0.; // it has one of its own
       impactor.radius         = round_up(impactor.radius, h);
@@ -235,6 +224,12 @@ namespace PlateImpact
       impactor.velocity = round_up(impactor.velocity, std::sqrt(E / density));
       return impactor;
     }
+
+
+
+    const std::vector<Word<IntegratorType>> integrators = {
+      {IntegratorType::Newmark, "Newmark"},
+      {IntegratorType::Ritz_vectors, "Ritz vectors"}};
   } // namespace
 
 
@@ -276,8 +271,9 @@ namespace PlateImpact
     // Waves run along the vectors at this speed; a force is right when those
     // that the end reflects cannot be back before the end time. Fields may
     // follow with the third basis, the first that is judged.
-    const double n_first = std::max(12., 0.24 * frequency(octave) * followed),
-                 growth  = 1.15;
+    const double n_first =
+                   std::max(12., 0.24 * std::exp2(0.5 * octave) * followed),
+                 growth = 1.15;
     // once the vectors have cost as much as the steps would, or fill the
     // memory, the steps are made after all
     const double n_most =
@@ -293,7 +289,7 @@ namespace PlateImpact
       {
         const unsigned int n_wanted = static_cast<unsigned int>(n);
         ReducedSystem     &reduced  = reduced_system(octave, n_wanted);
-        if (reduced.n_vectors() < n_wanted)
+        if (reduced.n_vectors < n_wanted)
           return &reduced; // there are no more
         try
           {
@@ -329,7 +325,7 @@ namespace PlateImpact
   ReducedSystem &
   RitzReduction::reduced_system(const int half_octave, const unsigned int n)
   {
-    const double omega = frequency(half_octave);
+    const double omega = std::exp2(0.5 * half_octave);
     RitzBasis   &basis =
       mesh->bases.try_emplace(half_octave, mesh->system, omega * omega)
         .first->second;
@@ -370,15 +366,6 @@ namespace PlateImpact
     return responses.try_emplace({&system, by.n_steps}, by, system)
       .first->second;
   }
-
-
-
-  namespace
-  {
-    const std::vector<Word<IntegratorType>> integrators = {
-      {IntegratorType::Newmark, "Newmark"},
-      {IntegratorType::Ritz_vectors, "Ritz vectors"}};
-  } // namespace
 
 
 

@@ -15,7 +15,7 @@ namespace PlateImpact
                            const Contact               &contact,
                            const Impactor              &impactor)
     : scheme(scheme)
-    , at_begin(scheme.integration.acts_at_begin() ? 1. : 0.)
+    , at_begin(scheme.integration.acts_at_begin ? 1. : 0.)
     , plate_motion(std::move(motion))
     , contact(contact)
     , impactor(impactor)
@@ -44,12 +44,25 @@ namespace PlateImpact
     for (const unsigned int last = step + n_steps; step < last;)
       {
         ++step;
-        begin_force = scheme.integration.known_begin_force(current.force);
+        begin_force = scheme.integration.acts_at_begin ? 0. : current.force;
         double phi  = 0.;
         for (std::optional<double> free = plate_motion->begin_step(begin_force);
-             free;
-             free = end_plate_step(phi))
-          phi = contact_force(*free);
+             free;)
+          {
+            phi = contact_force(*free);
+            try
+              {
+                free = plate_motion->end_step(at_begin * phi, phi);
+              }
+            catch (const ComputationError &error)
+              {
+                throw ComputationError(
+                  fmt::format("step {} (t = {}): {}",
+                              step,
+                              number(scheme.dt * step, "s"),
+                              error.what()));
+              }
+          }
         end_step(phi);
         if (!so_far.separation_time && is_out_of_reach())
           so_far.separation_time = current.time;
@@ -82,24 +95,6 @@ namespace PlateImpact
       {
         throw ComputationError("step " + std::to_string(step) + ": " +
                                error.what());
-      }
-  }
-
-
-
-  std::optional<double>
-  TimeStepper::end_plate_step(const double phi)
-  {
-    try
-      {
-        return plate_motion->end_step(at_begin * phi, phi);
-      }
-    catch (const ComputationError &error)
-      {
-        throw ComputationError(fmt::format("step {} (t = {}): {}",
-                                           step,
-                                           number(scheme.dt * step, "s"),
-                                           error.what()));
       }
   }
 

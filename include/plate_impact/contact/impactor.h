@@ -4,15 +4,14 @@ namespace PlateImpact
 {
   struct ImpactorParameters;
 
-  /// The striking body as a point mass: mass [kg], displacement since first
-  /// touch [m] and velocity [m/s], both positive towards the plate. (The paper
-  /// prints its displacement as the double integral of f/m; meant is v0 t minus
-  /// that.)
+  /// The striking body as a point mass; towards the plate is positive. (The
+  /// paper prints its displacement as the double integral of f/m; meant is v0 t
+  /// minus that.)
   struct Impactor
   {
-    double mass;
-    double displacement;
-    double velocity;
+    double mass;         ///< [kg]
+    double displacement; ///< since first touch [m]
+    double velocity;     ///< [m/s]
 
     double
     kinetic_energy() const
@@ -21,8 +20,7 @@ namespace PlateImpact
     }
   };
 
-  /// The impactor of a scene at first touch; its mass follows from density and
-  /// shape where the scene gives none.
+  /// The impactor of a scene at first touch.
   Impactor
   make_impactor(const ImpactorParameters &parameters);
 } // namespace PlateImpact

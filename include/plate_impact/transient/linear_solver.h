@@ -28,8 +28,7 @@ namespace PlateImpact
   };
 
 
-  /// Direct solver for symmetric positive definite matrices of one sparsity,
-  /// one at a time, and many right hand sides.
+  /// Direct solver for symmetric positive definite matrices of one sparsity.
   class LinearSolver
   {
   public:
@@ -126,22 +125,17 @@ namespace PlateImpact
     std::unique_ptr<LinearSolver>
     make_solver()
     {
-      return make_linear_solver(solver_type, done);
-    }
-
-    const SolverWork &
-    work() const
-    {
-      return done;
+      return make_linear_solver(solver_type, work);
     }
 
     const PlateDiscretization &discretization;
 
     double damping = 0.; ///< as SemidiscreteSystem::damping() [s]
 
+    SolverWork work;
+
   private:
     const SolverType                    solver_type;
-    SolverWork                          done;
     const std::unique_ptr<LinearSolver> solver;
     std::optional<double>               factorized_for; ///< c [1/s^2]
   };

@@ -1,19 +1,16 @@
 #pragma once
 
 #include "plate_impact/base/parameters.h"
-#include "plate_impact/contact/contact_solver.h"
+#include "plate_impact/contact/contact.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace PlateImpact
 {
-  /// Newmark's method for a transient of equal steps: a step advances the
-  /// displacements by the increment d with
-  ///   K* d = f_1 + c_2 f_0 - (1 + c_2) K z + c_1 M v,   K* = K + c_0 M
-  /// (eqs. 3-7 of the paper in terms of increments, which keep digits that the
-  /// total form loses on small steps). How the contact force acts within a step
-  /// belongs to it.
+  /// Newmark's method for a transient of equal steps: eqs. 3-7 of the paper in
+  /// increments d, which keep digits that the total form loses on small steps,
+  ///   K* d = f_1 + c_2 f_0 - (1 + c_2) K z + c_1 M v,   K* = K + c_0 M.
   struct NewmarkScheme
   {
     /// The smallest number of steps, none longer than the scene's.
@@ -30,9 +27,7 @@ namespace PlateImpact
       , c2(1. / (2. * beta) - 1.)
     {}
 
-    /// Whether the scheme keeps the energy of a linear system without load and
-    /// charges it with the work of a load, (f_0 + f_1) d / 2: average
-    /// acceleration.
+    /// Average acceleration: of a linear system, but for the work of the load.
     bool
     conserves_energy() const
     {
@@ -55,8 +50,8 @@ namespace PlateImpact
     const double             c2; ///< 1/(2 beta) - 1
 
   private:
-    /// The scene's own where the end time is a multiple of it, so that a
-    /// transient that goes on longer takes the same steps to the last digit.
+    /// The scene's own where the end time is a multiple of it, so that longer
+    /// transients take the same steps to the last digit.
     static double
     length_of_steps(const TimeParameters &time, const unsigned int n_steps)
     {

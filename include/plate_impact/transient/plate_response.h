@@ -7,15 +7,13 @@
 namespace PlateImpact
 {
   /// All that an impactor needs to know of a plate: R_j, the displacement under
-  /// the load j steps after a step with the contact force 1, by the time
-  /// stepper's own scheme. Under the forces phi_k of any impactor
+  /// the load j steps after a step with the contact force 1. Under the forces
+  /// phi_k of any impactor
   ///   w_n = sum_{k <= n} R_{n-k} phi_k,
-  /// the discrete form of a Volterra equation of the second kind, which is
-  /// solved step by step (Linz, Analytical and Numerical Methods for Volterra
-  /// Equations, 1985, doi:10.1137/1.9781611970852). It is the
-  /// same linear recurrence as stepping the unknowns, summed in another order,
-  /// and gives the same numbers up to round-off. The plate's energy is the work
-  /// of the force, which average acceleration makes equal.
+  /// a discrete Volterra equation of the second kind (Linz 1985,
+  /// doi:10.1137/1.9781611970852): the recurrence of the time stepper, summed
+  /// in another order. The plate's energy is the work of the force, which
+  /// average acceleration makes equal.
   class PlateResponse
   {
   public:

@@ -18,17 +18,14 @@ namespace PlateImpact
 
   /// Load-dependent Ritz vectors of a plate (Wilson, Yuan & Dickens 1982,
   /// doi:10.1002/eqe.4290100606; Nour-Omid & Clough 1984,
-  /// doi:10.1002/eqe.4290120410): since the contact force always has the same
-  /// shape u, the response stays close to the Krylov space of (K + sigma M)^-1
-  /// M that begins with the response (K + sigma M)^-1 u to the load itself. The
-  /// first vector is the static correction, which a basis of eigenmodes lacks.
+  /// doi:10.1002/eqe.4290120410): the Krylov space of A^-1 M, A = K + sigma M,
+  /// that begins with the response A^-1 u to the load.
   ///
-  /// Lanczos' recurrence in the inner product of A = K + sigma M: with Q^T A Q
-  /// = I the projected mass T = Q^T M Q is tridiagonal, the projected stiffness
-  /// I - sigma T, and the load a multiple of the first unit vector; A times a
-  /// new vector is known before it is solved for. A vector costs one solve, one
-  /// product with M, and one look at all vectors before it, which keeps them
-  /// orthogonal (Simon 1984, doi:10.1090/S0025-5718-1984-0725988-X).
+  /// Lanczos' recurrence: with Q^T A Q = I the projected mass T = Q^T M Q is
+  /// tridiagonal, the stiffness I - sigma T, and the load a multiple of the
+  /// first unit vector. A vector costs one solve, one product with M, and one
+  /// look at all vectors before it, which keeps them orthogonal (Simon 1984,
+  /// doi:10.1090/S0025-5718-1984-0725988-X).
   class RitzBasis
   {
   public:
@@ -44,8 +41,7 @@ namespace PlateImpact
     EffectiveStiffness &matrices; ///< of the plate
     const double        sigma;
 
-    /// Adds vectors, one solve each, until there are n or, when the space is
-    /// exhausted, as many as there can be.
+    /// Adds vectors until there are n or as many as there can be.
     void
     grow(unsigned int n);
 
@@ -55,8 +51,7 @@ namespace PlateImpact
       return n;
     }
 
-    /// Whether further vectors would be round-off, or hardly coupled to these:
-    /// the basis then holds every motion that the load can excite.
+    /// Whether the basis holds every motion that the load can excite.
     bool
     is_complete() const
     {
@@ -108,18 +103,13 @@ namespace PlateImpact
   };
 
 
-  /// The plate in the first vectors of a basis: M = T and K = I - sigma T are
-  /// tridiagonal, a product or a solve costs a few operations per vector. A
-  /// chain, in other words, that is struck at its first vector.
-  ///
-  /// Waves would come back from its end. Vectors beyond the first can be
-  /// assumed in place of computed: away from the load the coefficients of T are
-  /// about those of a continuous spectrum from 0 to infinity, 1/(2 sigma) and
-  /// 1/(4 sigma) all along, and a uniform chain of these joined to the end, the
-  /// terminator of the recursion method (Haydock, Heine & Kelly 1972,
-  /// doi:10.1088/0022-3719/5/20/004), takes the waves up. What lies in it has
-  /// no displacements on the plate. The joint is such that K and M stay
-  /// positive.
+  /// The plate in the first vectors of a basis, M = T and K = I - sigma T: a
+  /// chain that is struck at its first vector. Waves would come back from its
+  /// end. Since away from the load the coefficients of T are about those of a
+  /// continuous spectrum, 1/(2 sigma) and 1/(4 sigma), a uniform chain of
+  /// these, the terminator of the recursion method (Haydock, Heine & Kelly
+  /// 1972, doi:10.1088/0022-3719/5/20/004), takes them up. It has no
+  /// displacements on the plate. The joint is such that K and M stay positive.
   class ReducedSystem : public SemidiscreteSystem
   {
   public:
@@ -146,7 +136,7 @@ namespace PlateImpact
     Span
     span(const Eigen::Ref<const Eigen::MatrixXd> &states) const override
     {
-      return {basis.vectors().leftCols(n), states.topRows(n)};
+      return {basis.vectors().leftCols(n_vectors), states.topRows(n_vectors)};
     }
 
     unsigned int
@@ -155,11 +145,7 @@ namespace PlateImpact
       return 500;
     }
 
-    unsigned int
-    n_vectors() const
-    {
-      return n;
-    }
+    const unsigned int n_vectors; ///< used
 
   private:
     ReducedSystem(const RitzBasis         &basis,
@@ -167,7 +153,6 @@ namespace PlateImpact
                   const TridiagonalMatrix &mass);
 
     const RitzBasis        &basis;
-    const unsigned int      n;
     const TridiagonalMatrix mass;      ///< T [s^2], with what is joined to it
     const TridiagonalMatrix stiffness; ///< I - sigma T
     const double            compliance;
@@ -177,9 +162,8 @@ namespace PlateImpact
 
 
 
-  /// A mesh under one load, and the bases that were made of it, by the half
-  /// octave of the root of their shift. Steps of any length and number share
-  /// them.
+  /// A mesh under one load, and its bases by the half octave of the root of
+  /// their shift, which steps of any length and number share.
   struct LoadedMesh
   {
     FullSystem               system;

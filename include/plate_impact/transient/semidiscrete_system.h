@@ -12,8 +12,8 @@
 namespace PlateImpact
 {
   /// The plate's side of a transient, from rest: steps of Newmark's method
-  /// under forces at their beginning and end. What a step depends on the force
-  /// at its end is linear, or made so again until the step is in equilibrium.
+  /// under forces at their beginning and end, linear in that at the end, or
+  /// made so again until the step is in equilibrium.
   class PlateMotion
   {
   public:
@@ -36,9 +36,9 @@ namespace PlateImpact
     /// Ends the step.
     /// @param at_begin  further force at its beginning [N]
     /// @param at_end    force at its end [N]
-    /// @return nothing; or, as begin_step(), a displacement of the plate
-    ///         linearized about where it is now, if that is no equilibrium: the
-    ///         step has to be ended again
+    /// @return nothing; or, without equilibrium, as begin_step() about where
+    /// the
+    ///         plate is now: the step has to be ended again
     /// @throws ComputationError when equilibrium is not found
     virtual std::optional<double>
     end_step(double at_begin, double at_end) = 0;
@@ -79,9 +79,8 @@ namespace PlateImpact
   };
 
 
-  /// The plate for the time stepper, M z'' + b K z' + K z = f u: a stiffness,
-  /// one shape u of the load, and solves with K + c M. The same for the
-  /// unknowns of a mesh and for a reduced basis.
+  /// The plate for the time stepper, M z'' + b K z' + K z = f u, of the
+  /// unknowns of a mesh or in a reduced basis.
   class SemidiscreteSystem
   {
   public:
@@ -123,8 +122,7 @@ namespace PlateImpact
     virtual double
     static_compliance() = 0;
 
-    /// Whether it is all there is to say of the plate, so that responses may be
-    /// added up.
+    /// Whether responses may be added up.
     virtual bool
     is_linear() const
     {
@@ -136,17 +134,16 @@ namespace PlateImpact
     virtual std::unique_ptr<PlateMotion>
     motion(const NewmarkScheme &scheme);
 
-    /// What spans the unknowns of the mesh in states of this system: a column
-    /// of them for each of the first rows of a state, which are its
-    /// coordinates.
+    /// Unknowns of the mesh as vectors times coordinates, the first rows of
+    /// states.
     struct Span
     {
       Eigen::Ref<const Eigen::MatrixXd> vectors;
       Eigen::MatrixXd                   coordinates; ///< a column per state
     };
 
-    /// @param states  must outlive the result, a column each; by default every
-    ///                one is a vector of its own
+    /// By default every state is a vector of its own.
+    /// @param states  must outlive the result, a column each
     virtual Span
     span(const Eigen::Ref<const Eigen::MatrixXd> &states) const
     {
@@ -161,9 +158,8 @@ namespace PlateImpact
       return in_mesh.vectors * in_mesh.coordinates;
     }
 
-    /// How many states are best looked at together on the mesh: many where they
-    /// span few vectors. By default enough to make matrix products fast, and
-    /// fewer on large meshes, where one is work enough, to save memory.
+    /// How many states are best looked at together on the mesh: by default
+    /// enough to make matrix products fast, and fewer on large meshes.
     virtual unsigned int
     n_states_at_once() const
     {
@@ -179,11 +175,8 @@ namespace PlateImpact
 
   /// The motion of a linear plate. A damping b K adds g b K, g =
   /// gamma/(beta dt), to the matrix of a step, which stays K + c M up to a
-  /// factor. The free displacement of a step is that for the part of the forces
-  /// that does not depend on the step's end; the unit response z_u = K*^-1 u
-  /// belongs to the rest. The vectors K z and M v follow from the solution of
-  /// the step itself, so that a step costs one solve, one product with K, and
-  /// the energies nothing but scalar products.
+  /// factor. K z and M v follow from the solution of the step itself, so that a
+  /// step costs one solve, one product with K and scalar products.
   class PlateStepper : public PlateMotion
   {
   public:
