@@ -9,6 +9,24 @@
 
 namespace PlateImpact
 {
+  /// The striking body as a point mass; towards the plate is positive. (The
+  /// paper prints its displacement as the double integral of f/m; meant is v0 t
+  /// minus that.)
+  struct Impactor
+  {
+    double mass;         ///< [kg]
+    double displacement; ///< since first touch [m]
+    double velocity;     ///< [m/s]
+
+    double
+    kinetic_energy() const
+    {
+      return 0.5 * mass * velocity * velocity;
+    }
+  };
+
+
+
   /// State of the impact at one time. Displacements are positive towards the
   /// plate; the plate's is the load-weighted one that enters the contact law.
   struct ContactState

@@ -2,7 +2,6 @@
 
 #include "plate_impact/contact/contact.h"
 #include "plate_impact/contact/contact_history.h"
-#include "plate_impact/contact/impactor.h"
 #include "plate_impact/plate/plate_section.h"
 
 #include <optional>

@@ -21,13 +21,18 @@ namespace PlateImpact
       , integration(integration)
       , n_steps(
           std::max(1., std::ceil(time.end_time / time.time_step * (1 - 1e-9))))
-      , dt(length_of_steps(time, n_steps))
+      // the scene's own where the end time is a multiple of it, so that longer
+      // transients take the same steps to the last digit
+      , dt(std::abs(time.end_time / n_steps - time.time_step) <=
+               1e-9 * (time.end_time / n_steps) ?
+             time.time_step :
+             time.end_time / n_steps)
       , c0(1. / (beta * dt * dt))
       , c1(1. / (beta * dt))
       , c2(1. / (2. * beta) - 1.)
     {}
 
-    /// Average acceleration: of a linear system, but for the work of the load.
+    /// Of a linear system, but for the work of the load: average acceleration.
     bool
     conserves_energy() const
     {
@@ -48,17 +53,5 @@ namespace PlateImpact
     const double             c0; ///< 1/(beta dt^2) [1/s^2]
     const double             c1; ///< 1/(beta dt) [1/s]
     const double             c2; ///< 1/(2 beta) - 1
-
-  private:
-    /// The scene's own where the end time is a multiple of it, so that longer
-    /// transients take the same steps to the last digit.
-    static double
-    length_of_steps(const TimeParameters &time, const unsigned int n_steps)
-    {
-      const double length = time.end_time / n_steps;
-      return std::abs(length - time.time_step) <= 1e-9 * length ?
-        time.time_step :
-        length;
-    }
   };
 } // namespace PlateImpact

@@ -1,11 +1,6 @@
 #pragma once
 
-#include "plate_impact/contact/contact.h"
-#include "plate_impact/contact/contact_history.h"
-#include "plate_impact/contact/impactor.h"
-#include "plate_impact/transient/newmark_scheme.h"
-#include "plate_impact/transient/plate_response.h"
-#include "plate_impact/transient/semidiscrete_system.h"
+#include "plate_impact/transient/time_stepper.h"
 
 #include <Eigen/Core>
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "plate_impact/base/parameters.h"
-#include "plate_impact/transient/plate_response.h"
 #include "plate_impact/transient/ritz_basis.h"
+#include "plate_impact/transient/time_stepper.h"
 
 #include <map>
 #include <memory>
