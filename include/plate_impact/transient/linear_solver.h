@@ -86,7 +86,7 @@ namespace PlateImpact
                        const SolverType           solver_type)
       : discretization(discretization)
       , solver_type(solver_type)
-      , solver(make_solver())
+      , solver(make_linear_solver(solver_type, work))
     {}
 
     /// Does nothing when the last factorization was for the same c.
@@ -121,21 +121,14 @@ namespace PlateImpact
                                    1.);
     }
 
-    /// For another matrix with the entries of K; this object must outlive it.
-    std::unique_ptr<LinearSolver>
-    make_solver()
-    {
-      return make_linear_solver(solver_type, work);
-    }
-
     const PlateDiscretization &discretization;
 
     double damping = 0.; ///< as SemidiscreteSystem::damping() [s]
 
-    SolverWork work;
+    SolverWork       work;
+    const SolverType solver_type;
 
   private:
-    const SolverType                    solver_type;
     const std::unique_ptr<LinearSolver> solver;
     std::optional<double>               factorized_for; ///< c [1/s^2]
   };
