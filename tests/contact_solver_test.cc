@@ -1,6 +1,5 @@
 #include "contacts.h"
 #include "plate_impact/base/exceptions.h"
-#include "plate_impact/contact/contact_solver.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,4 @@
 #include "plate_impact/contact/hertz_law.h"
-#include "plate_impact/transient/plate_response.h"
 #include "test_plate.h"
 
 #include <gtest/gtest.h>

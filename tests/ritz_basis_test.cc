@@ -114,10 +114,11 @@ namespace PlateImpact
                   .cwiseAbs()
                   .maxCoeff(),
                 1e-8);
-      Eigen::MatrixXd T = sigma * Q.transpose() * M * Q;
-      T.diagonal() -= sigma * basis.mass_diagonal();
-      T.diagonal(1) -= sigma * basis.mass_subdiagonal();
-      T.diagonal(-1) -= sigma * basis.mass_subdiagonal();
+      Eigen::MatrixXd         T    = sigma * Q.transpose() * M * Q;
+      const TridiagonalMatrix mass = basis.mass(150);
+      T.diagonal() -= sigma * mass.diagonal;
+      T.diagonal(1) -= sigma * mass.beside;
+      T.diagonal(-1) -= sigma * mass.beside;
       EXPECT_LT(T.cwiseAbs().maxCoeff(), 1e-8);
       Eigen::VectorXd load = Q.transpose() * target.plate.load();
       load[0] -= basis.load();
@@ -155,11 +156,12 @@ namespace PlateImpact
           // half of the unknowns, those that are symmetric about the diagonal
           EXPECT_LE(basis.n_vectors(), 54u) << thickness;
           // a mass is positive
-          double pivot = basis.mass_diagonal()[0];
+          const TridiagonalMatrix mass  = basis.mass(basis.n_vectors());
+          double                  pivot = mass.diagonal[0];
           for (unsigned int n = 1; n < basis.n_vectors(); ++n)
             {
-              pivot = basis.mass_diagonal()[n] -
-                std::pow(basis.mass_subdiagonal()[n - 1], 2) / pivot;
+              pivot =
+                mass.diagonal[n] - std::pow(mass.beside[n - 1], 2) / pivot;
               EXPECT_GT(pivot, 0.) << thickness << ' ' << n;
             }
         }
@@ -272,8 +274,8 @@ namespace PlateImpact
         }
 
       // until waves come back from the edges, the chain is uniform
-      const Eigen::VectorXd on  = 2. * sigma * basis.mass_diagonal(),
-                            off = 4. * sigma * basis.mass_subdiagonal();
+      const Eigen::VectorXd on  = 2. * sigma * basis.mass(60).diagonal,
+                            off = 4. * sigma * basis.mass(60).beside;
       const double deviation =
         std::max((on.segment(3, 7).array() - 1.).abs().maxCoeff(),
                  (off.segment(3, 7).array() - 1.).abs().maxCoeff());

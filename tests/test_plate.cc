@@ -9,7 +9,6 @@
 #include <deal.II/numerics/vector_tools_interpolate.h>
 
 #include "plate_impact/adaptation/mesh_adaptation.h"
-#include "plate_impact/contact/impactor.h"
 #include "plate_impact/contact/make_contact.h"
 #include "plate_impact/transient/linear_solver.h"
 

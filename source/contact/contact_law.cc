@@ -10,12 +10,19 @@ namespace PlateImpact
 {
   namespace
   {
-    /// Mean of f between a and b, where F is its integral from 0 on and f is 0
-    /// below.
-    template <typename Function, typename Integral>
+    using Curve = double (ContactLaw::*)(double) const;
+
+    /// Mean of a curve between a and b, which is 0 below 0, where its integral
+    /// begins.
     double
-    mean(const Function &f, const Integral &F, const double a, const double b)
+    mean(const ContactLaw &law,
+         const Curve       curve,
+         const Curve       integral,
+         const double      a,
+         const double      b)
     {
+      const auto f = [&](const double alpha) { return (law.*curve)(alpha); };
+      const auto F = [&](const double alpha) { return (law.*integral)(alpha); };
       const double low = std::min(a, b), high = std::max(a, b);
       if (high <= 0. || low == high)
         return f(high);
@@ -64,10 +71,7 @@ namespace PlateImpact
   double
   ContactLaw::mean_force(const double a, const double b) const
   {
-    return mean([this](const double alpha) { return force(alpha); },
-                [this](const double alpha) { return potential(alpha); },
-                a,
-                b);
+    return mean(*this, &ContactLaw::force, &ContactLaw::potential, a, b);
   }
 
 
@@ -75,9 +79,6 @@ namespace PlateImpact
   double
   ContactLaw::mean_stiffness(const double a, const double b) const
   {
-    return mean([this](const double alpha) { return stiffness(alpha); },
-                [this](const double alpha) { return force(alpha); },
-                a,
-                b);
+    return mean(*this, &ContactLaw::stiffness, &ContactLaw::force, a, b);
   }
 } // namespace PlateImpact

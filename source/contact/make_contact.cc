@@ -3,7 +3,6 @@
 #include "plate_impact/base/entries.h"
 #include "plate_impact/contact/contact_bodies.h"
 #include "plate_impact/contact/hertz_law.h"
-#include "plate_impact/contact/impactor.h"
 #include "plate_impact/contact/line_law.h"
 #include "plate_impact/contact/unloading.h"
 #include "plate_impact/contact/yielding_law.h"
@@ -16,26 +15,6 @@ namespace PlateImpact
 {
   namespace
   {
-    /// The constant beside ln(l/a) of a line contact on a layer: the plate's
-    /// side of the approach is F' (1 - nu) / (pi G) (ln(h/a) + Lambda), the
-    /// cylinder's F' (1 - nu^2) / (pi E) (2 ln(4r/a) - 1), to its axis
-    /// (Johnson, sec. 5.6), F' the force per length.
-    double
-    line_constant_of_layer(const Parameters    &parameters,
-                           const PlateSection  &section,
-                           const ContactBodies &bodies,
-                           const double         Lambda)
-    {
-      const ImpactorParameters &impactor = parameters.impactor;
-      return bodies.modulus *
-        (section.half_space_compliance *
-           (std::log(parameters.plate.thickness) + Lambda) +
-         bodies.impactor_compliance * (std::log(4. * impactor.radius) - 0.5)) -
-        std::log(0.5 * impactor.length);
-    }
-
-
-
     /// Of the ball that the scene takes for one, at the contact radius of the
     /// expected peak: it depends on that by a logarithm. [m/N]
     double
@@ -79,18 +58,20 @@ namespace PlateImpact
         compliance = *layer_constant /
             (section.shear_modulus * parameters.plate.thickness) +
           compliance_of_ball(parameters, bodies);
+      std::shared_ptr<const ContactLaw> law = std::make_shared<HertzLaw>(k);
+      std::shared_ptr<const Unloading>  unloading;
       if (parameters.contact.unloading == UnloadingLaw::Yang_Sun)
-        return Contact(std::make_shared<HertzLaw>(k),
-                       compliance,
-                       yang_sun_unloading(
-                         parameters.contact.critical_indentation));
-      if (!bodies.weaker)
-        return Contact(std::make_shared<HertzLaw>(k), compliance);
-      const auto law =
-        std::make_shared<YieldingLaw>(k,
-                                      *bodies.yield_indentation,
-                                      bodies.weaker->share_of_compliance);
-      return Contact(law, compliance, plastic_unloading(law));
+        unloading = yang_sun_unloading(parameters.contact.critical_indentation);
+      else if (bodies.weaker)
+        {
+          const auto yielding =
+            std::make_shared<YieldingLaw>(k,
+                                          *bodies.yield_indentation,
+                                          bodies.weaker->share_of_compliance);
+          law       = yielding;
+          unloading = plastic_unloading(yielding);
+        }
+      return Contact(law, compliance, unloading);
     }
 
 
@@ -102,13 +83,22 @@ namespace PlateImpact
       const ImpactorParameters &impactor = parameters.impactor;
       const PlateSection        section(parameters.plate);
       const ContactBodies       bodies(parameters, section);
-      return Contact(std::make_shared<LineLaw>(
-        impactor.radius,
-        0.5 * impactor.length,
-        bodies.modulus,
-        layer_constant ?
-          line_constant_of_layer(parameters, section, bodies, *layer_constant) :
-          LineLaw::constant_of_half_space));
+      const double              half_length = 0.5 * impactor.length;
+      double                    constant    = LineLaw::constant_of_half_space;
+      // of a layer: the plate's side of the approach is F' (1 - nu) / (pi G)
+      // (ln(h/a) + Lambda), the cylinder's F' (1 - nu^2) / (pi E) (2 ln(4r/a) -
+      // 1), to its axis (Johnson, sec. 5.6), F' the force per length
+      if (layer_constant)
+        constant = bodies.modulus *
+            (section.half_space_compliance *
+               (std::log(parameters.plate.thickness) + *layer_constant) +
+             bodies.impactor_compliance *
+               (std::log(4. * impactor.radius) - 0.5)) -
+          std::log(half_length);
+      return Contact(std::make_shared<LineLaw>(impactor.radius,
+                                               half_length,
+                                               bodies.modulus,
+                                               constant));
     }
 
 
@@ -125,12 +115,45 @@ namespace PlateImpact
       {ForceLaw::Sun, "Sun", make_sphere_contact},
       {ForceLaw::Hertz, "Hertz", make_sphere_contact},
       {ForceLaw::line, "line", make_line_contact}};
+
+    const std::vector<Word<UnloadingLaw>> unloadings = {
+      {UnloadingLaw::elastic, "elastic"},
+      {UnloadingLaw::Yang_Sun, "Yang-Sun"}};
+
+    const std::vector<Word<ForceIntegration>> integrations = {
+      {ForceIntegration::energy_conserving, "energy conserving"},
+      {ForceIntegration::collocation, "collocation"}};
   } // namespace
 
 
 
   template <>
   const std::vector<Word<ForceLaw>> Choices<ForceLaw>::words = words_of(laws);
+
+  template <>
+  const std::vector<Word<LocalResponse>> Choices<LocalResponse>::words = {
+    {LocalResponse::layer, "layer"},
+    {LocalResponse::half_space, "half-space"}};
+
+  template <>
+  const std::vector<Word<ImpactorShape>> Choices<ImpactorShape>::words = {
+    {ImpactorShape::sphere, "sphere"},
+    {ImpactorShape::cylinder, "cylinder"},
+    {ImpactorShape::none, "none"}};
+
+
+
+  Impactor
+  make_impactor(const ImpactorParameters &parameters)
+  {
+    const double pi = std::acos(-1.), r = parameters.radius;
+    const double volume = parameters.is_cylinder() ?
+      pi * r * r * parameters.length :
+      4. / 3. * pi * r * r * r;
+    const double mass =
+      parameters.mass > 0. ? parameters.mass : volume * parameters.density;
+    return {mass, 0., parameters.velocity};
+  }
 
 
 
@@ -171,23 +194,27 @@ namespace PlateImpact
 
 
 
-  template <>
-  const std::vector<Word<LocalResponse>> Choices<LocalResponse>::words = {
-    {LocalResponse::layer, "layer"},
-    {LocalResponse::half_space, "half-space"}};
-
-
-
-  namespace
+  void
+  ImpactorParameters::declare_entries(Entries &entries)
   {
-    const std::vector<Word<UnloadingLaw>> unloadings = {
-      {UnloadingLaw::elastic, "elastic"},
-      {UnloadingLaw::Yang_Sun, "Yang-Sun"}};
-
-    const std::vector<Word<ForceIntegration>> integrations = {
-      {ForceIntegration::energy_conserving, "energy conserving"},
-      {ForceIntegration::collocation, "collocation"}};
-  } // namespace
+    const auto positive = number_above(0);
+    const auto entry    = entries.section("Impactor");
+    entry("Shape", "sphere", one_of<ImpactorShape>(), shape)
+      .means("Cylinder: barrelled, with its axis along x.");
+    entry("Radius", "0.01", positive, radius).means("[m]");
+    entry("Length", "0.066667", positive, length)
+      .means("Contact length 2l of a cylinder. [m]");
+    entry("Mass", "0", number_from(0), mass)
+      .means("0: from the density and the volume of the shape. [kg]");
+    entry("Density", "7800", positive, density).means("[kg/m^3]");
+    entry("Young's modulus", "2.1e11", positive, youngs_modulus).means("[Pa]");
+    entry("Poisson's ratio", "0.3", number_between(-1, 0.5), poissons_ratio)
+      .means("[-]");
+    entry("Yield strength", "0", number_from(0), yield_strength)
+      .means("As Plate/Yield strength. [Pa]");
+    entry("Velocity", "1.0", positive, velocity)
+      .means("Towards the plate. [m/s]");
+  }
 
 
 

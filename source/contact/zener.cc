@@ -2,7 +2,7 @@
 
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/parameters.h"
-#include "plate_impact/contact/contact_solver.h"
+#include "plate_impact/contact/hertz_law.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,13 +48,6 @@ namespace PlateImpact
         alpha    = contact.indentation_under(approach);
         contact.follow(alpha);
         return alpha;
-      }
-
-      /// Of impactor and contact. [J]
-      double
-      energy() const
-      {
-        return impactor.kinetic_energy() + contact.stored_energy(alpha);
       }
     };
 
@@ -144,7 +137,9 @@ namespace PlateImpact
     const double least_energy =
       std::isinf(end_time) ? 1e-6 * impactor.kinetic_energy() : 0.;
     for (double dt = shortest; state.time < end_time && state.overlap() >= 0. &&
-         steps.energy() >= least_energy;)
+         steps.impactor.kinetic_energy() +
+             steps.contact.stored_energy(state.indentation) >=
+           least_energy;)
       {
         const double before = state.indentation, v = state.impactor_velocity;
         state.indentation           = steps.advance(dt);
@@ -181,11 +176,11 @@ namespace PlateImpact
   std::optional<double>
   ZenerImpact::loss_factor() const
   {
-    const std::optional<double> k = contact.first_loading().hertz_coefficient();
-    if (!k)
+    const auto *law = dynamic_cast<const HertzLaw *>(&contact.first_loading());
+    if (law == nullptr)
       return {};
     const double m = impactor.mass;
-    const double T = std::pow(m / (*k * std::sqrt(impactor.velocity)), 0.4);
+    const double T = std::pow(m / (law->k * std::sqrt(impactor.velocity)), 0.4);
     return m / (impedance(section) * T);
   }
 

@@ -2,7 +2,6 @@
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/contact/contact_bodies.h"
-#include "plate_impact/contact/impactor.h"
 #include "plate_impact/contact/make_contact.h"
 #include "plate_impact/plate/layer_response.h"
 #include "plate_impact/plate/plate_geometry.h"

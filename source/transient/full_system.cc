@@ -2,7 +2,6 @@
 
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/transient/large_deflection_stepper.h"
-#include "plate_impact/transient/plate_stepper.h"
 
 #include <limits>
 
@@ -12,7 +11,7 @@ namespace PlateImpact
   FullSystem::motion(const NewmarkScheme &scheme)
   {
     if (is_linear())
-      return std::make_unique<PlateStepper>(scheme, *this);
+      return SemidiscreteSystem::motion(scheme);
     return std::make_unique<LargeDeflectionStepper>(scheme, *matrices, load());
   }
 

@@ -31,7 +31,7 @@ namespace PlateImpact
     , u(load)
     , plate(matrices.discretization)
     , damping(matrices.damping / scheme.dt)
-    , tangent(matrices.make_solver())
+    , tangent(make_linear_solver(matrices.solver_type, matrices.work))
     , linear(matrices.discretization.stiffness())
   {
     z = v = Kz = Mv = increment = Eigen::VectorXd::Zero(u.size());

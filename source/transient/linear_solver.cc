@@ -41,38 +41,6 @@ namespace PlateImpact
 
   namespace
   {
-    /// Threads, four in CHOLMOD whatever the machine has, cost more than they
-    /// bring.
-    void
-    forgo_threads()
-    {
-      if (openblas_set_num_threads != nullptr)
-        openblas_set_num_threads(1);
-      if (omp_set_max_active_levels != nullptr)
-        omp_set_max_active_levels(0);
-    }
-
-
-
-    /// The system would end the process without a word.
-    void
-    require_memory(const double bytes, const std::size_t n_unknowns)
-    {
-      const double physical = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
-        static_cast<double>(sysconf(_SC_PAGESIZE));
-      if (bytes < physical)
-        return;
-      throw ComputationError(
-        fmt::format("the factor of the effective stiffness matrix of {} "
-                    "unknowns needs {} of memory, but there is only {}; try "
-                    "fewer cells or a larger Adaptivity/Minimum cell size",
-                    n_unknowns,
-                    number(bytes, "B"),
-                    number(physical, "B")));
-    }
-
-
-
     /// CHOLMOD. Ordering and symbolic factorization hold for all matrices.
     class CholmodSolver : public LinearSolver
     {
@@ -80,7 +48,12 @@ namespace PlateImpact
       explicit CholmodSolver(SolverWork &work)
         : LinearSolver(work)
       {
-        forgo_threads();
+        // threads, four in CHOLMOD whatever the machine has, cost more than
+        // they bring
+        if (openblas_set_num_threads != nullptr)
+          openblas_set_num_threads(1);
+        if (omp_set_max_active_levels != nullptr)
+          omp_set_max_active_levels(0);
         cholmod_common &common = cholesky.cholmod();
         // Dense blocks pay from some thousand unknowns on. Without them no BLAS
         // is called, whose kernels differ from processor to processor.
@@ -106,7 +79,18 @@ namespace PlateImpact
             require_success(A.rows());
             is_analyzed = true;
           }
-        require_memory(cholesky.cholmod().lnz * sizeof(double), A.rows());
+        // the system would end the process without a word
+        const double bytes    = cholesky.cholmod().lnz * sizeof(double),
+                     physical = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
+          static_cast<double>(sysconf(_SC_PAGESIZE));
+        if (bytes >= physical)
+          throw ComputationError(fmt::format(
+            "the factor of the effective stiffness matrix of {} unknowns needs "
+            "{} of memory, but there is only {}; try fewer cells or a larger "
+            "Adaptivity/Minimum cell size",
+            A.rows(),
+            number(bytes, "B"),
+            number(physical, "B")));
         cholesky.factorize(A);
         require_success(A.rows());
       }

@@ -12,12 +12,11 @@ namespace PlateImpact
 {
   namespace
   {
-    /// Until when steps of another length are taken, over the time of a peak on
-    /// ripples.
+    /// Until when longer steps are taken, over the time of a peak on ripples.
     constexpr double past_ripples = 1.1;
 
-    /// Of the change of a peak over the root of the mean square of that of the
-    /// ripples around it: covers 95 of 100 random heavy impactors.
+    /// Change of a peak over that of the ripples around it: covers 95 of 100
+    /// random heavy impactors.
     constexpr double peak_over_ripples = 1.25;
 
     /// Of the force by Ritz vectors that serve its error alone.
@@ -135,10 +134,7 @@ namespace PlateImpact
     longer.time_step      = factor * scheme.dt;
     longer.end_time =
       longer.time_step * ((scheme.n_steps + factor - 1) / factor);
-    TimeStepper           stepper({longer, scheme.integration},
-                        system,
-                        contact,
-                        impactor);
+    TimeStepper           stepper = steps(longer);
     const ContactHistory &history = stepper.impact().history;
     while (history.states().size() <= stepper.n_steps() &&
            stepper.state().time < until)

@@ -1,29 +1,9 @@
 #include "plate_impact/transient/peak_force_dual.h"
 
-#include "plate_impact/transient/plate_stepper.h"
-
 #include <algorithm>
 
 namespace PlateImpact
 {
-  namespace
-  {
-    /// Displacement of an impactor j steps after a step with the contact force
-    /// 1, away from the plate. [m/N]
-    double
-    impactor_response(const unsigned int   j,
-                      const NewmarkScheme &scheme,
-                      const Impactor      &impactor)
-    {
-      const double in_steps = scheme.integration.acts_at_begin() ?
-        j + 0.5 :
-        std::max(scheme.beta, 1. * j);
-      return scheme.dt * scheme.dt / impactor.mass * in_steps;
-    }
-  } // namespace
-
-
-
   DualLoads
   dual_loads(const ContactHistory &history,
              const NewmarkScheme  &scheme,
@@ -41,8 +21,11 @@ namespace PlateImpact
     double          at_peak  = 0.;
     for (Eigen::Index k = 0; k < p; ++k)
       {
-        compliance[k] =
-          response.displacement(k) + impactor_response(k, scheme, impactor);
+        // the impactor's own: steps after one with the contact force 1
+        const double in_steps =
+          integration.acts_at_begin ? k + 0.5 : std::max(scheme.beta, 1. * k);
+        compliance[k] = response.displacement(k) +
+          scheme.dt * scheme.dt / impactor.mass * in_steps;
         const double begin = states[k].indentation,
                      end   = states[k + 1].indentation;
         phi[k]             = integration.force(followed, begin, end);
@@ -50,7 +33,7 @@ namespace PlateImpact
           b[k] = integration.stiffness(followed, begin, end, phi[k]) /
             followed.approach_derivative(end);
         // a mean force takes both ends alike
-        if (phi[k] != 0. && integration.acts_at_begin())
+        if (phi[k] != 0. && integration.acts_at_begin)
           a[k] = integration.stiffness(followed, end, begin, phi[k]) /
             followed.approach_derivative(begin);
         at_peak = followed.stiffness(end) / followed.approach_derivative(end);

@@ -6,10 +6,12 @@
 #include "plate_impact/contact/make_contact.h"
 #include "plate_impact/plate/layer_response.h"
 #include "plate_impact/plate/load_distribution.h"
+#include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
 #include "plate_impact/transient/natural_frequencies.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace PlateImpact
@@ -19,19 +21,68 @@ namespace PlateImpact
     /// Numbers in the Ritz vectors of all loads that are kept: 0.8 GB.
     constexpr double most_kept_numbers = 1e8;
 
+    /// Steps in which the end of a contact is looked for.
+    constexpr double most_steps_of_contact = 262144.;
 
 
-    /// Of the plate without damping. [rad/s]
-    double
-    first_frequency(EffectiveStiffness &matrices)
+
+    /// How long an impact may last.
+    struct ContactTime
     {
-      const std::vector<double> frequencies = natural_frequencies(matrices, 1);
-      if (frequencies.empty())
-        throw ComputationError(
-          "the mesh has too few unknowns for the first natural frequency, to "
-          "which Plate/Loss factor refers; choose more Discretization/Initial "
-          "cells");
-      return 2. * std::acos(-1.) * frequencies.front();
+      double shortest; ///< expected [s]
+      double longest;  ///< that is waited for [s]
+      bool   is_held;  ///< whether the plate throws the impactor back
+    };
+
+    ContactTime
+    contact_time(const Parameters  &impact,
+                 const ZenerImpact &expected,
+                 const double       compliance)
+    {
+      const double of_zener   = 1.5 * expected.contact_time(),
+                   half_space = 2. * expected.peak_on_rigid_plate().time;
+      if (!std::isfinite(compliance)) // free to move, it is left sooner
+        return {of_zener, 100. * half_space, false};
+      const double mass       = expected.impactor.mass,
+                   plate_mass = geometry_of(impact.plate).area *
+        expected.section.mass_per_area,
+                   half_period =
+                     half_space + std::acos(-1.) * std::sqrt(mass * compliance);
+      // heavier than the plate it bends that as a whole, for half a period
+      return {mass > plate_mass ? std::max(of_zener, 1.1 * half_period) :
+                                  of_zener,
+              2. * half_period,
+              true};
+    }
+
+
+
+    /// A little after the end of the impact, on the mesh by steps four times as
+    /// long, or as long as anybody waits. [s]
+    double
+    end_by_steps(const LoadedPlate &plate,
+                 const Parameters  &impact,
+                 const ContactTime &wait)
+    {
+      const double dt = impact.time.time_step;
+      // few digits are needed, but every step counts
+      TimeParameters coarse = impact.time;
+      coarse.time_step *= 4.;
+      coarse.end_time = dt *
+        std::ceil(std::min(most_steps_of_contact,
+                           std::max(impact.time.end_time, wait.longest) / dt));
+      TimeStepper stepper     = plate.steps(coarse);
+      bool        is_touching = false;
+      for (unsigned int step = 0; step < stepper.n_steps(); ++step)
+        {
+          stepper.advance();
+          const ContactState &state = stepper.state();
+          if (is_touching && state.force == 0. &&
+              (!wait.is_held || state.impactor_velocity <= 0.))
+            return dt * std::ceil(1.01 * state.time / dt);
+          is_touching = is_touching || state.force > 0.;
+        }
+      return coarse.end_time;
     }
   } // namespace
 
@@ -60,7 +111,15 @@ namespace PlateImpact
                       needs_states);
     if (reductions.count(key) == 0)
       {
-        forget_loads();
+        // makes room for another load
+        const unsigned int n_vectors = work().ritz_vectors;
+        if (1. * (n_vectors - n_forgotten_vectors) * plate.n_unknowns() >
+            most_kept_numbers)
+          {
+            n_forgotten_vectors = n_vectors;
+            reductions.clear();
+            loaded_meshes.clear();
+          }
         reductions[key] =
           std::make_shared<RitzReduction>(loaded_mesh(impact),
                                           time,
@@ -115,9 +174,8 @@ namespace PlateImpact
   std::vector<double>
   PlateModel::natural_frequencies(const unsigned int n)
   {
-    if (n == 0)
-      return {};
-    return PlateImpact::natural_frequencies(*assembled(), n);
+    return n > 0 ? PlateImpact::natural_frequencies(*assembled(), n) :
+                   std::vector<double>();
   }
 
 
@@ -131,28 +189,23 @@ namespace PlateImpact
         plate.assemble();
         matrices = std::make_shared<EffectiveStiffness>(plate, linear_solver);
         if (loss_factor > 0.)
-          matrices->damping = loss_factor / first_frequency(*matrices);
+          {
+            const std::vector<double> frequencies =
+              PlateImpact::natural_frequencies(*matrices, 1);
+            if (frequencies.empty())
+              throw ComputationError(
+                "the mesh has too few unknowns for the first natural "
+                "frequency, to which Plate/Loss factor refers; choose more "
+                "Discretization/Initial cells");
+            // of the plate without damping [rad/s]
+            const double first = 2. * std::acos(-1.) * frequencies.front();
+            matrices->damping  = loss_factor / first;
+          }
         // without what the search for the frequency took to factorize
         assembly_seconds +=
-          timer.wall_time() - matrices->work().factorization_seconds;
+          timer.wall_time() - matrices->work.factorization_seconds;
       }
     return matrices;
-  }
-
-
-
-  void
-  PlateModel::forget_loads()
-  {
-    double numbers = 0.;
-    for (const auto &[key, loaded] : loaded_meshes)
-      numbers += 1. * loaded->n_vectors() * loaded->system.load().size();
-    if (numbers <= most_kept_numbers)
-      return;
-    for (const auto &[key, loaded] : loaded_meshes)
-      n_forgotten_vectors += loaded->n_vectors();
-    reductions.clear();
-    loaded_meshes.clear();
   }
 
 
@@ -167,7 +220,44 @@ namespace PlateImpact
     for (const auto &[key, loaded] : loaded_meshes)
       work.ritz_vectors += loaded->n_vectors();
     if (matrices != nullptr)
-      static_cast<SolverWork &>(work) = matrices->work();
+      static_cast<SolverWork &>(work) = matrices->work;
     return work;
+  }
+
+
+
+  Parameters
+  until_contact_ends(PlateModel       &plate,
+                     const Parameters &impact,
+                     const bool        needs_states)
+  {
+    if (impact.time.end_time > 0.)
+      return impact;
+    Parameters result         = impact;
+    result.time.end_is_chosen = true;
+    const double      dt      = impact.time.time_step;
+    const ContactTime wait    = contact_time(impact,
+                                          make_zener_impact(impact),
+                                          plate.static_compliance(impact));
+    // by powers of two, so that impactors share responses
+    for (double n = std::exp2(std::ceil(std::log2(wait.shortest / dt)));;
+         n *= 2.)
+      {
+        result.time.end_of_vectors = result.time.end_time = n * dt;
+        const LoadedPlate loaded = plate.under(result, needs_states);
+        if (loaded.is_stepped_on_the_mesh())
+          {
+            // more steps take more vectors
+            result.time.integrator = IntegratorType::Newmark;
+            result.time.end_time   = end_by_steps(loaded, result, wait);
+            return result;
+          }
+        const std::optional<double> end =
+          loaded.strike().history.end_of_impact(wait.is_held);
+        if (end)
+          result.time.end_time = dt * std::ceil(*end / dt);
+        if (end || n >= most_steps_of_contact || n * dt >= wait.longest)
+          return result;
+      }
   }
 } // namespace PlateImpact

@@ -2,9 +2,9 @@
 
 #include "plate_impact/base/entries.h"
 #include "plate_impact/base/exceptions.h"
+#include "plate_impact/contact/hertz_law.h"
 #include "plate_impact/contact/make_contact.h"
 #include "plate_impact/plate/plate_geometry.h"
-#include "plate_impact/transient/time_stepper.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,14 +16,13 @@ namespace PlateImpact
   namespace
   {
     /// Share of what lies beyond the basis before in the displacements, in the
-    /// norm of K + sigma M, below which fields are right: measured, eta is then
-    /// that of the mesh to better than 1 % of itself.
+    /// norm of K + sigma M, below which eta was that of the mesh within 1 %.
     constexpr double field_tolerance = 1e-3;
 
 
 
-    /// Steps by which a number of vectors is judged, about: what vectors leave
-    /// out of a force hardly depends on the step.
+    /// Steps by which a number of vectors is judged, about: the step hardly
+    /// matters.
     constexpr double most_steps_to_judge = 2000.;
 
     /// Of these steps, in a contact of the infinite plate.
@@ -36,16 +35,14 @@ namespace PlateImpact
 
 
 
-    /// Returns of the waves from the nearest edge after which a plate rings: a
-    /// force then takes as many vectors as there are motions that ring, however
-    /// long it is followed.
+    /// Returns of the waves from the nearest edge after which a plate rings,
+    /// and no longer time takes more vectors.
     constexpr double returns_until_it_rings = 8.;
 
 
 
-    /// Vectors that cost as much as a number of steps: a solve each, which is
-    /// as much as making one orthogonal to 450 others (measured on 7000 to
-    /// 37000 unknowns with 180 to 950 vectors), n + n^2 / 900 solves.
+    /// Vectors that cost as much as a number of steps: n + n^2 / 900 solves, as
+    /// measured on 7000 to 37000 unknowns with 180 to 950 vectors.
     double
     vectors_worth(const double n_steps)
     {
@@ -54,13 +51,11 @@ namespace PlateImpact
 
 
 
-    /// Estimated errors of the last of three histories, roots of mean squares
-    /// over the steps in which two of them are not zero; a step counts none
-    /// where one has no value. Once waves no longer come back from the end of
-    /// the chain of vectors, the errors of different bases are uncorrelated
-    /// ringing: differences are |a - b|^2 = e_a^2 + e_b^2, and three of them
-    /// tell the error of each. An estimate below what two equal errors would
-    /// differ by is not trusted.
+    /// Estimated error of the last of three histories, a root of the mean
+    /// square over the steps in which two of them are not zero and have a
+    /// value. Errors of different bases are uncorrelated ringing: differences
+    /// are |a - b|^2 = e_a^2 + e_b^2, and three of them tell the error of each.
+    /// An estimate below what two equal errors would differ by is not trusted.
     double
     estimated_error(const std::deque<Eigen::ArrayX2d> &three,
                     const unsigned int                 column)
@@ -81,10 +76,9 @@ namespace PlateImpact
 
 
     /// What a number of vectors is judged by, relative to the peak force: the
-    /// force, and without contact the displacement under the load times the
-    /// stiffness of the contact at the peak, which is the error that it would
-    /// bring into a force, for another impactor may be in contact when this one
-    /// is not. NaN with contact; zero without a peak.
+    /// force, and without contact, for another impactor may be in contact then,
+    /// the displacement times the stiffness of the contact at the peak. NaN
+    /// with contact; zero without a peak.
     Eigen::ArrayX2d
     judged(const ContactHistory &history, const Contact &contact)
     {
@@ -146,22 +140,12 @@ namespace PlateImpact
 
 
 
-    double
-    frequency(const int half_octave)
-    {
-      return std::exp2(0.5 * half_octave);
-    }
-
-
-
     /// Twice the logarithm to base 2 of the root of the shift [1/s].
     int
     half_octave(const double contact_time, const double end_time)
     {
-      // The fewer vectors the smaller sigma is, for waves to run along them
-      // until the end time T; but below this number what is joined to their end
-      // shows in the force. Measured for 0.5 to 21 contact times, and rounded,
-      // so that impactors share bases.
+      // the smaller, the fewer vectors; but below this the terminator shows in
+      // the force (measured for 0.5 to 21 contact times); impactors share bases
       const double duration = std::pow(std::min(end_time, contact_time), 0.6) *
         std::pow(end_time, 0.4);
       return std::lround(2. * std::log2(12. * std::acos(-1.) / duration));
@@ -194,7 +178,8 @@ namespace PlateImpact
       if (n_unknowns < 3. * time.end_time / time.time_step)
         return false;
       const ZenerImpact expected = make_zener_impact(scene);
-      if (!expected.contact.first_loading().hertz_coefficient())
+      if (dynamic_cast<const HertzLaw *>(&expected.contact.first_loading()) ==
+          nullptr)
         return false;
       const double back = return_of_waves(scene.plate, expected);
       return time.end_time > back &&
@@ -204,30 +189,20 @@ namespace PlateImpact
 
 
 
-    /// The power of two above or below.
-    double
-    round_up(const double value, const double unit)
-    {
-      return unit * std::exp2(std::ceil(std::log2(value / unit)));
-    }
-
-    double
-    round_down(const double value, const double unit)
-    {
-      return unit * std::exp2(std::floor(std::log2(value / unit)));
-    }
-
-
-
     /// An impactor whose numbers are round in units of the plate, lighter,
     /// stiffer and faster: its contact is shorter, which takes more vectors.
     ImpactorParameters
     nearby(ImpactorParameters impactor, const PlateParameters &plate)
     {
+      // to the power of two above, in a unit
+      const auto round_up = [](const double value, const double unit) {
+        return unit * std::exp2(std::ceil(std::log2(value / unit)));
+      };
       const double h = plate.thickness, density = plate.density,
-                   E = PlateSection(plate).contact_modulus;
-      impactor.mass =
-        round_down(make_impactor(impactor).mass, density * h * h * h);
+                   E    = PlateSection(plate).contact_modulus,
+                   mass = density * h * h * h;
+      impactor.mass     = mass *
+        std::exp2(std::floor(std::log2(make_impactor(impactor).mass / mass)));
       impactor.density        = 0.; // what counts is the mass
       impactor.contact_radius = 0.; // it has one of its own
       impactor.radius         = round_up(impactor.radius, h);
@@ -235,6 +210,12 @@ namespace PlateImpact
       impactor.velocity = round_up(impactor.velocity, std::sqrt(E / density));
       return impactor;
     }
+
+
+
+    const std::vector<Word<IntegratorType>> integrators = {
+      {IntegratorType::Newmark, "Newmark"},
+      {IntegratorType::Ritz_vectors, "Ritz vectors"}};
   } // namespace
 
 
@@ -273,11 +254,11 @@ namespace PlateImpact
                returns_until_it_rings *
                  return_of_waves(rounded.plate, expected));
     const int octave = half_octave(expected.contact_time(), followed);
-    // Waves run along the vectors at this speed; a force is right when those
-    // that the end reflects cannot be back before the end time. Fields may
-    // follow with the third basis, the first that is judged.
-    const double n_first = std::max(12., 0.24 * frequency(octave) * followed),
-                 growth  = 1.15;
+    // Waves run along the vectors at this speed, and should not be back from
+    // their end. The third basis is the first that is judged.
+    const double n_first =
+                   std::max(12., 0.24 * std::exp2(0.5 * octave) * followed),
+                 growth = 1.15;
     // once the vectors have cost as much as the steps would, or fill the
     // memory, the steps are made after all
     const double n_most =
@@ -293,7 +274,7 @@ namespace PlateImpact
       {
         const unsigned int n_wanted = static_cast<unsigned int>(n);
         ReducedSystem     &reduced  = reduced_system(octave, n_wanted);
-        if (reduced.n_vectors() < n_wanted)
+        if (reduced.n_vectors < n_wanted)
           return &reduced; // there are no more
         try
           {
@@ -329,7 +310,7 @@ namespace PlateImpact
   ReducedSystem &
   RitzReduction::reduced_system(const int half_octave, const unsigned int n)
   {
-    const double omega = frequency(half_octave);
+    const double omega = std::exp2(0.5 * half_octave);
     RitzBasis   &basis =
       mesh->bases.try_emplace(half_octave, mesh->system, omega * omega)
         .first->second;
@@ -370,15 +351,6 @@ namespace PlateImpact
     return responses.try_emplace({&system, by.n_steps}, by, system)
       .first->second;
   }
-
-
-
-  namespace
-  {
-    const std::vector<Word<IntegratorType>> integrators = {
-      {IntegratorType::Newmark, "Newmark"},
-      {IntegratorType::Ritz_vectors, "Ritz vectors"}};
-  } // namespace
 
 
 

@@ -10,12 +10,67 @@
 
 namespace PlateImpact
 {
+  namespace
+  {
+    /// The motion of a plate under the load by its response, without unknowns.
+    class ConvolvedMotion : public PlateMotion
+    {
+    public:
+      /// @param reversed  must outlive the motion
+      ConvolvedMotion(const NewmarkScheme   &scheme,
+                      const Eigen::VectorXd &reversed)
+        : reversed(reversed)
+        , forces(reversed.size())
+      {
+        // the response has phi at the beginning of the step as well
+        w_of_unit_response = reversed[reversed.size() - 1] /
+          (scheme.integration.acts_at_begin ? 1. + scheme.c2 : 1.);
+      }
+
+      double
+      begin_step(const double begin_force) override
+      {
+        known_force = begin_force;
+        free        = forces.head(n_forces).dot(
+          reversed.segment(reversed.size() - 1 - step, n_forces));
+        return free;
+      }
+
+      std::optional<double>
+      end_step(const double at_begin, const double at_end) override
+      {
+        forces[step++] = at_end;
+        if (at_end != 0.)
+          n_forces = step;
+        const double w_end = free + reversed[reversed.size() - 1] * at_end;
+        work += 0.5 * (known_force + at_begin + at_end) * (w_end - w);
+        w = w_end;
+        return {};
+      }
+
+      double
+      energy() const override
+      {
+        return work;
+      }
+
+    private:
+      const Eigen::VectorXd &reversed;
+      Eigen::VectorXd        forces;       ///< phi of the steps so far
+      Eigen::Index           n_forces = 0; ///< up to the last that is not zero
+      Eigen::Index           step     = 0;
+      double                 known_force = 0., free = 0., work = 0.;
+    };
+  } // namespace
+
+
+
   TimeStepper::TimeStepper(const NewmarkScheme         &scheme,
                            std::unique_ptr<PlateMotion> motion,
                            const Contact               &contact,
                            const Impactor              &impactor)
     : scheme(scheme)
-    , at_begin(scheme.integration.acts_at_begin() ? 1. : 0.)
+    , at_begin(scheme.integration.acts_at_begin ? 1. : 0.)
     , plate_motion(std::move(motion))
     , contact(contact)
     , impactor(impactor)
@@ -44,12 +99,25 @@ namespace PlateImpact
     for (const unsigned int last = step + n_steps; step < last;)
       {
         ++step;
-        begin_force = scheme.integration.known_begin_force(current.force);
+        begin_force = scheme.integration.acts_at_begin ? 0. : current.force;
         double phi  = 0.;
         for (std::optional<double> free = plate_motion->begin_step(begin_force);
-             free;
-             free = end_plate_step(phi))
-          phi = contact_force(*free);
+             free;)
+          {
+            phi = contact_force(*free);
+            try
+              {
+                free = plate_motion->end_step(at_begin * phi, phi);
+              }
+            catch (const ComputationError &error)
+              {
+                throw ComputationError(
+                  fmt::format("step {} (t = {}): {}",
+                              step,
+                              number(scheme.dt * step, "s"),
+                              error.what()));
+              }
+          }
         end_step(phi);
         if (!so_far.separation_time && is_out_of_reach())
           so_far.separation_time = current.time;
@@ -82,24 +150,6 @@ namespace PlateImpact
       {
         throw ComputationError("step " + std::to_string(step) + ": " +
                                error.what());
-      }
-  }
-
-
-
-  std::optional<double>
-  TimeStepper::end_plate_step(const double phi)
-  {
-    try
-      {
-        return plate_motion->end_step(at_begin * phi, phi);
-      }
-    catch (const ComputationError &error)
-      {
-        throw ComputationError(fmt::format("step {} (t = {}): {}",
-                                           step,
-                                           number(scheme.dt * step, "s"),
-                                           error.what()));
       }
   }
 
@@ -176,5 +226,39 @@ namespace PlateImpact
     const double energy = (1. + 1e-6) * current.plate_energy;
     return -current.impactor_displacement >
       std::sqrt(2. * energy * plate->static_compliance());
+  }
+
+
+
+  PlateResponse::PlateResponse(const NewmarkScheme &scheme,
+                               SemidiscreteSystem  &plate)
+    : scheme(scheme)
+    , reversed(scheme.n_steps)
+  {
+    step_under(Eigen::VectorXd::Unit(scheme.n_steps, 0),
+               scheme,
+               plate,
+               [this](const Eigen::Index step, const PlateStepper &stepper) {
+                 reversed[reversed.size() - step] = stepper.displacement();
+               });
+    if (!reversed.allFinite())
+      throw ComputationError(
+        "the response of the plate to a unit force is not finite; try a "
+        "smaller Time/Time step");
+  }
+
+
+
+  Impact
+  PlateResponse::impact(const Contact     &contact,
+                        const Impactor    &impactor,
+                        const unsigned int n_steps) const
+  {
+    TimeStepper stepper(scheme,
+                        std::make_unique<ConvolvedMotion>(scheme, reversed),
+                        contact,
+                        impactor);
+    stepper.advance(n_steps);
+    return stepper.impact();
   }
 } // namespace PlateImpact

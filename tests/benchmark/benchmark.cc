@@ -296,13 +296,14 @@ namespace PlateImpact
           times.push_back(stepper.state().time);
           coordinates.col(sample) = stepper.displacement();
         }
+      const auto           span = reduced.span(coordinates);
       const StressRecovery recovery(*stages.mesh);
       for (auto _ : state)
         {
           state.PauseTiming();
           EnergyNormEstimator estimator(stages.model, recovery);
           state.ResumeTiming();
-          estimator.add_samples(times, reduced.vectors(), coordinates);
+          estimator.add_samples(times, span.vectors, span.coordinates);
         }
       count(state, stages);
       state.SetItemsProcessed(state.iterations() * times.size());

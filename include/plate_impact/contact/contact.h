@@ -1,5 +1,6 @@
 #pragma once
 
+#include "plate_impact/base/choices.h"
 #include "plate_impact/contact/contact_law.h"
 #include "plate_impact/contact/unloading.h"
 
@@ -9,29 +10,24 @@
 
 namespace PlateImpact
 {
-  /// The contact of impactor and plate as it stands at the end of a step: the
-  /// law of the two bodies, what gives way in series with it, and what it
-  /// remembers of earlier indentations. A value: who follows a contact through
-  /// a transient has a copy.
+  /// The contact of impactor and plate at the end of a step: the law of the two
+  /// bodies, what gives way in series, and the memory of earlier indentations.
+  /// A value: who follows a contact through a transient has a copy.
   ///
   /// **Series.** The approach of the impactor's centre to the plate's
-  /// midsurface beyond first touch is
-  ///   delta = alpha + C F(alpha)
-  /// with the indentation alpha and the compliance C of all that is not in the
-  /// law. C is negative where plate and ball are stiffer than the half-spaces
-  /// of the law (LayerResponse, ball_compliance()). The approach then has a
-  /// largest value, where C F' = -1; from C F' = -0.9 on, where the contact is
-  /// about as wide as the plate is thick, the force is continued by its
-  /// tangent. Energies are those of the approach.
+  /// midsurface is delta = alpha + C F(alpha), alpha the indentation. C is
+  /// negative where plate and ball are stiffer than the half-spaces of the law
+  /// (LayerResponse, ball_compliance()): the approach has a largest value where
+  /// C F' = -1, and from C F' = -0.9 on, where the contact is about as wide as
+  /// the plate is thick, the force goes on along its tangent. Energies are
+  /// those of the approach.
   ///
-  /// **Memory.** With an Unloading the law is the curve of first loading. Below
-  /// the largest indentation alpha_m the contact unloads to its dent. Unloading
-  /// begins where the loading or reloading before has ended, and is run both
-  /// ways while the bodies touch; only after they have parted the whole curve
-  /// of reloading is run. Within a step the force is one function of the
-  /// indentation, continuous and never decreasing. What unloading gives back
-  /// is stored, F (alpha - alpha_0) / (n + 1); the rest of the work is
-  /// dissipated.
+  /// **Memory.** With an Unloading the contact unloads to its dent from where
+  /// loading has ended, both ways while the bodies touch; once they have
+  /// parted, it reloads up to the largest indentation. Within a step the force
+  /// is one function of the indentation, continuous and never decreasing. What
+  /// unloading gives back is stored, F (alpha - alpha_0) / (n + 1); the rest of
+  /// the work is dissipated.
   class Contact
   {
   public:
@@ -58,9 +54,8 @@ namespace PlateImpact
       return branch.stiffness(argument);
     }
 
-    /// Mean of the force over the approach between two indentations: this
-    /// times the change of the approach is the work of the contact. Does not
-    /// cancel when they are close. [N]
+    /// Mean of the force over the approach between two indentations, without
+    /// cancellation: times the change of the approach the work. [N]
     double
     mean_force(double a, double b) const;
 
@@ -101,8 +96,7 @@ namespace PlateImpact
     void
     follow(double indentation);
 
-    /// The force up to which the series holds; infinite where C is not
-    /// negative. [N]
+    /// Up to which the series holds; infinite unless C is negative. [N]
     double
     largest_force() const
     {
@@ -125,9 +119,8 @@ namespace PlateImpact
     }
 
   private:
-    /// What the force follows at an indentation: the curve of unloading, that
-    /// of reloading or the law; and its argument there, an indentation less the
-    /// dent of a curve.
+    /// What the force follows at an indentation, unloading, reloading or the
+    /// law; and its argument there, less the dent of a curve.
     std::pair<const ContactLaw &, double>
     followed(double indentation) const;
 
@@ -145,4 +138,58 @@ namespace PlateImpact
     UnloadingCurve unload, reload; ///< below the largest indentation
     double         last = 0., dissipated = 0.; ///< where the last step ended
   };
+
+
+
+  /// The unknown contact force phi of a time step. By collocation it is that of
+  /// the law at the end, eqs. 28-31 of the paper; at the beginning acts the one
+  /// known there. Gains energy when the contact is stiff for the step.
+  ///
+  /// The integration that conserves energy has the mean force of the law over
+  /// the indentations of the step, at both ends. Under average acceleration,
+  /// the midpoint rule of a linear plate, its work is the change of the contact
+  /// potential: energy is conserved to round-off.
+  class ContactIntegration
+  {
+  public:
+    ContactIntegration(const ForceIntegration choice)
+      : acts_at_begin(choice == ForceIntegration::energy_conserving)
+    {}
+
+    /// The unknown force for the indentations [m] at both ends of the step. [N]
+    double
+    force(const Contact &contact, const double begin, const double end) const
+    {
+      return acts_at_begin ? contact.mean_force(begin, end) :
+                             contact.force(end);
+    }
+
+    /// Its derivative with respect to the indentation at the end. [N/m]
+    /// @param force  for these indentations [N]
+    double
+    stiffness(const Contact &contact,
+              double         begin,
+              double         end,
+              double         force) const;
+
+    bool acts_at_begin; ///< phi, in place of the law's force there
+  };
+
+
+  /// Solves the contact equation of a step, delta(alpha) + C phi(alpha) =
+  /// delta_free, delta the approach. The left side increases strictly with the
+  /// indentation alpha at the end: Newton's method within a bracket always
+  /// finds the root. (For the force, as in eq. 31 of the paper, negative
+  /// numbers would be raised to the power 3/2.)
+  /// @param begin       indentation at the beginning of the step [m]
+  /// @param free        approach at its end without the force phi [m]
+  /// @param compliance  C, approach lost per unit of phi [m/N], not negative
+  /// @return phi [N], exactly 0 where there is no contact within the step
+  /// @throws ComputationError when an argument is not finite
+  double
+  solve_contact(const ContactIntegration &integration,
+                const Contact            &contact,
+                double                    begin,
+                double                    free,
+                double                    compliance);
 } // namespace PlateImpact

@@ -39,12 +39,11 @@ namespace PlateImpact
     /// cylinders and where no yield strength is given. [m]
     std::optional<double> yield_indentation;
 
-    /// Radius of Hertz's contact of a sphere, sqrt(r alpha) (Johnson, Contact
-    /// Mechanics, eqs. 4.22 and 4.23), 0 for negative indentations; half-width
-    /// of that of a cylinder, sqrt(4 F r / (pi E* l)). Of one that yields, from
-    /// w = alpha / alpha_y = 1.9 on, sqrt(r alpha (w / 1.9)^B),
-    /// B = 0.14 exp(23 Y / E*) (Jackson & Green 2005, doi:10.1115/1.1866166).
-    /// [m]
+    /// Radius of a sphere's contact, sqrt(r alpha) (Johnson, Contact Mechanics,
+    /// eqs. 4.22 and 4.23), of one that yields from w = alpha / alpha_y = 1.9
+    /// on sqrt(r alpha (w / 1.9)^B), B = 0.14 exp(23 Y / E*) (Jackson & Green
+    /// 2005, doi:10.1115/1.1866166); half-width of a cylinder's, sqrt(4 F r /
+    /// (pi E* l)). [m]
     /// @param force        [N]
     /// @param indentation  under that force [m]
     double
@@ -60,17 +59,16 @@ namespace PlateImpact
       return force / (length > 0. ? 2. * a * length : pi * a * a);
     }
 
-    /// Largest pressure of Hertz's contact, of a sphere 3/2 and of a cylinder 4
-    /// / pi of the mean; of one that stays elastic. [Pa]
+    /// Largest pressure of an elastic contact, of a sphere 3/2 and of a
+    /// cylinder 4/pi of the mean. [Pa]
     double
     elastic_pressure(const double force, const double indentation) const
     {
       return (length > 0. ? 4. / pi : 1.5) * mean_pressure(force, indentation);
     }
 
-    /// Pressure from which on the weaker body yields, where there is one: its
-    /// strength times yield_pressure_ratio(), under a cylinder times 1.67
-    /// (Johnson, Contact Mechanics, sec. 6.1). [Pa]
+    /// From which on the weaker body yields: its strength times
+    /// yield_pressure_ratio(), under a cylinder 1.67 (Johnson, sec. 6.1). [Pa]
     double first_yield_pressure;
 
     /// The same over the strength, of the bodies whose strength is not given.
@@ -88,18 +86,13 @@ namespace PlateImpact
   /// gives way beyond the half-space of Hertz's law, relative to its centre of
   /// mass; negative, for it gives way less. Quasi-static: the period of the
   /// ball's lowest mode is short against the contact.
-  ///
-  /// With w_n the radial displacement of the pole's surface per unit of the
-  /// pressure P_n(cos theta), G w_n / R without dimension, from the regular
-  /// spheroidal solutions of degree n without shear traction (Love, Treatise on
-  /// the Mathematical Theory of Elasticity, ch. 11), and with the transform of
-  /// Hertz's pressure, H(x) = 3 (sin x - x cos x) / x^3,
   ///   C = -1 / (2 pi G R) sum_n (1 - nu - (n + 1/2) G w_n / R)
   ///                             H((n + 1/2) a / R)^2,
-  /// the sum over the sphere's degrees less the integral over the wave numbers
-  /// n + 1/2 of the half-space, for which (n + 1/2) G w_n / R = 1 - nu. Up to
-  /// terms of the order of (a / R)^2, which Hertz's law leaves out as well.
-  ///
+  /// with w_n the radial displacement of the surface per unit of the pressure
+  /// P_n(cos theta) by the spheroidal solutions of degree n (Love, Mathematical
+  /// Theory of Elasticity, ch. 11), (n + 1/2) G w_n / R = 1 - nu that of the
+  /// half-space, and H(x) = 3 (sin x - x cos x) / x^3 the transform of Hertz's
+  /// pressure. Up to terms of the order of (a / R)^2, as Hertz's law.
   /// @param radius          R [m]
   /// @param shear_modulus   G [Pa]
   /// @param contact_radius  a, below R [m]

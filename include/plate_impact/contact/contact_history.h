@@ -9,6 +9,24 @@
 
 namespace PlateImpact
 {
+  /// The striking body as a point mass; towards the plate is positive. (The
+  /// paper prints its displacement as the double integral of f/m; meant is v0 t
+  /// minus that.)
+  struct Impactor
+  {
+    double mass;         ///< [kg]
+    double displacement; ///< since first touch [m]
+    double velocity;     ///< [m/s]
+
+    double
+    kinetic_energy() const
+    {
+      return 0.5 * mass * velocity * velocity;
+    }
+  };
+
+
+
   /// State of the impact at one time. Displacements are positive towards the
   /// plate; the plate's is the load-weighted one that enters the contact law.
   struct ContactState
@@ -72,8 +90,8 @@ namespace PlateImpact
     peak_is_on_ripples() const;
 
     /// Root of the mean square of the difference to the force of another
-    /// history of the same impact, between whose states it is interpolated,
-    /// from 0.9 to 1.1 of a time; 0 where one of them does not reach it. [N]
+    /// history, interpolated, from 0.9 to 1.1 of a time; 0 where one of them
+    /// does not reach it. [N]
     double
     difference_around(double time, const ContactHistory &other) const;
 
@@ -87,9 +105,8 @@ namespace PlateImpact
       return peak().time - touch->time;
     }
 
-    /// Time at which the first contact ends, from a linear interpolation of the
-    /// indentation between steps; empty when it lasts to the end of the history
-    /// or when there is none. [s]
+    /// By a linear interpolation of the indentation; empty when the contact
+    /// lasts to the end of the history or when there is none. [s]
     std::optional<double>
     first_contact_end() const
     {
@@ -97,8 +114,7 @@ namespace PlateImpact
     }
 
     /// The same of the first contact after which the impactor moves away: waves
-    /// may interrupt the contact of a heavy one that still moves towards the
-    /// plate. [s]
+    /// may interrupt that of a heavy one. [s]
     /// @param is_held  whether the plate throws it back at last; if not, the
     ///                 impact ends with the first contact
     std::optional<double>
@@ -136,8 +152,7 @@ namespace PlateImpact
       return drift / initial;
     }
 
-    /// A table of all states, with the names above as its header; the last
-    /// three where contact or plate dissipate energy.
+    /// A table with the names above; the last three where energy is dissipated.
     void
     write(std::ostream &out) const;
 

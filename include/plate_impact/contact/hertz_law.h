@@ -24,7 +24,6 @@ namespace PlateImpact
   class HertzLaw : public ContactLaw
   {
   public:
-    /// @param coefficient k [N/m^{3/2}]
     explicit HertzLaw(const double coefficient)
       : k(coefficient)
     {}
@@ -47,13 +46,6 @@ namespace PlateImpact
       return 0.4 * indentation * force(indentation);
     }
 
-    std::optional<double>
-    hertz_coefficient() const override
-    {
-      return k;
-    }
-
-  private:
-    const double k;
+    const double k; ///< [N/m^{3/2}]
   };
 } // namespace PlateImpact

@@ -11,19 +11,13 @@
 
 namespace PlateImpact
 {
-  /// A cylinder of radius r that touches a half-space along the length 2l (eq.
-  /// 32 of the paper, Johnson, Contact Mechanics, sec. 5.3):
-  ///   alpha = F / (pi l E*) (1.886 + ln(l/a)),  a = sqrt(4 (F/2l) r / (pi
-  ///   E*)),
-  /// or another constant in place of 1.886.
-  /// The paper prints a with the total force F in place of the force per
-  /// length, and inverts to a power 3/2 (eq. 33); up to the logarithm the law
-  /// is linear.
-  ///
-  /// The inverse is Lambert's function W_{-1}. The law loses its meaning when
-  /// the contact is as wide as long, a = l, and would turn back where the
-  /// logarithm with its constant is 1/2: from a = l on, or from 1, it is
-  /// continued by its tangent.
+  /// A cylinder of radius r on a half-space along the length 2l (eq. 32 of the
+  /// paper, Johnson, Contact Mechanics, sec. 5.3):
+  ///   alpha = F / (pi l E*) (c + ln(l/a)),  a = sqrt(4 (F/2l) r / (pi E*)).
+  /// The paper prints a with F in place of the force per length, and inverts to
+  /// a power 3/2 (eq. 33). The inverse is Lambert's function W_{-1}. From where
+  /// the contact is as wide as long, a = l, or the bracket is 1, the law goes
+  /// on along its tangent: at 1/2 it would turn back.
   class LineLaw : public ContactLaw
   {
   public:
@@ -32,7 +26,7 @@ namespace PlateImpact
 
     /// @param half_length  l [m]
     /// @param modulus      E* [Pa]
-    /// @param constant     beside ln(l/a)
+    /// @param constant     c
     LineLaw(const double radius,
             const double half_length,
             const double modulus,

@@ -7,12 +7,16 @@
 
 namespace PlateImpact
 {
+  /// The impactor of a scene at first touch.
+  Impactor
+  make_impactor(const ImpactorParameters &parameters);
+
+
+
   /// The contact of a scene at first touch. Its law is `line` (eq. 32), `Sun`
-  /// (eq. 17 as printed: 1/E for the plate, after Yang & Sun, NASA CR-165460,
-  /// 1981) or `Hertz` ((1 - nu^2)/E for both bodies, Johnson, Contact
-  /// Mechanics, eq. 4.23), in series with the local response of the layer that
-  /// the plate is, and of the finite ball, where the scene says so. A sphere
-  /// yields where the scene gives a yield strength of it or of the plate.
+  /// (eq. 17 as printed, after Yang & Sun, NASA CR-165460, 1981) or `Hertz`
+  /// (Johnson, Contact Mechanics, eq. 4.23), where the scene says so in series
+  /// with the response of the layer and of the finite ball, and yielding.
   Contact
   make_contact(const Parameters &parameters);
 
@@ -22,9 +26,7 @@ namespace PlateImpact
   make_contact(const Parameters            &parameters,
                const std::optional<double> &layer_constant);
 
-  /// The impact of a scene on an infinite plate. Its contact is that without
-  /// the layer: a point load on a thin plate, which has no thickness, needs
-  /// none.
+  /// The impact of a scene on an infinite thin plate, which needs no layer.
   ZenerImpact
   make_zener_impact(const Parameters &parameters);
 } // namespace PlateImpact

@@ -8,10 +8,9 @@
 
 namespace PlateImpact
 {
-  /// How a contact unloads that leaves a dent. From the largest indentation so
-  /// far alpha_m, where the force was F_m,
-  ///   F = F_m ((alpha - alpha_0) / (alpha_m - alpha_0))^n,
-  /// with the dent alpha_0 and the power n. All are functions of alpha_m.
+  /// How a contact unloads to a dent alpha_0 from the largest indentation so
+  /// far, by functions of that:
+  ///   F = F_m ((alpha - alpha_0) / (alpha_m - alpha_0))^n.
   struct Unloading
   {
     /// alpha_0; 0 as long as the contact is elastic. [m]
@@ -19,30 +18,26 @@ namespace PlateImpact
 
     std::function<double(double)> power; ///< n
 
-    /// n when the bodies touch again after they have parted.
-    std::function<double(double)> reloading_power;
+    std::function<double(double)> reloading_power; ///< once they have parted
   };
 
 
-  /// That curve, or the one of reloading, as a law of the overlap
-  /// alpha - alpha_0 up to the end of the curve.
+  /// Such a curve as a law of the overlap alpha - alpha_0, up to its end.
   class UnloadingCurve : public ContactLaw
   {
   public:
-    UnloadingCurve() = default;
-
-    UnloadingCurve(const double dent,
-                   const double end,
-                   const double end_force,
-                   const double power)
+    UnloadingCurve(const double dent      = 0.,
+                   const double end       = 0.,
+                   const double end_force = 0.,
+                   const double power     = 1.)
       : dent(dent)
       , end(end)
       , end_force(end_force)
       , power(power)
     {}
 
-    double dent = 0., end = 0.; ///< indentations [m]
-    double end_force = 0., power = 1.;
+    double dent, end; ///< indentations [m]
+    double end_force, power;
 
     double
     force(const double overlap) const override

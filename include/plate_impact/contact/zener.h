@@ -2,7 +2,6 @@
 
 #include "plate_impact/contact/contact.h"
 #include "plate_impact/contact/contact_history.h"
-#include "plate_impact/contact/impactor.h"
 #include "plate_impact/plate/plate_section.h"
 
 #include <optional>
@@ -22,10 +21,9 @@ namespace PlateImpact
   /// plate, whose response to a force at a point is the velocity
   /// F / (8 sqrt(D rho t)),
   ///   d(alpha)/dt = v - F(alpha) / (8 sqrt(D rho t)),  dv/dt = -F(alpha) / m
-  /// (Zener, Phys. Rev. 59, 1941, doi:10.1103/PhysRev.59.669). It holds until
-  /// waves return from the edges, for loads that spread over more than the
-  /// thickness only approximately. Integrated by the energy-conserving contact
-  /// step, for any law, to about 1e-5.
+  /// (Zener, Phys. Rev. 59, 1941, doi:10.1103/PhysRev.59.669), until waves
+  /// return from the edges. Integrated by the energy-conserving contact step,
+  /// for any law, to about 1e-5.
   class ZenerImpact
   {
   public:
@@ -53,34 +51,29 @@ namespace PlateImpact
     ContactState
     peak_on_rigid_plate() const;
 
-    /// The whole solution: up to the end of the contact, or to a time when that
-    /// comes first. A plate that gives way at once is never left: to an
-    /// infinite time, up to where a millionth of the energy remains. The
-    /// plate's displacement is that of the point; energies are left out.
+    /// Up to the end of the contact, or to a time; to an infinite one no
+    /// further than a millionth of the energy remains, for a plate that gives
+    /// way at once is never left. Energies are left out.
     ContactHistory
     history(double end_time) const;
 
-    /// Rebound speed over impact speed, from the solution up to the end of the
-    /// contact; 0 where less than a thousandth of the speed is left.
+    /// Rebound speed over impact speed; 0 below a thousandth.
     double
     restitution() const;
 
     /// Zener's dimensionless loss factor for a sphere under Hertz's law,
     ///   lambda = m / (8 T sqrt(D rho t)),  T = (m / (k sqrt(v)))^{2/5},
-    /// on which alone the restitution depends; empty for other laws than
-    /// F = k alpha^{3/2}.
+    /// on which alone the restitution depends; empty for other laws.
     std::optional<double>
     loss_factor() const;
 
-    /// The step with which the peak force keeps to time.step_tolerance: the
-    /// inverse frequency of the plate's thickness shear times a power of two,
-    /// so that impactors share their steps. [s]
+    /// The step with which the peak force keeps to time.step_tolerance. [s]
     double
     chosen_time_step(const TimeParameters &time) const;
 
-    /// The wave whose half period is the contact time: omega = pi / contact
-    /// time, phase speed sqrt(omega) (D / rho t)^{1/4}, group speed twice that
-    /// (Graff, Wave Motion in Elastic Solids, sec. 4.2).
+    /// The wave whose half period is the contact time: phase speed sqrt(omega)
+    /// (D / rho t)^{1/4}, group speed twice that (Graff, Wave Motion in Elastic
+    /// Solids, sec. 4.2).
     BendingWave
     wave() const
     {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "plate_impact/transient/effective_stiffness.h"
+#include "plate_impact/transient/linear_solver.h"
 #include "plate_impact/transient/semidiscrete_system.h"
 
 #include <memory>
@@ -9,8 +9,7 @@
 
 namespace PlateImpact
 {
-  /// All unknowns of a mesh under one load. Loads share the factorization; one
-  /// that another has replaced is made again when it is needed.
+  /// All unknowns of a mesh under one load. Loads share the factorization.
   class FullSystem : public SemidiscreteSystem
   {
   public:
@@ -34,8 +33,7 @@ namespace PlateImpact
       matrices->solve(c, b, x);
     }
 
-    /// Infinite where K cannot be inverted. Factorizes K when it is first asked
-    /// for. Large deflections stretch the plate, which makes it stiffer.
+    /// Infinite where K, which is factorized for it, cannot be inverted.
     double
     static_compliance() override;
 

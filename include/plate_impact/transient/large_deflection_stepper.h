@@ -1,7 +1,7 @@
 #pragma once
 
 #include "plate_impact/plate/large_deflection.h"
-#include "plate_impact/transient/effective_stiffness.h"
+#include "plate_impact/transient/linear_solver.h"
 #include "plate_impact/transient/newmark_scheme.h"
 #include "plate_impact/transient/semidiscrete_system.h"
 
@@ -9,13 +9,13 @@
 
 namespace PlateImpact
 {
-  /// The motion of a plate with large deflections. The scheme of a linear plate
-  /// that conserves energy, average acceleration, is the midpoint rule; with
-  /// LargeDeflection::mean_forces() f beside K (z_0 + z_1) / 2 it conserves the
-  /// energy of this plate as well. The increment d of a step solves
+  /// The motion of a plate with large deflections. With
+  /// LargeDeflection::mean_forces() f beside K (z_0 + z_1) / 2 the midpoint
+  /// rule conserves the energy of this plate as well. The increment d of a step
+  /// solves
   ///   (c_0 M + K) d + 2 f(z, z + d) = c_1 M v - 2 K z + (phi_0 + phi_1) u
-  /// by Newton's method, whose tangent is kept from one step to the next until
-  /// the steps take too many iterations.
+  /// by Newton's method, whose tangent is kept until it takes too many
+  /// iterations.
   class LargeDeflectionStepper : public PlateMotion
   {
   public:

@@ -16,24 +16,19 @@ namespace PlateImpact
   constexpr double most_steps_to_peak = 120000.;
 
 
-  /// How a force history answers to a change of the velocity by a millionth.
-  /// One contact changes in proportion; a ball that bounces on a plate in
-  /// motion may multiply the change with every contact, until nothing that
-  /// follows is known, whatever the mesh and the step.
+  /// How a force history answers to a change of the velocity by a millionth: a
+  /// ball that bounces on a plate in motion may multiply it with every contact.
   struct Sensitivity
   {
-    /// Largest change of the force, relative to the peak, over the relative
-    /// change of the velocity: about 1 for a single contact.
+    /// Largest change of the force, over the peak, by that of the velocity.
     double factor = 0.;
 
-    /// The first time at which the force changes by more than a thousandth of
-    /// its peak; empty where it never does. [s]
+    /// When the force first changes by more than a thousandth of its peak. [s]
     std::optional<double> unpredictable_from;
   };
 
 
-  /// What the estimate of the error of the peak force needs: the motions, and
-  /// the system whose states they are.
+  /// For the error of the peak force: motions, and the system that they are of.
   struct PeakForceProblem
   {
     DualMotions                    motions;
@@ -42,9 +37,8 @@ namespace PlateImpact
   };
 
 
-  /// A plate and the impactor that strikes it. What is not computed again from
-  /// one impactor to the next belongs to the reduction. The histories below are
-  /// of this impact.
+  /// A plate and the impactor that strikes it. What impactors share belongs to
+  /// the reduction. The histories below are of this impact.
   class LoadedPlate
   {
   public:
@@ -64,24 +58,19 @@ namespace PlateImpact
     strike(const std::function<void(unsigned int, const TimeStepper &)>
              &take_step) const;
 
-    /// Error of the peak force by the time step, relative to it: its change
-    /// when the step is doubled by 2^p - 1, p the order of the scheme
-    /// (Richardson), and what the peak of the curve exceeds the largest step.
-    /// A peak after others sits on ripples, and a difference of two peaks may
-    /// be small by accident: there the change is at least 1.25 times the root
-    /// of the mean square of that of the force from 0.9 to 1.1 of the time of
-    /// the peak, and what it is divided by follows from steps of four times the
-    /// length. They are taken until then, on a mesh three quarters of the
-    /// solves up to there, without ripples half of them; Newmark's local error
-    /// (Zienkiewicz & Xie 1991, doi:10.1002/eqe.4290200907) needs no second run
-    /// but judges displacements, not the force. Empty where fewer than four
-    /// steps lead from first touch to the peak: a doubled step then says
-    /// nothing.
+    /// Error of the peak force by the time step, relative to it (Richardson):
+    /// its change when the step is doubled by 2^p - 1, p the order of the
+    /// scheme, and what the peak of the curve exceeds the largest step. On
+    /// ripples, where two peaks may differ little by accident, the change is at
+    /// least 1.25 times the root mean square of that of the force around the
+    /// peak, and steps of four times the length tell the divisor. Newmark's
+    /// local error (Zienkiewicz & Xie 1991, doi:10.1002/eqe.4290200907) needs
+    /// no second run but judges displacements. Empty where fewer than four
+    /// steps lead from first touch to the peak.
     std::optional<double>
     time_error(const ContactHistory &history) const;
 
-    /// How the history answers to another velocity; empty for a single contact,
-    /// which changes in proportion.
+    /// Empty for a single contact, which changes in proportion.
     std::optional<Sensitivity>
     sensitivity(const ContactHistory &history) const;
 
@@ -105,14 +94,11 @@ namespace PlateImpact
       return &system == &reduction->mesh->system;
     }
 
-    /// Steps of other times on the mesh; the loaded plate must outlive them.
+    /// Steps of other times; the loaded plate must outlive them.
     TimeStepper
-    steps_on_the_mesh(const TimeParameters &time) const
+    steps(const TimeParameters &time) const
     {
-      return {{time, scheme.integration},
-              reduction->mesh->system,
-              contact,
-              impactor};
+      return {{time, scheme.integration}, system, contact, impactor};
     }
 
   private:

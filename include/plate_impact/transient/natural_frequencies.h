@@ -6,12 +6,10 @@
 
 namespace PlateImpact
 {
-  /// The lowest natural frequencies of a plate, of motions with the
-  /// symmetry of the part that is meshed, as all that the impact excites:
-  ///   K x = omega^2 M x,
-  /// by Trilinos' Anasazi, block Krylov-Schur (Stewart 2002,
-  /// doi:10.1137/S0895479800371529) with (K + c M)^{-1} M in the inner product
-  /// of M. Motions as a rigid body are left out.
+  /// The lowest natural frequencies of a plate, K x = omega^2 M x, of motions
+  /// with the symmetry of the part that is meshed but not as a rigid body, by
+  /// Trilinos' Anasazi: block Krylov-Schur (Stewart 2002,
+  /// doi:10.1137/S0895479800371529) with (K + c M)^{-1} M.
   /// @param matrices  is factorized anew
   /// @param n         how many; fewer where the mesh has less than four
   ///                  unknowns for each

@@ -1,19 +1,16 @@
 #pragma once
 
 #include "plate_impact/base/parameters.h"
-#include "plate_impact/contact/contact_solver.h"
+#include "plate_impact/contact/contact.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace PlateImpact
 {
-  /// Newmark's method for a transient of equal steps: a step advances the
-  /// displacements by the increment d with
-  ///   K* d = f_1 + c_2 f_0 - (1 + c_2) K z + c_1 M v,   K* = K + c_0 M
-  /// (eqs. 3-7 of the paper in terms of increments, which keep digits that the
-  /// total form loses on small steps). How the contact force acts within a step
-  /// belongs to it.
+  /// Newmark's method for a transient of equal steps: eqs. 3-7 of the paper in
+  /// increments d, which keep digits that the total form loses on small steps,
+  ///   K* d = f_1 + c_2 f_0 - (1 + c_2) K z + c_1 M v,   K* = K + c_0 M.
   struct NewmarkScheme
   {
     /// The smallest number of steps, none longer than the scene's.
@@ -24,15 +21,18 @@ namespace PlateImpact
       , integration(integration)
       , n_steps(
           std::max(1., std::ceil(time.end_time / time.time_step * (1 - 1e-9))))
-      , dt(length_of_steps(time, n_steps))
+      // the scene's own where the end time is a multiple of it, so that longer
+      // transients take the same steps to the last digit
+      , dt(std::abs(time.end_time / n_steps - time.time_step) <=
+               1e-9 * (time.end_time / n_steps) ?
+             time.time_step :
+             time.end_time / n_steps)
       , c0(1. / (beta * dt * dt))
       , c1(1. / (beta * dt))
       , c2(1. / (2. * beta) - 1.)
     {}
 
-    /// Whether the scheme keeps the energy of a linear system without load and
-    /// charges it with the work of a load, (f_0 + f_1) d / 2: average
-    /// acceleration.
+    /// Of a linear system, but for the work of the load: average acceleration.
     bool
     conserves_energy() const
     {
@@ -53,17 +53,5 @@ namespace PlateImpact
     const double             c0; ///< 1/(beta dt^2) [1/s^2]
     const double             c1; ///< 1/(beta dt) [1/s]
     const double             c2; ///< 1/(2 beta) - 1
-
-  private:
-    /// The scene's own where the end time is a multiple of it, so that a
-    /// transient that goes on longer takes the same steps to the last digit.
-    static double
-    length_of_steps(const TimeParameters &time, const unsigned int n_steps)
-    {
-      const double length = time.end_time / n_steps;
-      return std::abs(length - time.time_step) <= 1e-9 * length ?
-        time.time_step :
-        length;
-    }
   };
 } // namespace PlateImpact

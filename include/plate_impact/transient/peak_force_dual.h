@@ -1,18 +1,12 @@
 #pragma once
 
-#include "plate_impact/contact/contact.h"
-#include "plate_impact/contact/contact_history.h"
-#include "plate_impact/contact/impactor.h"
-#include "plate_impact/transient/newmark_scheme.h"
-#include "plate_impact/transient/plate_response.h"
-#include "plate_impact/transient/semidiscrete_system.h"
+#include "plate_impact/transient/time_stepper.h"
 
 #include <Eigen/Core>
 
 namespace PlateImpact
 {
-  /// Of the steps up to the peak force of an impact, what moves a plate and
-  /// what moves it in the dual problem.
+  /// What moves a plate up to the peak force, and in the dual problem.
   struct DualLoads
   {
     Eigen::VectorXd forces;  ///< phi_1 ... phi_p of the contact [N]
@@ -21,15 +15,13 @@ namespace PlateImpact
 
 
   /// The forces, and what displacements of the plate weigh in the peak force:
-  /// where those after the steps 1 ... p, p that of the peak, were larger by
-  /// dw_n while the plate answers forces as before, the peak would be smaller
-  /// by sum mu_n dw_n, to first order. The linearized discrete Volterra
-  /// equation of the contact,
+  /// were those after the steps 1 ... p, p that of the peak, larger by dw_n,
+  /// the peak would be smaller by sum mu_n dw_n, to first order. The linearized
+  /// discrete Volterra equation of the contact,
   ///   d delta_n = -dw_n - sum_{k <= n} (R + R_m)_{n-k} d phi_k,
   ///   d phi_k   = a_k d delta_{k-1} + b_k d delta_k,
-  /// with the impactor's own response R_m, transposed and solved backwards. A
-  /// shift of the peak in time is of second order. Of a law with memory the
-  /// curve that a step runs on is held fixed.
+  /// with the impactor's response R_m, transposed and solved backwards. Of a
+  /// law with memory the curve that a step runs on is held fixed.
   /// @param response  of the plate, by a scheme that conserves energy
   DualLoads
   dual_loads(const ContactHistory &history,
@@ -39,12 +31,11 @@ namespace PlateImpact
              const PlateResponse  &response);
 
   /// The motion of a plate up to the peak force and the dual one, that under
-  /// the weights above in reversed order, at times that belong together: with
-  /// displacements read and forces entered by the same load, an error e of the
-  /// plate's response to both is worth
+  /// the weights above in reversed order, at times that belong together: an
+  /// error e of the plate's response to both is worth
   ///   sum mu_n dw_n = sum_c weight K(e_motion,c, e_dual,c)
-  /// in the peak force, up to terms of higher order in the cell size, by
-  /// Galerkin orthogonality (Verdugo, Pares & Diez 2014,
+  /// in the peak force, up to higher orders in the cell size, by Galerkin
+  /// orthogonality (Verdugo, Pares & Diez 2014,
   /// doi:10.1007/s00466-014-0988-2).
   struct DualMotions
   {

@@ -16,9 +16,7 @@
 namespace PlateImpact
 {
   /// A plate on one mesh that is struck by one impactor after another. What the
-  /// impactor does not change is made once, when it is first needed: matrices
-  /// for the mesh, factorizations for the time step, reduced systems and
-  /// discrete responses for the load.
+  /// impactor does not change is made once, when it is first needed.
   class PlateModel
   {
   public:
@@ -28,15 +26,12 @@ namespace PlateImpact
                const DiscretizationParameters           &discretization,
                std::unique_ptr<dealii::Triangulation<2>> mesh);
 
-    /// @param impact        with the plate and the discretization of this
-    /// object
-    /// @param needs_states  whether more than the force is to be right: its
-    ///                      displacements as well
+    /// @param impact        with this plate and discretization
+    /// @param needs_states  whether displacements are to be right, too
     LoadedPlate
     under(const Parameters &impact, bool needs_states);
 
-    /// As SemidiscreteSystem::static_compliance(), of the mesh under the load
-    /// of an impact. [m/N]
+    /// As SemidiscreteSystem::static_compliance(), under its load. [m/N]
     double
     static_compliance(const Parameters &impact)
     {
@@ -65,8 +60,7 @@ namespace PlateImpact
     work() const;
 
   private:
-    /// All of an impact that a load depends on, and its steps; the rest is the
-    /// impactor's own.
+    /// All of an impact that a load depends on, and its steps.
     using MeshKey = std::tuple<LoadShape,
                                double, // patch radius
                                LocalResponse,
@@ -79,15 +73,10 @@ namespace PlateImpact
 
     static MeshKey
     mesh_key(const Parameters &impact);
-    /// Assembled when it is first needed.
     const std::shared_ptr<EffectiveStiffness> &
     assembled();
-    /// Made when it is first needed.
     const std::shared_ptr<LoadedMesh> &
     loaded_mesh(const Parameters &impact);
-    /// Makes room for another load.
-    void
-    forget_loads();
 
     const PlateElement                              element;
     const std::unique_ptr<dealii::Triangulation<2>> mesh;
@@ -104,9 +93,9 @@ namespace PlateImpact
 
 
   /// The scene with an end time: its own or, where that is 0, the end of the
-  /// impact on this plate (ContactHistory::end_of_impact). It ends by the time
-  /// that an impactor takes to be thrown back by a massless plate and the
-  /// contact, twice over; beyond it, or 2^18 steps, the end is not looked for.
+  /// impact on this plate (ContactHistory::end_of_impact). That is looked for
+  /// up to twice the time in which a massless plate throws the impactor back,
+  /// and 2^18 steps.
   /// @param needs_states  as for under()
   /// @throws ComputationError naming step and quantity
   Parameters

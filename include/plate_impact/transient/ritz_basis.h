@@ -5,22 +5,27 @@
 #include <Eigen/Core>
 
 #include <map>
+#include <optional>
 
 namespace PlateImpact
 {
+  /// A symmetric matrix of three diagonals.
+  struct TridiagonalMatrix
+  {
+    Eigen::VectorXd diagonal, beside;
+  };
+
+
   /// Load-dependent Ritz vectors of a plate (Wilson, Yuan & Dickens 1982,
   /// doi:10.1002/eqe.4290100606; Nour-Omid & Clough 1984,
-  /// doi:10.1002/eqe.4290120410): since the contact force always has the same
-  /// shape u, the response stays close to the Krylov space of (K + sigma M)^-1
-  /// M that begins with the response (K + sigma M)^-1 u to the load itself. The
-  /// first vector is the static correction, which a basis of eigenmodes lacks.
+  /// doi:10.1002/eqe.4290120410): the Krylov space of A^-1 M, A = K + sigma M,
+  /// that begins with the response A^-1 u to the load.
   ///
-  /// Lanczos' recurrence in the inner product of A = K + sigma M: with Q^T A Q
-  /// = I the projected mass T = Q^T M Q is tridiagonal, the projected stiffness
-  /// I - sigma T, and the load a multiple of the first unit vector; A times a
-  /// new vector is known before it is solved for. A vector costs one solve, one
-  /// product with M, and one look at all vectors before it, which keeps them
-  /// orthogonal (Simon 1984, doi:10.1090/S0025-5718-1984-0725988-X).
+  /// Lanczos' recurrence: with Q^T A Q = I the projected mass T = Q^T M Q is
+  /// tridiagonal, the stiffness I - sigma T, and the load a multiple of the
+  /// first unit vector. A vector costs one solve, one product with M, and one
+  /// look at all vectors before it, which keeps them orthogonal (Simon 1984,
+  /// doi:10.1090/S0025-5718-1984-0725988-X).
   class RitzBasis
   {
   public:
@@ -36,8 +41,7 @@ namespace PlateImpact
     EffectiveStiffness &matrices; ///< of the plate
     const double        sigma;
 
-    /// Adds vectors, one solve each, until there are n or, when the space is
-    /// exhausted, as many as there can be.
+    /// Adds vectors until there are n or as many as there can be.
     void
     grow(unsigned int n);
 
@@ -47,8 +51,7 @@ namespace PlateImpact
       return n;
     }
 
-    /// Whether further vectors would be round-off, or hardly coupled to these:
-    /// the basis then holds every motion that the load can excite.
+    /// Whether the basis holds every motion that the load can excite.
     bool
     is_complete() const
     {
@@ -62,18 +65,11 @@ namespace PlateImpact
       return Q.leftCols(n);
     }
 
-    /// Diagonal of T, the mass in the basis. [s^2]
-    Eigen::Ref<const Eigen::VectorXd>
-    mass_diagonal() const
+    /// T of the first vectors, the mass in the basis. [s^2]
+    TridiagonalMatrix
+    mass(const unsigned int n_first) const
     {
-      return diagonal.head(n);
-    }
-
-    /// Its other diagonals. [s^2]
-    Eigen::Ref<const Eigen::VectorXd>
-    mass_subdiagonal() const
-    {
-      return subdiagonal.head(n - 1);
+      return {diagonal.head(n_first), subdiagonal.head(n_first - 1)};
     }
 
     /// The load in the basis, this times the first unit vector.
@@ -107,9 +103,67 @@ namespace PlateImpact
   };
 
 
-  /// A mesh under one load, and the bases that were made of it, by the half
-  /// octave of the root of their shift. Steps of any length and number share
-  /// them.
+  /// The plate in the first vectors of a basis, M = T and K = I - sigma T: a
+  /// chain that is struck at its first vector. Waves would come back from its
+  /// end. Since away from the load the coefficients of T are about those of a
+  /// continuous spectrum, 1/(2 sigma) and 1/(4 sigma), a uniform chain of
+  /// these, the terminator of the recursion method (Haydock, Heine & Kelly
+  /// 1972, doi:10.1088/0022-3719/5/20/004), takes them up. It has no
+  /// displacements on the plate. The joint is such that K and M stay positive.
+  class ReducedSystem : public SemidiscreteSystem
+  {
+  public:
+    /// @param basis        must outlive the system
+    /// @param n            vectors used, at most basis.n_vectors()
+    /// @param n_terminator  length of the terminator; none is joined to all
+    ///                      vectors of a complete basis
+    ReducedSystem(const RitzBasis &basis,
+                  unsigned int     n,
+                  unsigned int     n_terminator = 0);
+
+    void
+    multiply_stiffness(const Eigen::VectorXd &x,
+                       Eigen::VectorXd       &y) const override;
+    void
+    solve(double c, const Eigen::VectorXd &b, Eigen::VectorXd &x) override;
+
+    double
+    static_compliance() override
+    {
+      return compliance;
+    }
+
+    Span
+    span(const Eigen::Ref<const Eigen::MatrixXd> &states) const override
+    {
+      return {basis.vectors().leftCols(n_vectors), states.topRows(n_vectors)};
+    }
+
+    unsigned int
+    n_states_at_once() const override
+    {
+      return 500;
+    }
+
+    const unsigned int n_vectors; ///< used
+
+  private:
+    ReducedSystem(const RitzBasis         &basis,
+                  unsigned int             n,
+                  const TridiagonalMatrix &mass);
+
+    const RitzBasis        &basis;
+    const TridiagonalMatrix mass;      ///< T [s^2], with what is joined to it
+    const TridiagonalMatrix stiffness; ///< I - sigma T
+    const double            compliance;
+    std::optional<double>   factorized_for;         ///< c [1/s^2]
+    Eigen::VectorXd         inverse_pivots, factor; ///< of K + c M
+  };
+
+
+
+  /// A mesh under one load, and its bases by the half octave of the root of
+  /// their shift, which steps of any length and number share.
   struct LoadedMesh
   {
     FullSystem               system;

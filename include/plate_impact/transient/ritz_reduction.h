@@ -1,9 +1,8 @@
 #pragma once
 
 #include "plate_impact/base/parameters.h"
-#include "plate_impact/transient/plate_response.h"
-#include "plate_impact/transient/reduced_system.h"
 #include "plate_impact/transient/ritz_basis.h"
+#include "plate_impact/transient/time_stepper.h"
 
 #include <map>
 #include <memory>
@@ -12,21 +11,18 @@
 
 namespace PlateImpact
 {
-  /// What Newmark's method integrates for one impactor after another, under one
-  /// load, with the same time steps and the same integration of the contact
-  /// force: the semidiscrete system of the mesh, if `time.integrator` names it
-  /// and for plates with large deflections, or one reduced from it.
+  /// What Newmark's method integrates for one impactor after another, with one
+  /// load, time step and integration of the contact force: the system of the
+  /// mesh, if `time.integrator` names it and for plates with large deflections,
+  /// or one reduced from it.
   ///
   /// An impactor gets the first basis of a growing sequence with which the
   /// errors of its force and of the displacement under the load, as the last
-  /// three bases tell them, are below `time.ritz_tolerance` of the peak, as a
-  /// root mean square over the contact and over all steps, and, where fields
-  /// are asked for, displacements hardly use what lies beyond the basis before.
-  /// The number is found with an impactor of round numbers nearby, whose
-  /// contact is shorter, and in fewer than 4000 steps if these resolve it, so
-  /// that similar impactors share it and what one gets depends on nothing but
-  /// plate, load, time and itself; vectors that another one has asked for
-  /// before are not computed again.
+  /// three bases tell them, are below `time.ritz_tolerance` of the peak and,
+  /// where fields are asked for, displacements hardly use what lies beyond the
+  /// basis before. The number is found with an impactor of round numbers
+  /// nearby, whose contact is shorter: similar impactors share it, and what one
+  /// gets depends on nothing but plate, load, time and itself.
   class RitzReduction
   {
   public:
@@ -45,8 +41,8 @@ namespace PlateImpact
     const std::shared_ptr<LoadedMesh> mesh;
     const NewmarkScheme               scheme;
 
-    /// The system to step for an impact: where it takes fewer solves than a
-    /// reduced one, that of the mesh. It belongs to the reduction.
+    /// The system to step for an impact, the one that takes fewer solves. It
+    /// belongs to the reduction.
     /// @param parameters  with the load and the times of this reduction
     SemidiscreteSystem &
     system_for(const Parameters &parameters);
@@ -62,8 +58,7 @@ namespace PlateImpact
            const Impactor      &impactor,
            unsigned int         n_steps);
 
-    /// The response of such a system, kept for the next impactor; for schemes
-    /// that conserve energy.
+    /// The response of such a system, kept; for schemes that conserve energy.
     const PlateResponse &
     response(const NewmarkScheme &by, SemidiscreteSystem &system);
 

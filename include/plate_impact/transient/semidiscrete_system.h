@@ -5,14 +5,15 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <optional>
 
 namespace PlateImpact
 {
   /// The plate's side of a transient, from rest: steps of Newmark's method
-  /// under forces at their beginning and end. What a step depends on the force
-  /// at its end is linear, or made so again until the step is in equilibrium.
+  /// under forces at their beginning and end, linear in that at the end, or
+  /// made so again until the step is in equilibrium.
   class PlateMotion
   {
   public:
@@ -35,9 +36,9 @@ namespace PlateImpact
     /// Ends the step.
     /// @param at_begin  further force at its beginning [N]
     /// @param at_end    force at its end [N]
-    /// @return nothing; or, as begin_step(), a displacement of the plate
-    ///         linearized about where it is now, if that is no equilibrium: the
-    ///         step has to be ended again
+    /// @return nothing; or, without equilibrium, as begin_step() about where
+    /// the
+    ///         plate is now: the step has to be ended again
     /// @throws ComputationError when equilibrium is not found
     virtual std::optional<double>
     end_step(double at_begin, double at_end) = 0;
@@ -78,9 +79,8 @@ namespace PlateImpact
   };
 
 
-  /// The plate for the time stepper, M z'' + b K z' + K z = f u: a stiffness,
-  /// one shape u of the load, and solves with K + c M. The same for the
-  /// unknowns of a mesh and for a reduced basis.
+  /// The plate for the time stepper, M z'' + b K z' + K z = f u, of the
+  /// unknowns of a mesh or in a reduced basis.
   class SemidiscreteSystem
   {
   public:
@@ -122,29 +122,28 @@ namespace PlateImpact
     virtual double
     static_compliance() = 0;
 
-    /// Whether it is all there is to say of the plate, so that responses may be
-    /// added up.
+    /// Whether responses may be added up.
     virtual bool
     is_linear() const
     {
       return true;
     }
 
-    /// From rest, in steps of a scheme. The system must outlive it.
+    /// From rest, in steps of a scheme; by default a PlateStepper. The system
+    /// must outlive it.
     virtual std::unique_ptr<PlateMotion>
-    motion(const NewmarkScheme &scheme) = 0;
+    motion(const NewmarkScheme &scheme);
 
-    /// What spans the unknowns of the mesh in states of this system: a column
-    /// of them for each of the first rows of a state, which are its
-    /// coordinates.
+    /// Unknowns of the mesh as vectors times coordinates, the first rows of
+    /// states.
     struct Span
     {
       Eigen::Ref<const Eigen::MatrixXd> vectors;
       Eigen::MatrixXd                   coordinates; ///< a column per state
     };
 
-    /// @param states  must outlive the result, a column each; by default every
-    ///                one is a vector of its own
+    /// By default every state is a vector of its own.
+    /// @param states  must outlive the result, a column each
     virtual Span
     span(const Eigen::Ref<const Eigen::MatrixXd> &states) const
     {
@@ -159,9 +158,8 @@ namespace PlateImpact
       return in_mesh.vectors * in_mesh.coordinates;
     }
 
-    /// How many states are best looked at together on the mesh: many where they
-    /// span few vectors. By default enough to make matrix products fast, and
-    /// fewer on large meshes, where one is work enough, to save memory.
+    /// How many states are best looked at together on the mesh: by default
+    /// enough to make matrix products fast, and fewer on large meshes.
     virtual unsigned int
     n_states_at_once() const
     {
@@ -172,4 +170,51 @@ namespace PlateImpact
     const Eigen::VectorXd u;
     const double          b;
   };
+
+
+
+  /// The motion of a linear plate. A damping b K adds g b K, g =
+  /// gamma/(beta dt), to the matrix of a step, which stays K + c M up to a
+  /// factor. K z and M v follow from the solution of the step itself, so that a
+  /// step costs one solve, one product with K and scalar products.
+  class PlateStepper : public PlateMotion
+  {
+  public:
+    /// Computes the unit response.
+    /// @param plate  must outlive the stepper
+    PlateStepper(const NewmarkScheme &scheme, SemidiscreteSystem &plate);
+
+    double
+    begin_step(double begin_force) override;
+
+    std::optional<double>
+    end_step(double at_begin, double at_end) override;
+
+    /// v, their rates.
+    const Eigen::VectorXd &
+    rates() const
+    {
+      return v;
+    }
+
+  private:
+    const NewmarkScheme scheme;
+    SemidiscreteSystem &plate;
+    const double        damping;    ///< b [s]
+    const double        stiffening; ///< 1 + g b
+
+    Eigen::VectorXd a, Kv, Ka, Ma; ///< K v and K a: with damping
+    Eigen::VectorXd right_hand_side, K_increment;
+  };
+
+
+  /// Steps a plate from rest under contact forces that are known.
+  /// @param forces  phi of every step [N]
+  /// @param show    called after every step, counted from 1
+  void
+  step_under(
+    const Eigen::VectorXd                                         &forces,
+    const NewmarkScheme                                           &scheme,
+    SemidiscreteSystem                                            &plate,
+    const std::function<void(Eigen::Index, const PlateStepper &)> &show);
 } // namespace PlateImpact

@@ -2,7 +2,6 @@
 
 #include "plate_impact/contact/contact.h"
 #include "plate_impact/contact/contact_history.h"
-#include "plate_impact/contact/impactor.h"
 #include "plate_impact/transient/semidiscrete_system.h"
 
 #include <Eigen/Core>
@@ -21,21 +20,15 @@ namespace PlateImpact
     /// In which the contact equation had a solution other than no force.
     unsigned int n_contact_steps = 0;
 
-    /// Time since when no further contact is possible; empty as long as one is,
-    /// for plates that are free to move and schemes that do not keep energy.
-    /// [s]
+    /// Since when no further contact is possible; empty for plates that are
+    /// free to move and schemes that do not keep energy. [s]
     std::optional<double> separation_time;
   };
 
 
-  /// Integrates plate and impactor in time: Newmark's method for both and one
-  /// scalar contact equation per step (eqs. 19-31 of the paper), of plates with
-  /// large deflections one per iteration of Newton's method.
-  ///
-  /// Without a force the average-acceleration scheme keeps the plate's energy
-  /// E, and the displacement under the load never leaves +-sqrt(2 E c), c the
-  /// static compliance. An impactor that is beyond and flies away has left for
-  /// good.
+  /// Newmark's method for plate and impactor and one scalar contact equation
+  /// per step (eqs. 19-31 of the paper) or, with large deflections, per
+  /// iteration.
   class TimeStepper
   {
   public:
@@ -86,19 +79,17 @@ namespace PlateImpact
 
   private:
     /// The unknown force phi of the step. [N]
-    /// @param plate_free  displacement under the load at its end without phi
-    /// [m]
+    /// @param plate_free  displacement at its end without phi [m]
     double
     contact_force(double plate_free) const;
-    /// As PlateMotion::end_step(); an error names the step.
-    std::optional<double>
-    end_plate_step(double phi);
     /// Moves the impactor under phi and notes the state at the end of the step.
     void
     end_step(double phi);
     void
     require_validity() const;
-    /// Whether the plate can never reach the impactor again.
+    /// Whether the plate can never reach the impactor again: without a force
+    /// average acceleration keeps its energy E, and the displacement under the
+    /// load stays within sqrt(2 E c), c the static compliance.
     bool
     is_out_of_reach() const;
 
@@ -112,5 +103,41 @@ namespace PlateImpact
     Impact                       so_far;
     unsigned int                 step        = 0;
     double                       begin_force = 0.; ///< known, of the step [N]
+  };
+
+
+
+  /// All that an impactor needs to know of a plate: R_j, the displacement under
+  /// the load j steps after a step with the contact force 1. Under the forces
+  /// phi_k of any impactor
+  ///   w_n = sum_{k <= n} R_{n-k} phi_k,
+  /// a discrete Volterra equation of the second kind (Linz 1985,
+  /// doi:10.1137/1.9781611970852): the recurrence of the time stepper, summed
+  /// in another order. The plate's energy is the work of the force, which
+  /// average acceleration makes equal.
+  class PlateResponse
+  {
+  public:
+    /// Steps the plate to the end time.
+    /// @param scheme  conserves energy
+    PlateResponse(const NewmarkScheme &scheme, SemidiscreteSystem &plate);
+
+    /// R_j. [m/N]
+    double
+    displacement(const unsigned int j) const
+    {
+      return reversed[reversed.size() - 1 - j];
+    }
+
+    /// @param n_steps  at most those of the response
+    /// @throws ComputationError naming step and quantity
+    Impact
+    impact(const Contact  &contact,
+           const Impactor &impactor,
+           unsigned int    n_steps) const;
+
+  private:
+    const NewmarkScheme scheme;
+    Eigen::VectorXd     reversed; ///< R_{n_steps - 1} ... R_0 [m/N]
   };
 } // namespace PlateImpact

@@ -1,7 +1,15 @@
-#include "plate_impact/transient/plate_stepper.h"
+#include "plate_impact/transient/semidiscrete_system.h"
 
 namespace PlateImpact
 {
+  std::unique_ptr<PlateMotion>
+  SemidiscreteSystem::motion(const NewmarkScheme &scheme)
+  {
+    return std::make_unique<PlateStepper>(scheme, *this);
+  }
+
+
+
   PlateStepper::PlateStepper(const NewmarkScheme &scheme,
                              SemidiscreteSystem  &plate)
     : scheme(scheme)
@@ -111,13 +119,12 @@ namespace PlateImpact
     const std::function<void(Eigen::Index, const PlateStepper &)> &show)
   {
     PlateStepper stepper(scheme, plate);
-    const double at_begin = scheme.integration.acts_at_begin() ? 1. : 0.;
+    const bool   acts_at_begin = scheme.integration.acts_at_begin;
     for (Eigen::Index k = 0; k < forces.size(); ++k)
       {
         // a force at the end of a step is one at the beginning of the next
-        stepper.begin_step(
-          k == 0 ? 0. : scheme.integration.known_begin_force(forces[k - 1]));
-        stepper.end_step(at_begin * forces[k], forces[k]);
+        stepper.begin_step(k == 0 || acts_at_begin ? 0. : forces[k - 1]);
+        stepper.end_step(acts_at_begin ? forces[k] : 0., forces[k]);
         show(k + 1, stepper);
       }
   }
