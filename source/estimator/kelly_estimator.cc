@@ -30,7 +30,7 @@ namespace PlateImpact
       {
         // deal.II has jumps as floats: states are scaled to numbers near 1
         const double largest = unknowns.col(n).cwiseAbs().maxCoeff();
-        states.push_back(discretization.free_unknowns().nodal_values(
+        states.push_back(discretization.nodal_values(
           unknowns.col(n) / (largest > 0. ? largest : 1.)));
         solutions.push_back(&states[n]);
         errors.push_back(&jumps[n]);
