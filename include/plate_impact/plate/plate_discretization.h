@@ -22,10 +22,9 @@ namespace PlateImpact
   /// Only degrees of freedom that constraints leave free are unknowns, numbered
   /// without gaps: hanging nodes, supports, symmetry and the centre nodes of
   /// the element are resolved within each cell, whose nodal values are sums of
-  /// unknowns with weights. K, M and
-  /// loads are those of the whole plate moving symmetrically, that is
-  /// `n_parts` times those of the part that is meshed (4 for a quadrant):
-  /// forces and energies need no factor anywhere else.
+  /// unknowns with weights. K, M and loads are those of the whole plate moving
+  /// symmetrically, `n_parts` times those of the part that is meshed (4 for a
+  /// quadrant): forces and energies need no factor anywhere else.
   ///
   /// K and M are serial Epetra matrices: TrilinosWrappers::SparseMatrix needs
   /// MPI, whose start costs more than a small scene.
