@@ -103,9 +103,8 @@ namespace PlateImpact
       double              total_e2 = 0., total_u2 = 0., recovered_e2 = 0.;
       for (const auto &cell : mesh.active_cell_iterators())
         {
-          const unsigned int    c = cell->active_cell_index();
-          const Eigen::VectorXd values =
-            model.free_unknowns().cell_values(c, z);
+          const unsigned int    c      = cell->active_cell_index();
+          const Eigen::VectorXd values = model.cell_values(c, z);
           const Eigen::VectorXd strains =
             model.shape(c).at_quadrature.linear * values;
           for (unsigned int q = 0; q < quadrature.size(); ++q)

@@ -40,8 +40,7 @@ namespace PlateImpact
         double                error = 0.;
         for (unsigned int c = 0; c < model.mesh().n_active_cells(); ++c)
           {
-            const Eigen::VectorXd values =
-              model.free_unknowns().cell_values(c, z);
+            const Eigen::VectorXd values = model.cell_values(c, z);
             for (const CellOperator *B : {&model.shape(c).at_quadrature.linear,
                                           &model.shape(c).at_samples.linear})
               {
@@ -202,8 +201,7 @@ namespace PlateImpact
       double of_cells = 0.;
       for (unsigned int c = 0; c < mesh->n_active_cells(); ++c)
         {
-          const Eigen::VectorXd values =
-            model.free_unknowns().cell_values(c, z);
+          const Eigen::VectorXd values = model.cell_values(c, z);
           of_cells +=
             values.dot(element.mass(model.shape(c), model.section()) * values);
         }
@@ -247,7 +245,7 @@ namespace PlateImpact
       for (const auto &cell : mesh->active_cell_iterators())
         {
           const Eigen::VectorXd values =
-            model.free_unknowns().cell_values(cell->active_cell_index(), z);
+            model.cell_values(cell->active_cell_index(), z);
           for (unsigned int i = 0; i <= 8; ++i)
             for (const Point<2> unit : {Point<2>(i / 8., 0.),
                                         Point<2>(i / 8., 1.),

@@ -156,8 +156,7 @@ namespace PlateImpact
                 {
                   is_found = true;
                   const Eigen::VectorXd values =
-                    model.free_unknowns().cell_values(cell->active_cell_index(),
-                                                      shifted);
+                    model.cell_values(cell->active_cell_index(), shifted);
                   const auto  &fe = element.finite_element;
                   const double u  = values[fe.component_to_system_index(3, v)],
                                w  = values[fe.component_to_system_index(4, v)];

@@ -45,7 +45,7 @@ namespace PlateImpact
       {
         // deal.II has jumps as floats: states are scaled to numbers near 1
         const double largest = states.col(n).cwiseAbs().maxCoeff();
-        nodal[n]             = discretization.free_unknowns().nodal_values(
+        nodal[n]             = discretization.nodal_values(
           states.col(n) / (largest > 0. ? largest : 1.));
         solutions.push_back(&nodal[n]);
         errors.push_back(&jumps[n]);

@@ -134,7 +134,7 @@ namespace PlateImpact
     const CellOperator   &linear = strains.linear;
     const Eigen::Index    m = factor.rows(), n = fields.cols();
     const Eigen::MatrixXd nodal_values =
-      discretization.free_unknowns().cell_values(cell, fields);
+      discretization.cell_values(cell, fields);
     RowMajorMatrix             result(linear.rows() / m, m * n);
     Eigen::Map<RowMajorMatrix> by_row(result.data(), linear.rows(), n);
     if (!discretization.is_nonlinear())

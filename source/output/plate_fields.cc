@@ -49,8 +49,7 @@ namespace PlateImpact
             element.shape_value_component(i, unit_points[p], component);
       Eigen::MatrixXd values(unit_points.size(), plate.mesh().n_active_cells());
       for (unsigned int cell = 0; cell < values.cols(); ++cell)
-        values.col(cell) =
-          shapes * plate.free_unknowns().cell_values(cell, unknowns);
+        values.col(cell) = shapes * plate.cell_values(cell, unknowns);
       return values;
     }
 

@@ -141,14 +141,6 @@ namespace PlateImpact
 
 
 
-  Eigen::VectorXd
-  SlopeSquares::squares(const Eigen::Ref<const Eigen::VectorXd> &s)
-  {
-    return s.head<n_squares>().cwiseProduct(s.tail<n_squares>());
-  }
-
-
-
   Eigen::MatrixXd
   SlopeSquares::derivative(const Eigen::Ref<const Eigen::VectorXd> &s)
   {

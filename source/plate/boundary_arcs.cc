@@ -20,6 +20,11 @@ namespace PlateImpact
   {
     using Side = Triangulation<2>::face_iterator;
 
+    /// The sides of the plate that meet at a vertex.
+    using SidesAt = std::map<unsigned int, std::vector<Side>>;
+
+
+
     /// The circle that fits the ends of sides best in the sense of Kasa: x^2 +
     /// y^2 is linear in x and y on it.
     Arc
@@ -45,78 +50,48 @@ namespace PlateImpact
     /// Whether a side is a chord of the circle, one of nine or more to a turn:
     /// a polygon of fewer sides is taken for one.
     bool
-    is_chord(const Side &side, const Arc &arc)
+    is_chord(const Side &side, const Arc &circle)
     {
       const double widest = 40.001 * numbers::PI / 180.;
       for (const unsigned int v : {0, 1})
-        if (!(std::abs(side->vertex(v).distance(arc.centre) - arc.radius) <
-              1e-5 * arc.radius))
+        if (!(std::abs(side->vertex(v).distance(circle.centre) -
+                       circle.radius) < 1e-5 * circle.radius))
           return false;
-      return side->diameter() <= 2. * arc.radius * std::sin(0.5 * widest);
+      return side->diameter() <= 2. * circle.radius * std::sin(0.5 * widest);
     }
 
 
 
-    /// The sides of the plate as a graph.
-    class Boundary
+    /// The side of the same edge beyond an end of a side.
+    std::optional<Side>
+    side_beyond(const SidesAt     &sides_at,
+                const Side        &side,
+                const unsigned int end)
     {
-    public:
-      explicit Boundary(const Triangulation<2> &mesh)
-      {
-        const BoundingBox<2> box(mesh.get_vertices());
-        largest_radius =
-          100. * std::max(box.side_length(0), box.side_length(1));
-        for (const auto &face : mesh.active_face_iterators())
-          if (face->at_boundary())
-            for (const unsigned int v : {0, 1})
-              sides_at[face->vertex_index(v)].push_back(face);
-      }
+      const auto &here = sides_at.at(side->vertex_index(end));
+      if (here.size() != 2)
+        return {};
+      const Side &other = here[0] == side ? here[1] : here[0];
+      return other->boundary_id() == side->boundary_id() ?
+        std::optional(other) :
+        std::nullopt;
+    }
 
-      /// The side of the same edge beyond an end of a side.
-      std::optional<Side>
-      next(const Side &side, const unsigned int end) const
-      {
-        const auto &here = sides_at.at(side->vertex_index(end));
-        if (here.size() != 2)
-          return {};
-        const Side &other = here[0] == side ? here[1] : here[0];
-        return other->boundary_id() == side->boundary_id() ?
-          std::optional(other) :
-          std::nullopt;
-      }
 
-      /// The circle on which a side and its two neighbours are chords.
-      std::optional<Arc>
-      circle_at(const Side &side) const
-      {
-        const auto before = next(side, 0), after = next(side, 1);
-        if (!before || !after || *before == *after)
-          return {};
-        const Arc  circle = fitted_circle({*before, side, *after});
-        const bool is_arc = circle.radius < largest_radius &&
-          is_chord(*before, circle) && is_chord(side, circle) &&
-          is_chord(*after, circle);
-        return is_arc ? std::optional(circle) : std::nullopt;
-      }
 
-      /// The chords of a circle around a side, one after the other.
-      std::vector<Side>
-      chords(const Side &side, const Arc &circle) const
-      {
-        std::vector<Side> row = {side};
-        for (std::size_t i = 0; i < row.size(); ++i)
-          for (const unsigned int end : {0, 1})
-            if (const auto beyond = next(row[i], end); beyond &&
-                is_chord(*beyond, circle) &&
-                std::find(row.begin(), row.end(), *beyond) == row.end())
-              row.push_back(*beyond);
-        return row;
-      }
-
-    private:
-      std::map<unsigned int, std::vector<Side>> sides_at;
-      double                                    largest_radius;
-    };
+    /// The chords of a circle around a side, one after the other.
+    std::vector<Side>
+    chords(const SidesAt &sides_at, const Side &side, const Arc &circle)
+    {
+      std::vector<Side> row = {side};
+      for (std::size_t i = 0; i < row.size(); ++i)
+        for (const unsigned int end : {0, 1})
+          if (const auto beyond = side_beyond(sides_at, row[i], end); beyond &&
+              is_chord(*beyond, circle) &&
+              std::find(row.begin(), row.end(), *beyond) == row.end())
+            row.push_back(*beyond);
+      return row;
+    }
   } // namespace
 
 
@@ -124,20 +99,36 @@ namespace PlateImpact
   std::vector<Arc>
   find_arcs(Triangulation<2> &mesh)
   {
-    const Boundary   boundary(mesh);
+    SidesAt sides_at;
+    for (const auto &face : mesh.active_face_iterators())
+      if (face->at_boundary())
+        for (const unsigned int v : {0, 1})
+          sides_at[face->vertex_index(v)].push_back(face);
+    const BoundingBox<2> box(mesh.get_vertices());
+    const double         largest_radius =
+      100. * std::max(box.side_length(0), box.side_length(1));
+
     std::vector<Arc> arcs;
     for (const auto &face : mesh.active_face_iterators())
-      if (face->at_boundary() &&
-          face->manifold_id() == numbers::flat_manifold_id)
-        if (const auto circle = boundary.circle_at(face))
-          {
-            const auto row = boundary.chords(face, *circle);
-            for (const Side &side : row)
-              side->set_manifold_id(arcs.size());
-            arcs.push_back(fitted_circle(row));
-            mesh.set_manifold(arcs.size() - 1,
-                              SphericalManifold<2>(arcs.back().centre));
-          }
+      {
+        if (!face->at_boundary() ||
+            face->manifold_id() != numbers::flat_manifold_id)
+          continue;
+        const auto before = side_beyond(sides_at, face, 0),
+                   after  = side_beyond(sides_at, face, 1);
+        if (!before || !after || *before == *after)
+          continue;
+        const Arc circle = fitted_circle({*before, face, *after});
+        if (!(circle.radius < largest_radius && is_chord(*before, circle) &&
+              is_chord(face, circle) && is_chord(*after, circle)))
+          continue;
+        const auto row = chords(sides_at, face, circle);
+        for (const Side &side : row)
+          side->set_manifold_id(arcs.size());
+        arcs.push_back(fitted_circle(row));
+        mesh.set_manifold(arcs.size() - 1,
+                          SphericalManifold<2>(arcs.back().centre));
+      }
     return arcs;
   }
 } // namespace PlateImpact

@@ -1,22 +1,20 @@
 #include "plate_impact/plate/large_deflection.h"
 
-
 namespace PlateImpact
 {
   LargeDeflection::LargeDeflection(const PlateDiscretization &plate)
     : plate(plate)
-    , membrane_stiffness(plate.section().membrane_stiffness)
+    , deflections(plate.element.dofs_of(deflection))
   {
     const PlateSection   &section    = plate.section();
     const Eigen::MatrixXd of_strains = section.stiffness().bottomRows<3>();
-    for (unsigned int c = 0; c < plate.dof_handler().get_fe().n_components();
+    for (unsigned int c = section.is_unsymmetric() ? rotation_x :
+                                                     displacement_x;
+         c < plate.element.finite_element.n_components();
          ++c)
       {
         const auto dofs = plate.element.dofs_of(c);
-        if (c == deflection)
-          deflections = dofs;
-        else if (c >= displacement_x || section.is_unsymmetric())
-          causes.insert(causes.end(), dofs.begin(), dofs.end());
+        causes.insert(causes.end(), dofs.begin(), dofs.end());
       }
     for (unsigned int cell = 0; cell < plate.mesh().n_active_cells(); ++cell)
       {
@@ -44,8 +42,8 @@ namespace PlateImpact
     const Eigen::VectorXd &weights = plate.shape(cell).weights;
     Eigen::VectorXd        result(strains.size());
     for (Eigen::Index q = 0; q < weights.size(); ++q)
-      result.segment<3>(3 * q).noalias() =
-        weights[q] * (membrane_stiffness * strains.segment<3>(3 * q));
+      result.segment<3>(3 * q).noalias() = weights[q] *
+        (plate.section().membrane_stiffness * strains.segment<3>(3 * q));
     return result;
   }
 
@@ -54,8 +52,7 @@ namespace PlateImpact
   StretchedPlate
   LargeDeflection::stretched(const Eigen::VectorXd &unknowns) const
   {
-    const Eigen::MatrixXd values =
-                            plate.free_unknowns().values_of_cells(unknowns),
+    const Eigen::MatrixXd values  = plate.values_of_cells(unknowns),
                           causing = values(causes, Eigen::all);
     StretchedPlate result;
     result.slopes = SlopeSquares::slopes() * values(deflections, Eigen::all);
@@ -99,7 +96,7 @@ namespace PlateImpact
         of_cells(deflections, cell) =
           SlopeSquares::derivative(slopes.col(cell)).transpose() * of_squares;
       }
-    return plate.n_parts * plate.free_unknowns().forces(of_cells);
+    return plate.n_parts * plate.forces(of_cells);
   }
 
 

@@ -98,15 +98,6 @@ namespace PlateImpact
 
 
   double
-  LayerResponse::rotation_factor(const double radius) const
-  {
-    return 1. / (12. * shear_correction * (1. - poissons_ratio)) - 0.1 -
-      radius * radius / (2. * spread);
-  }
-
-
-
-  double
   LayerResponse::excess(const double y, const double radius) const
   {
     const double P       = transform_of_pressure(load, radius * y);

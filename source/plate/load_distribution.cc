@@ -19,14 +19,12 @@ namespace PlateImpact
     /// Points along a length, so many on each of the cells there: on fewer, a
     /// load is a row of point loads under which nothing converges.
     unsigned int
-    n_points(const double       length,
-             const double       finest_cell,
-             const unsigned int least,
-             const double       most)
+    n_points(const double length,
+             const double finest_cell,
+             const double least,
+             const double most)
     {
-      return std::max<double>(least,
-                              std::min(most,
-                                       std::ceil(8. * length / finest_cell)));
+      return std::clamp(std::ceil(8. * length / finest_cell), least, most);
     }
 
 
@@ -139,11 +137,9 @@ namespace PlateImpact
 
 
   std::vector<LoadPoint>
-  on_meshed_part(const std::vector<LoadPoint> &of_quadrant,
-                 const PlateParameters        &plate)
+  on_meshed_part(std::vector<LoadPoint> points, const PlateParameters &plate)
   {
-    const auto             is_symmetric = geometry_of(plate).is_symmetric;
-    std::vector<LoadPoint> points       = of_quadrant;
+    const auto is_symmetric = geometry_of(plate).is_symmetric;
     for (unsigned int d = 0; d < 2; ++d)
       if (!is_symmetric[d])
         for (std::size_t p = 0, n = points.size(); p < n; ++p)

@@ -4,6 +4,7 @@
 
 #include <charconv>
 #include <cstdint>
+#include <cstdlib>
 #include <fmt/format.h>
 #include <fstream>
 #include <type_traits>
@@ -30,28 +31,23 @@ namespace PlateImpact
     unsigned int
     n_nodes_of(const int type)
     {
-      struct Type
-      {
-        std::string  name;
-        unsigned int n_nodes; ///< 0 of what is refused
-      };
-      static const std::map<int, Type> types = {
-        {15, {"Point", 1}},
-        {line_type, {"Line", 2}},
-        {quadrilateral_type, {"Quadrilateral", 4}},
-        {2, {"Triangle", 0}},
-        {9, {"Triangle of 6 nodes", 0}},
-        {10, {"Quadrilateral of 9 nodes", 0}},
-        {16, {"Quadrilateral of 8 nodes", 0}}};
-      const auto found = types.find(type);
-      if (found != types.end() && found->second.n_nodes > 0)
-        return found->second.n_nodes;
-      refuse_file(
-        "holds elements of the type " + std::to_string(type) +
-        (found != types.end() ? " (" + found->second.name + ")" : "") +
-        "; expected quadrilaterals of four nodes alone (in Gmsh: "
-        "Mesh.RecombineAll = 1, Mesh.SubdivisionAlgorithm = 1, "
-        "Mesh.ElementOrder = 1)");
+      if (type == line_type)
+        return 2;
+      if (type == quadrilateral_type)
+        return 4;
+      if (type == 15) // a point
+        return 1;
+      static const std::map<int, std::string> others = {
+        {2, " (Triangle)"},
+        {9, " (Triangle of 6 nodes)"},
+        {10, " (Quadrilateral of 9 nodes)"},
+        {16, " (Quadrilateral of 8 nodes)"}};
+      const auto other = others.find(type);
+      refuse_file("holds elements of the type " + std::to_string(type) +
+                  (other != others.end() ? other->second : "") +
+                  "; expected quadrilaterals of four nodes alone (in Gmsh: "
+                  "Mesh.RecombineAll = 1, Mesh.SubdivisionAlgorithm = 1, "
+                  "Mesh.ElementOrder = 1)");
     }
 
 
@@ -67,16 +63,6 @@ namespace PlateImpact
 
 
 
-    /// The number of a physical group, which is negative for curves against
-    /// their direction.
-    unsigned int
-    group_number(const int tag)
-    {
-      return tag < 0 ? 0u - static_cast<unsigned int>(tag) : tag;
-    }
-
-
-
     class MshReader
     {
     public:
@@ -87,15 +73,25 @@ namespace PlateImpact
       MshFile
       read()
       {
-        while (next_section())
-          {
-            const bool  is_read = read_section();
-            std::string found   = word();
-            if (is_read && found != end_of_section())
-              refuse("expected " + end_of_section() + ", not '" + found + "'");
-            while (found != end_of_section())
-              found = word();
-          }
+        if (!in.is_open())
+          refuse_file(
+            "cannot be read; expected rectangle, circle or a mesh of Gmsh");
+        in >> section;
+        if (section != "$MeshFormat" && section != "$Comments" &&
+            section != "$PhysicalNames")
+          refuse_file("is no mesh of Gmsh, which begins with $MeshFormat");
+        in.seekg(0);
+        while (in >> section)
+          if (section[0] == '$')
+            {
+              const std::string end     = "$End" + section.substr(1);
+              const bool        is_read = read_section();
+              std::string       found   = word();
+              if (is_read && found != end)
+                refuse("expected " + end + ", not '" + found + "'");
+              while (found != end)
+                found = word();
+            }
         for (auto &[group, name] : file.groups)
           name = names.count(group) > 0 ? names[group] : std::to_string(group);
         if (file.cells.empty())
@@ -159,12 +155,12 @@ namespace PlateImpact
             if (begin == end)
               refuse("expected a name in quotes");
             if (dimension == 1)
-              names[group_number(group)] =
-                line.substr(begin + 1, end - begin - 1);
+              names[std::labs(group)] = line.substr(begin + 1, end - begin - 1);
           }
       }
 
-      /// The groups that curves are in, of version 4.
+      /// The groups that curves are in, of version 4; with a negative number,
+      /// here as elsewhere, against their direction.
       void
       read_curves()
       {
@@ -180,7 +176,7 @@ namespace PlateImpact
               next<double>();
             for (Count n_groups = next<Count>(); n_groups > 0; --n_groups)
               if (const int group = next<int>(); is_curve)
-                groups_of_curve[entity].push_back(group_number(group));
+                groups_of_curve[entity].push_back(std::labs(group));
             if (is_curve)
               for (Count n_ends = next<Count>(); n_ends > 0; --n_ends)
                 next<int>();
@@ -236,7 +232,7 @@ namespace PlateImpact
               std::vector<unsigned int> groups; // the first tag
               for (int t = 0; t < n_tags; ++t)
                 if (const int tag = next<int>(); t == 0 && tag != 0)
-                  groups = {group_number(tag)};
+                  groups.assign(1, std::labs(tag));
               add_element(type, groups);
             }
         else
@@ -295,21 +291,6 @@ namespace PlateImpact
         for (unsigned int i = 0; i < 3; ++i)
           next<Count>();
         return n;
-      }
-
-      bool
-      next_section()
-      {
-        while (in >> section)
-          if (section[0] == '$')
-            return true;
-        return false;
-      }
-
-      std::string
-      end_of_section() const
-      {
-        return "$End" + section.substr(1);
       }
 
       std::string

@@ -13,7 +13,6 @@
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
-#include "plate_impact/plate/support.h"
 
 #include <Eigen/SVD>
 #include <Epetra_CrsGraph.h>
@@ -49,11 +48,14 @@ namespace PlateImpact
 
 
 
-    /// The points of a load in each cell that has some, from left to right.
+    /// Calls a function with each cell that has points of a load, and with
+    /// these, from left to right.
     /// @throws ComputationError when a point lies outside of the mesh
-    std::vector<
-      std::pair<Triangulation<2>::active_cell_iterator, Quadrature<2>>>
-    load_on_cells(const Triangulation<2> &mesh, std::vector<LoadPoint> points)
+    template <typename Function>
+    void
+    for_cells_under_load(const Triangulation<2> &mesh,
+                         std::vector<LoadPoint>  points,
+                         const Function         &function)
     {
       std::sort(points.begin(),
                 points.end(),
@@ -63,10 +65,7 @@ namespace PlateImpact
       std::vector<Point<2>> positions;
       for (const LoadPoint &point : points)
         positions.push_back(point.point);
-      const auto tree = pack_rtree_of_indices(positions);
-      std::vector<
-        std::pair<Triangulation<2>::active_cell_iterator, Quadrature<2>>>
-                        result;
+      const auto        tree = pack_rtree_of_indices(positions);
       std::vector<bool> is_found(points.size(), false);
       for (const auto &cell : mesh.active_cell_iterators())
         {
@@ -95,11 +94,10 @@ namespace PlateImpact
                 weights.push_back(points[near[i]].weight);
               }
           if (!within.empty())
-            result.emplace_back(cell, Quadrature<2>(within, weights));
+            function(cell, Quadrature<2>(within, weights));
         }
       if (std::count(is_found.begin(), is_found.end(), false) > 0)
         throw ComputationError("the load distribution reaches beyond the mesh");
-      return result;
     }
 
 
@@ -144,9 +142,9 @@ namespace PlateImpact
     dofs.distribute_dofs(element.finite_element);
     DoFTools::make_hanging_node_constraints(dofs, constraints);
     element.add_internal_constraints(dofs, constraints);
-    holds_deflection = hold_edges(dofs, plate, constraints);
+    holds_deflection = hold_edges(plate);
     constraints.close();
-    unknowns.reinit(dofs, constraints);
+    number_unknowns();
 
     const double tolerance = 1e-10 * mesh.begin_active(0)->diameter();
     std::map<std::array<long, 6>, unsigned int> known;
@@ -166,22 +164,80 @@ namespace PlateImpact
 
 
   void
+  PlateDiscretization::number_unknowns()
+  {
+    std::vector<int> unknown_of_dof(dofs.n_dofs());
+    for (types::global_dof_index dof = 0; dof < dofs.n_dofs(); ++dof)
+      if (!constraints.is_constrained(dof))
+        {
+          unknown_of_dof[dof] = n_unknowns();
+          dof_of_unknown.push_back(dof);
+        }
+    components_of.assign(n_unknowns(), 0);
+
+    const FiniteElement<2>              &fe = dofs.get_fe();
+    std::vector<types::global_dof_index> of_cell(fe.n_dofs_per_cell());
+    std::vector<Eigen::Triplet<double>>  weights;
+    int                                  row = 0;
+    for (const auto &cell : dofs.active_cell_iterators())
+      {
+        cell->get_dof_indices(of_cell);
+        for (unsigned int i = 0; i < of_cell.size(); ++i, ++row)
+          {
+            const auto add = [&](const types::global_dof_index dof,
+                                 const double                  weight) {
+              weights.emplace_back(row, unknown_of_dof[dof], weight);
+              components_of[unknown_of_dof[dof]] |= 1u
+                << fe.system_to_component_index(i).first;
+            };
+            if (!constraints.is_constrained(of_cell[i]))
+              add(of_cell[i], 1.);
+            else
+              for (const auto &[master, weight] :
+                   *constraints.get_constraint_entries(of_cell[i]))
+                add(master, weight);
+          }
+      }
+    nodal_values_of_cells.resize(row, n_unknowns());
+    nodal_values_of_cells.setFromTriplets(weights.begin(), weights.end());
+  }
+
+
+
+  std::vector<types::global_dof_index>
+  PlateDiscretization::unknowns_of(const unsigned int cell) const
+  {
+    const int        n       = element.finite_element.n_dofs_per_cell(),
+              *const columns = nodal_values_of_cells.innerIndexPtr(),
+              *const first   = nodal_values_of_cells.outerIndexPtr() + n * cell;
+    std::vector<types::global_dof_index> unknowns(columns + first[0],
+                                                  columns + first[n]);
+    std::sort(unknowns.begin(), unknowns.end());
+    unknowns.erase(std::unique(unknowns.begin(), unknowns.end()),
+                   unknowns.end());
+    return unknowns;
+  }
+
+
+
+  void
   PlateDiscretization::assemble()
   {
     DynamicSparsityPattern of_K(n_unknowns(), n_unknowns()),
       of_M(n_unknowns(), n_unknowns());
     for (unsigned int cell = 0; cell < shape_of_cell.size(); ++cell)
       {
-        const auto of_cell = unknowns.of_cell(cell);
+        const auto of_cell = unknowns_of(cell);
         for (const types::global_dof_index row : of_cell)
           {
             of_K.add_entries(row,
                              of_cell.begin(),
                              of_cell.end(),
                              /*indices_are_sorted=*/true);
-            // inertia couples no component with another
+            // inertia couples no component with another, but edges in any
+            // direction give one unknown to both rotations
             for (const types::global_dof_index column : of_cell)
-              if (unknowns.share_component(row, column))
+              if ((components_of[row] & components_of[column]) != 0)
                 of_M.add(row, column);
           }
       }
@@ -210,13 +266,25 @@ namespace PlateImpact
     const std::function<Eigen::MatrixXd(unsigned int)> &matrix_of,
     Epetra_CrsMatrix                                   &sum) const
   {
+    using Weights         = decltype(nodal_values_of_cells);
+    const int           n = element.finite_element.n_dofs_per_cell();
     std::vector<int>    columns;
     std::vector<double> values;
     for (unsigned int cell = 0; cell < shape_of_cell.size(); ++cell)
       {
-        const auto            of_cell = unknowns.of_cell(cell);
-        const Eigen::MatrixXd A       = n_parts *
-          unknowns.resolve_constraints(cell, of_cell, matrix_of(cell));
+        const auto of_cell = unknowns_of(cell);
+        Weights    weights(n, of_cell.size());
+        for (int i = 0; i < n; ++i)
+          for (Weights::InnerIterator w(nodal_values_of_cells, n * cell + i); w;
+               ++w)
+            weights.insert(i,
+                           std::lower_bound(of_cell.begin(),
+                                            of_cell.end(),
+                                            w.col()) -
+                             of_cell.begin()) = w.value();
+        const Eigen::MatrixXd of_rows = matrix_of(cell) * weights;
+        Eigen::MatrixXd       A       = weights.transpose() * of_rows;
+        A *= n_parts;
         // symmetric, so that a column is a row
         for (Eigen::Index j = 0; j < A.cols(); ++j)
           {
@@ -248,26 +316,40 @@ namespace PlateImpact
     const FiniteElement<2> &scalar = fe.base_element(0);
     Eigen::MatrixXd         on_cells =
       Eigen::MatrixXd::Zero(fe.n_dofs_per_cell(), mesh().n_active_cells());
-    for (const auto &[cell, forces] : load_on_cells(mesh(), points))
-      {
+    for_cells_under_load(
+      mesh(),
+      points,
+      [&](const auto &cell, const Quadrature<2> &on_points) {
         FEValues<2> values(mapping_of(cell),
                            scalar,
-                           forces,
+                           on_points,
                            update_values | update_gradients);
         values.reinit(cell);
         auto on_cell = on_cells.col(cell->active_cell_index());
-        for (unsigned int p = 0; p < forces.size(); ++p)
+        for (unsigned int p = 0; p < on_points.size(); ++p)
           for (unsigned int i = 0; i < scalar.n_dofs_per_cell(); ++i)
             {
               on_cell[fe.component_to_system_index(deflection, i)] +=
-                forces.weight(p) * values.shape_value(i, p);
+                on_points.weight(p) * values.shape_value(i, p);
               for (const unsigned int d : {0, 1})
                 on_cell[fe.component_to_system_index(rotation_x + d, i)] +=
-                  forces.weight(p) * rotation_factor *
+                  on_points.weight(p) * rotation_factor *
                   values.shape_grad(i, p)[d];
             }
-      }
-    return unknowns.forces(on_cells);
+      });
+    return forces(on_cells);
+  }
+
+
+
+  Vector<double>
+  PlateDiscretization::nodal_values(const Eigen::VectorXd &unknowns) const
+  {
+    Vector<double> values(dofs.n_dofs());
+    for (unsigned int i = 0; i < n_unknowns(); ++i)
+      values[dof_of_unknown[i]] = unknowns[i];
+    constraints.distribute(values);
+    return values;
   }
 
 
@@ -275,21 +357,7 @@ namespace PlateImpact
   unsigned int
   PlateDiscretization::n_rigid_motions() const
   {
-    // Along z, about y and x, and of plates that stretch along x and y and
-    // about z. The size makes all alike.
-    const double size   = GridTools::diameter(mesh());
-    const auto   motion = [size](const unsigned int k,
-                               const unsigned int component,
-                               const Point<2>    &p) {
-      const double x = p[0] / size, y = p[1] / size, slope = 1. / size;
-      const double motions[6][5] = {{1., 0., 0., 0., 0.},
-                                    {x, slope, 0., 0., 0.},
-                                    {y, 0., slope, 0., 0.},
-                                    {0., 0., 0., 1., 0.},
-                                    {0., 0., 0., 0., 1.},
-                                    {0., 0., 0., -y, x}};
-      return motions[k][component];
-    };
+    const double       size = GridTools::diameter(mesh());
     const unsigned int n_motions =
       plate_section.stretching != Stretching::none ? 6 : 3;
     // by how much each fails what is held, all of which is at the boundary
@@ -299,8 +367,18 @@ namespace PlateImpact
       {
         std::vector<std::function<double(const Point<2> &)>> components;
         for (unsigned int c = 0; c < dofs.get_fe().n_components(); ++c)
-          components.push_back(
-            [=](const Point<2> &p) { return motion(k, c, p); });
+          components.push_back([=](const Point<2> &p) {
+            // Along z, about y and x, and of plates that stretch along x and y
+            // and about z. The size makes all alike.
+            const double x = p[0] / size, y = p[1] / size, slope = 1. / size;
+            const double motions[6][5] = {{1., 0., 0., 0., 0.},
+                                          {x, slope, 0., 0., 0.},
+                                          {y, 0., slope, 0., 0.},
+                                          {0., 0., 0., 1., 0.},
+                                          {0., 0., 0., 0., 1.},
+                                          {0., 0., 0., -y, x}};
+            return motions[k][c];
+          });
         Vector<double> values(dofs.n_dofs());
         VectorTools::interpolate(mapping_of(mesh()),
                                  dofs,
@@ -308,11 +386,9 @@ namespace PlateImpact
                                  values);
         Vector<double> held = values;
         constraints.distribute(held);
+        held -= values;
         for (unsigned int i = 0; i < boundary.n_elements(); ++i)
-          {
-            const auto dof = boundary.nth_index_in_set(i);
-            misfit(i, k)   = values[dof] - held[dof];
-          }
+          misfit(i, k) = held[boundary.nth_index_in_set(i)];
       }
     const Eigen::VectorXd singular_values =
       Eigen::JacobiSVD<Eigen::MatrixXd>(misfit).singularValues();

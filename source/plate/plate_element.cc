@@ -19,36 +19,15 @@ namespace PlateImpact
       AssumedShear assumed_shear;
     };
 
+    const AssumedShear gauss_2 = shear_at_gauss_points(2),
+                       gauss_3 = shear_at_gauss_points(3);
+
     const std::vector<ElementRow> elements = {
-      {ElementType::serendipity,
-       "serendipity",
-       true,
-       true,
-       shear_at_gauss_points(2)},
-      {ElementType::serendipity_full,
-       "serendipity full",
-       true,
-       true,
-       shear_at_gauss_points(3)},
-      {ElementType::heterosis,
-       "heterosis",
-       true,
-       false,
-       shear_at_gauss_points(2)},
-      {ElementType::Lagrange,
-       "Lagrange",
-       false,
-       false,
-       shear_at_gauss_points(2)},
+      {ElementType::serendipity, "serendipity", true, true, gauss_2},
+      {ElementType::serendipity_full, "serendipity full", true, true, gauss_3},
+      {ElementType::heterosis, "heterosis", true, false, gauss_2},
+      {ElementType::Lagrange, "Lagrange", false, false, gauss_2},
       {ElementType::MITC9, "MITC9", false, false, mixed_shear()}};
-
-
-
-    unsigned int
-    n_components(const Stretching stretching)
-    {
-      return stretching == Stretching::none ? 3 : 5;
-    }
   } // namespace
 
 
@@ -58,7 +37,7 @@ namespace PlateImpact
     : type(type)
     , stretching(stretching)
     , scalar_element(2)
-    , finite_element(scalar_element, n_components(stretching))
+    , finite_element(scalar_element, stretching == Stretching::none ? 3 : 5)
     , quadrature(3)
     , assumed_shear(row_of(type, elements).assumed_shear)
   {}
@@ -131,18 +110,18 @@ namespace PlateImpact
       {
         const auto [component, node] =
           finite_element.system_to_component_index(i);
+        const unsigned int direction =
+          component == rotation_y || component == displacement_y;
         // curvatures, and strains of the middle surface
-        const unsigned int row = component < displacement_x ? 0 : 5;
-        for (unsigned int q = 0; q < n; ++q)
-          {
-            const Tensor<1, 2> dN = values.shape_grad(node, q);
-            if (component == rotation_x || component == displacement_x)
-              result.linear.col(i).segment<3>(n_strains * q + row) << dN[0], 0.,
-                dN[1];
-            else if (component == rotation_y || component == displacement_y)
-              result.linear.col(i).segment<3>(n_strains * q + row) << 0., dN[1],
-                dN[0];
-          }
+        if (component != deflection)
+          for (unsigned int q = 0; q < n; ++q)
+            {
+              const Tensor<1, 2> dN = values.shape_grad(node, q);
+              const unsigned int row =
+                n_strains * q + (component < displacement_x ? 0 : 5);
+              result.linear(row + direction, i) = dN[direction];
+              result.linear(row + 2, i)         = dN[1 - direction];
+            }
         if (component >= displacement_x)
           continue;
         // gamma = grad w - theta
@@ -153,7 +132,7 @@ namespace PlateImpact
             if (component == deflection)
               tied.col(i).segment<2>(2 * t) << dN[0], dN[1];
             else
-              tied(2 * t + (component == rotation_x ? 0 : 1), i) = -N;
+              tied(2 * t + direction, i) = -N;
           }
       }
 

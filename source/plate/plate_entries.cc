@@ -171,49 +171,29 @@ namespace PlateImpact
              "face; all plies are equally thick. An s at the end mirrors the "
              "list. Empty: an isotropic plate. [degrees]");
 
+    auto &[E_1, E_2, nu_12, G_12, G_13, G_23, E_3, nu_13, nu_23, G_IIc] = ply;
     const auto of_ply = entries.section("Ply");
-    of_ply("Longitudinal modulus",
-           "141.2e9",
-           positive,
-           ply.longitudinal_modulus)
+    of_ply("Longitudinal modulus", "141.2e9", positive, E_1)
       .means("E_1 of a ply of the lay-up, along its fibres; the defaults "
              "are those of T300/934. [Pa]");
-    of_ply("Transverse modulus", "9.72e9", positive, ply.transverse_modulus)
+    of_ply("Transverse modulus", "9.72e9", positive, E_2)
       .means("E_2, across them. [Pa]");
-    of_ply("Poisson's ratio", "0.3", any_number(), ply.poissons_ratio)
+    of_ply("Poisson's ratio", "0.3", any_number(), nu_12)
       .means("nu_12, below the root of E_1/E_2. [-]");
-    of_ply("In-plane shear modulus",
-           "5.53e9",
-           positive,
-           ply.in_plane_shear_modulus)
+    of_ply("In-plane shear modulus", "5.53e9", positive, G_12)
       .means("G_12. [Pa]");
-    of_ply("Longitudinal shear modulus",
-           "5.53e9",
-           positive,
-           ply.longitudinal_shear_modulus)
+    of_ply("Longitudinal shear modulus", "5.53e9", positive, G_13)
       .means("G_13. [Pa]");
-    of_ply("Transverse shear modulus",
-           "3.74e9",
-           positive,
-           ply.transverse_shear_modulus)
+    of_ply("Transverse shear modulus", "3.74e9", positive, G_23)
       .means("G_23. [Pa]");
-    of_ply("Through-thickness modulus",
-           "0",
-           number_from(0),
-           ply.through_thickness_modulus)
+    of_ply("Through-thickness modulus", "0", number_from(0), E_3)
       .means("E_3; 0: that across the fibres. [Pa]");
-    of_ply("Through-thickness Poisson's ratio",
-           "0",
-           any_number(),
-           ply.through_thickness_poissons_ratio)
+    of_ply("Through-thickness Poisson's ratio", "0", any_number(), nu_13)
       .means("nu_13; 0: nu_12. [-]");
-    of_ply("Transverse Poisson's ratio",
-           "0",
-           any_number(),
-           ply.transverse_poissons_ratio)
+    of_ply("Transverse Poisson's ratio", "0", any_number(), nu_23)
       .means("nu_23; 0: E_2 / (2 G_23) - 1, as for a transversely isotropic "
              "ply. [-]");
-    of_ply("Mode II toughness", "0", number_from(0), ply.mode_2_toughness)
+    of_ply("Mode II toughness", "0", number_from(0), G_IIc)
       .means("G_IIc between plies. If it is given, a run compares the peak "
              "force with the delamination threshold. 0: not given. [J/m^2]");
   }

@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <fstream>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -61,26 +60,8 @@ namespace PlateImpact
       std::vector<CellData<2>>          cells;
       std::map<VertexPair, std::size_t> edge_of_side;
       double                            tolerance; ///< for equal points [m]
-
-      Corners
-      corners(const CellData<2> &cell) const
-      {
-        return {{vertices[cell.vertices[0]],
-                 vertices[cell.vertices[1]],
-                 vertices[cell.vertices[3]],
-                 vertices[cell.vertices[2]]}};
-      }
+      std::vector<Corners>              corners;
     };
-
-
-
-    bool
-    can_be_named(const std::string &edge)
-    {
-      return std::none_of(edge.begin(), edge.end(), [](const unsigned char c) {
-        return c < ' ' || std::string(",:#\"\x7f").find(c) != std::string::npos;
-      });
-    }
 
 
 
@@ -92,10 +73,13 @@ namespace PlateImpact
               std::vector<std::string>        &edges,
               Cells                           &cells)
     {
+      const auto cannot_be_named = [](const unsigned char c) {
+        return c < ' ' || std::string(",:#\"\x7f").find(c) != std::string::npos;
+      };
       std::map<unsigned int, std::size_t> edge_of_group;
       for (const auto &[group, name] : file.groups)
         {
-          if (!can_be_named(name))
+          if (std::any_of(name.begin(), name.end(), cannot_be_named))
             refuse_file("has a physical group '" + name +
                         "', which no scene can name; expected no comma, "
                         "colon, # or control character in it");
@@ -122,7 +106,7 @@ namespace PlateImpact
     Cells
     cells_of(const MshFile &file, std::vector<std::string> &edges)
     {
-      Cells                     result{{}, file.cells, {}, 0.};
+      Cells                     result{{}, file.cells, {}, 0., {}};
       std::vector<unsigned int> vertex_of_node(file.nodes.size(),
                                                numbers::invalid_unsigned_int);
       std::vector<Point<3>>     used;
@@ -153,16 +137,20 @@ namespace PlateImpact
 
 
 
+    /// Fills in the corners of cells, and turns these counterclockwise.
     void
     orient(Cells &cells)
     {
       for (auto &cell : cells.cells)
         {
-          Corners c = cells.corners(cell);
+          Corners &c = cells.corners.emplace_back();
+          for (unsigned int v = 0; v < 4; ++v)
+            // by rows there, around the cell here
+            c[v] = cells.vertices[cell.vertices[v ^ (v / 2)]];
           if (cross(c[0], c[1], c[2]) + cross(c[0], c[2], c[3]) < 0.)
             {
               std::swap(cell.vertices[1], cell.vertices[2]);
-              c = cells.corners(cell);
+              std::swap(c[1], c[3]);
             }
           for (unsigned int v = 0; v < 4; ++v)
             {
@@ -234,13 +222,10 @@ namespace PlateImpact
     void
     refuse_overlaps(const Cells &cells)
     {
-      std::vector<Corners>        corners;
+      const auto                 &corners = cells.corners;
       std::vector<BoundingBox<2>> boxes;
-      for (const auto &cell : cells.cells)
-        {
-          corners.push_back(cells.corners(cell));
-          boxes.emplace_back(corners.back());
-        }
+      for (const Corners &of_cell : corners)
+        boxes.emplace_back(of_cell);
       const auto tree = pack_rtree_of_indices(boxes);
       for (std::size_t c = 0; c < corners.size(); ++c)
         {
@@ -394,15 +379,6 @@ namespace PlateImpact
   std::shared_ptr<const PlateFile>
   read_plate_file(const std::string &path)
   {
-    std::ifstream in(path);
-    std::string   first_word;
-    if (!in.is_open())
-      refuse_file(
-        "cannot be read; expected rectangle, circle or a mesh of Gmsh");
-    in >> first_word;
-    if (first_word != "$MeshFormat" && first_word != "$Comments" &&
-        first_word != "$PhysicalNames")
-      refuse_file("is no mesh of Gmsh, which begins with $MeshFormat");
     auto plate  = std::make_shared<PlateFile>();
     plate->path = path;
     Cells cells = cells_of(read_msh_file(path), plate->edges);

@@ -43,16 +43,6 @@ namespace PlateImpact
 
 
 
-  std::unique_ptr<Triangulation<2>>
-  copy_of(const Triangulation<2> &mesh)
-  {
-    auto copy = std::make_unique<Triangulation<2>>();
-    copy->copy_triangulation(mesh);
-    return copy;
-  }
-
-
-
   double
   cell_size(const Triangulation<2>::cell_iterator &cell)
   {
@@ -60,17 +50,6 @@ namespace PlateImpact
     for (const unsigned int face : cell->face_indices())
       longest = std::max(longest, cell->face(face)->diameter());
     return longest;
-  }
-
-
-
-  double
-  smallest_cell_size(const Triangulation<2> &mesh)
-  {
-    return cell_sizes_near_load(mesh,
-                                0.,
-                                std::numeric_limits<double>::infinity())
-      .first;
   }
 
 

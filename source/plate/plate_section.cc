@@ -2,7 +2,6 @@
 
 #include "plate_impact/plate/ply.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -14,6 +13,8 @@ namespace PlateImpact
   {
     /// Of angles that are multiples of 90 degrees what round-off leaves.
     constexpr double negligible = 1e-9;
+
+    constexpr unsigned int n_directions = 180;
 
 
 
@@ -32,13 +33,13 @@ namespace PlateImpact
 
 
 
-    /// Moment per curvature of cylindrical bending along a direction. [N m]
-    /// @param D      moments per curvatures
-    /// @param angle  to x
+    /// Moment per curvature of cylindrical bending in one of all directions,
+    /// from moments per curvatures. [N m]
     double
-    stiffness_along(const Eigen::Matrix3d &D, const double angle)
+    stiffness_along(const unsigned int direction, const Eigen::Matrix3d &D)
     {
-      const double          c = std::cos(angle), s = std::sin(angle);
+      const double angle = std::acos(-1.) * direction / n_directions,
+                   c = std::cos(angle), s = std::sin(angle);
       const Eigen::Vector3d curvature(c * c, s * s, 2. * c * s);
       return curvature.dot(D * curvature);
     }
@@ -159,11 +160,10 @@ namespace PlateImpact
       {
         // Olsson's formula holds in the axes of an orthotropic plate; this is
         // the mean over directions that it stands for
-        const unsigned int n    = 180;
-        double             mean = 0.;
-        for (unsigned int i = 0; i < n; ++i)
-          mean += 1. / std::sqrt(stiffness_along(D, std::acos(-1.) * i / n));
-        return n / mean * (n / mean);
+        double mean = 0.;
+        for (unsigned int i = 0; i < n_directions; ++i)
+          mean += 1. / std::sqrt(stiffness_along(i, D));
+        return n_directions / mean * (n_directions / mean);
       }
     const double along = std::sqrt(D(0, 0)) * std::sqrt(D(1, 1));
     return std::sqrt(0.5 * (1. + (D(0, 1) + 2. * D(2, 2)) / along)) * along;
@@ -172,29 +172,18 @@ namespace PlateImpact
 
 
   double
-  PlateSection::mean_shear_stiffness() const
-  {
-    return std::sqrt(shear_stiffness(0, 0)) * std::sqrt(shear_stiffness(1, 1));
-  }
-
-
-
-  double
   PlateSection::fastest_wave() const
   {
     // of infinite frequency: bending and stretching along a direction, coupled
-    double             largest = 0.;
-    const unsigned int n       = 180;
-    for (unsigned int i = 0; i < n; ++i)
+    double largest = 0.;
+    for (unsigned int i = 0; i < n_directions; ++i)
       {
-        const auto along = [&](const Eigen::Matrix3d &stiffness) {
-          return stiffness_along(stiffness, std::acos(-1.) * i / n);
-        };
-        const double bending  = along(bending_stiffness) / rotary_inertia,
+        const double bending =
+                       stiffness_along(i, bending_stiffness) / rotary_inertia,
                      membrane = stretching == Stretching::none ?
           0. :
-          along(membrane_stiffness) / mass_per_area,
-                     coupling = along(coupling_stiffness) /
+          stiffness_along(i, membrane_stiffness) / mass_per_area,
+                     coupling = stiffness_along(i, coupling_stiffness) /
           std::sqrt(rotary_inertia * mass_per_area);
         largest = std::max(largest,
                            0.5 * (bending + membrane) +
@@ -228,15 +217,6 @@ namespace PlateImpact
 
 
 
-  double
-  PlateSection::squared_energy_norm(
-    const Eigen::Ref<const Eigen::VectorXd> &resultants) const
-  {
-    return resultants.dot(compliance * resultants);
-  }
-
-
-
   Eigen::MatrixXd
   PlateSection::stiffness() const
   {
@@ -251,14 +231,6 @@ namespace PlateImpact
         matrix.bottomRightCorner<3, 3>() = membrane_stiffness;
       }
     return matrix;
-  }
-
-
-
-  Eigen::MatrixXd
-  PlateSection::root_of_compliance() const
-  {
-    return compliance.llt().matrixU();
   }
 
 

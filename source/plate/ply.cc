@@ -15,14 +15,13 @@ namespace PlateImpact
     PlyParameters
     without_zeros(PlyParameters ply)
     {
-      const auto fill = [](double &constant, const double derived) {
-        if (constant == 0.)
-          constant = derived;
-      };
-      fill(ply.through_thickness_modulus, ply.transverse_modulus);
-      fill(ply.through_thickness_poissons_ratio, ply.poissons_ratio);
-      fill(ply.transverse_poissons_ratio,
-           ply.transverse_modulus / (2. * ply.transverse_shear_modulus) - 1.);
+      if (ply.through_thickness_modulus == 0.)
+        ply.through_thickness_modulus = ply.transverse_modulus;
+      if (ply.through_thickness_poissons_ratio == 0.)
+        ply.through_thickness_poissons_ratio = ply.poissons_ratio;
+      if (ply.transverse_poissons_ratio == 0.)
+        ply.transverse_poissons_ratio =
+          ply.transverse_modulus / (2. * ply.transverse_shear_modulus) - 1.;
       return ply;
     }
 
@@ -32,11 +31,7 @@ namespace PlateImpact
     Eigen::Matrix3d
     normal_compliance(const PlyParameters &ply)
     {
-      const double E1 = ply.longitudinal_modulus, E2 = ply.transverse_modulus,
-                   E3   = ply.through_thickness_modulus,
-                   nu12 = ply.poissons_ratio,
-                   nu13 = ply.through_thickness_poissons_ratio,
-                   nu23 = ply.transverse_poissons_ratio;
+      const auto &[E1, E2, nu12, G12, G13, G23, E3, nu13, nu23, G_IIc] = ply;
       Eigen::Matrix3d S;
       S << 1. / E1, -nu12 / E1, -nu13 / E1, //
         -nu12 / E1, 1. / E2, -nu23 / E2,    //
@@ -119,16 +114,6 @@ namespace PlateImpact
 
 
 
-  double
-  Ply::layer_poissons_ratio() const
-  {
-    const double widening =
-      (stiffness(0, 2) + stiffness(1, 2)) / (2. * stiffness(2, 2));
-    return widening / (1. + widening);
-  }
-
-
-
   Eigen::Matrix2d
   shear_stiffness_of_equilibrium(
     const std::vector<Eigen::Matrix3d> &plane_stiffness,
@@ -139,9 +124,6 @@ namespace PlateImpact
     const std::size_t       n_plies      = plane_stiffness.size();
     Eigen::Matrix<double, -1, 3> products(n_directions, 3);
     Eigen::VectorXd              energies = Eigen::VectorXd::Zero(n_directions);
-    std::vector<Eigen::Matrix2d> shear_compliances;
-    for (const Eigen::Matrix2d &moduli : shear_moduli)
-      shear_compliances.push_back(moduli.inverse());
     for (unsigned int i = 0; i < n_directions; ++i)
       {
         const double angle = std::acos(-1.) * i / n_directions,
@@ -165,7 +147,7 @@ namespace PlateImpact
                   tau(near + gauss.point(q)[0] * t);
                 force += gauss.weight(q) * t * stress;
                 energies(i) += gauss.weight(q) * t *
-                  stress.dot(shear_compliances[k] * stress);
+                  stress.dot(shear_moduli[k].inverse() * stress);
               }
             at_far_face = tau(near);
           }

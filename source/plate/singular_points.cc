@@ -10,7 +10,6 @@
 #include <complex>
 #include <map>
 #include <optional>
-#include <utility>
 
 namespace PlateImpact
 {
@@ -20,57 +19,41 @@ namespace PlateImpact
   {
     using Exponent = std::complex<double>;
 
-    /// What an edge does to the rotations.
-    enum class WedgeSide
+    /// Zero at the exponents of a wedge in plane stress. A side on rollers,
+    /// simply supported, is a line in which a wedge of twice the angle mirrors
+    /// with opposite signs.
+    Exponent
+    characteristic(const Exponent             x,
+                   const double               angle,
+                   std::array<EdgeSupport, 2> sides,
+                   const double               poissons_ratio)
     {
-      held,
-      rollers, ///< theta_s and M_n are 0
-      unloaded
-    };
-
-
-
-    WedgeSide
-    side_of(const EdgeSupport support)
-    {
-      switch (support)
+      // rotations are free there
+      std::replace(sides.begin(),
+                   sides.end(),
+                   EdgeSupport::soft_simply_supported,
+                   EdgeSupport::free);
+      std::sort(sides.begin(), sides.end());
+      const bool     is_alike = sides[0] == sides[1];
+      const double   kappa    = (3. - poissons_ratio) / (1. + poissons_ratio);
+      const Exponent square   = std::pow(std::sin(x * angle), 2),
+                     twice    = std::sin(2. * x * angle),
+                     sine     = x * std::sin(angle);
+      switch (sides[0])
         {
           case EdgeSupport::clamped:
-            return WedgeSide::held;
+            if (is_alike)
+              return square - std::pow(sine / kappa, 2);
+            if (sides[1] == EdgeSupport::simply_supported)
+              return twice + x / kappa * std::sin(2. * angle);
+            return square -
+              (std::pow(1. + kappa, 2) / 4. - sine * sine) / kappa;
           case EdgeSupport::simply_supported:
-            return WedgeSide::rollers;
+            return is_alike ? square - std::pow(std::sin(angle), 2) :
+                              twice - x * std::sin(2. * angle);
           default:
-            return WedgeSide::unloaded;
+            return square - sine * sine;
         }
-    }
-
-
-
-    /// Zero at the exponents of a wedge in plane stress. A side on rollers is a
-    /// line in which a wedge of twice the angle mirrors with opposite signs.
-    Exponent
-    characteristic(const Exponent                  x,
-                   const double                    angle,
-                   std::pair<WedgeSide, WedgeSide> sides,
-                   const double                    poissons_ratio)
-    {
-      const double kappa = (3. - poissons_ratio) / (1. + poissons_ratio);
-      if (sides.first > sides.second)
-        std::swap(sides.first, sides.second);
-      const Exponent square = std::pow(std::sin(x * angle), 2),
-                     twice  = std::sin(2. * x * angle),
-                     sine   = x * std::sin(angle);
-      if (sides == std::pair(WedgeSide::held, WedgeSide::held))
-        return square - std::pow(sine / kappa, 2);
-      if (sides == std::pair(WedgeSide::held, WedgeSide::rollers))
-        return twice + x / kappa * std::sin(2. * angle);
-      if (sides == std::pair(WedgeSide::held, WedgeSide::unloaded))
-        return square - (std::pow(1. + kappa, 2) / 4. - sine * sine) / kappa;
-      if (sides == std::pair(WedgeSide::rollers, WedgeSide::rollers))
-        return square - std::pow(std::sin(angle), 2);
-      if (sides == std::pair(WedgeSide::rollers, WedgeSide::unloaded))
-        return twice - x * std::sin(2. * angle);
-      return square - sine * sine;
     }
 
 
@@ -102,7 +85,6 @@ namespace PlateImpact
     /// Supports and angle of a boundary vertex of a mesh, in the making.
     struct Corner
     {
-      Point<2>                        position;
       double                          cells_angle = 0.;
       std::vector<Tensor<1, 2>>       tangents; ///< of edges, away from it
       std::vector<types::boundary_id> edges;
@@ -118,8 +100,7 @@ namespace PlateImpact
         if (face->at_boundary())
           for (const unsigned int v : {0, 1})
             {
-              Corner &corner  = corners[face->vertex_index(v)];
-              corner.position = face->vertex(v);
+              Corner &corner = corners[face->vertex_index(v)];
               corner.tangents.push_back(
                 face->get_manifold().get_tangent_vector(face->vertex(v),
                                                         face->vertex(1 - v)));
@@ -149,35 +130,34 @@ namespace PlateImpact
         make_plate_mesh(plate, parameters.discretization.initial_cells);
       for (const auto &[index, corner] : boundary_vertices(*mesh))
         {
-          if (corner.edges.size() != 2)
+          // planes of symmetry have no support
+          std::vector<EdgeSupport> held_by;
+          for (const types::boundary_id edge : corner.edges)
+            if (const auto found = supports.find(edge); found != supports.end())
+              held_by.push_back(found->second);
+          if (corner.edges.size() != 2 || held_by.empty())
             continue;
-          const double small =
-                         Physics::VectorRelations::angle(corner.tangents[0],
-                                                         corner.tangents[1]),
-                       large = 2. * numbers::PI - small;
-          double angle       = std::abs(corner.cells_angle - small) <
-              std::abs(corner.cells_angle - large) ?
-                  small :
-                  large;
+          double angle = Physics::VectorRelations::angle(corner.tangents[0],
+                                                         corner.tangents[1]);
+          if (corner.cells_angle >= numbers::PI)
+            angle = 2. * numbers::PI - angle;
           // the other side of a plane of symmetry is like this one
-          auto one   = supports.find(corner.edges[0]),
-               other = supports.find(corner.edges[1]);
-          if (one == supports.end() && other == supports.end())
-            continue;
-          if (one == supports.end() || other == supports.end())
+          if (held_by.size() == 1)
             {
               angle *= 2.;
-              one = other = one == supports.end() ? other : one;
+              held_by.push_back(held_by[0]);
             }
           const double smooth = 10. / 180. * numbers::PI;
-          if (one->second == other->second &&
+          if (held_by[0] == held_by[1] &&
               std::abs(angle - numbers::PI) < smooth)
             continue;
           if (const double strength =
-                corner_strength(angle, {{one->second, other->second}}, nu);
+                corner_strength(angle, {{held_by[0], held_by[1]}}, nu);
               strength < 1. - 1e-6)
-            points.push_back(
-              {{{corner.position[0], corner.position[1]}}, strength});
+            {
+              const Point<2> &position = mesh->get_vertices()[index];
+              points.push_back({{{position[0], position[1]}}, strength});
+            }
         }
     }
   } // namespace
@@ -189,16 +169,11 @@ namespace PlateImpact
                   const std::array<EdgeSupport, 2> &supports,
                   const double                      poissons_ratio)
   {
-    const auto is_held = [&supports](const unsigned int side) {
-      return supports[side] != EdgeSupport::free;
-    };
-    double strength =
-      std::min(1., numbers::PI / angle * (is_held(0) == is_held(1) ? 1. : 0.5));
+    const bool is_alike =
+      (supports[0] == EdgeSupport::free) == (supports[1] == EdgeSupport::free);
+    double strength = std::min(1., numbers::PI / angle * (is_alike ? 1. : 0.5));
     const auto function = [&](const Exponent x) {
-      return characteristic(x,
-                            angle,
-                            {side_of(supports[0]), side_of(supports[1])},
-                            poissons_ratio);
+      return characteristic(x, angle, supports, poissons_ratio);
     };
     // a rotation of the whole wedge has the exponent 0
     const double least = 1e-3;

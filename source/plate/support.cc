@@ -1,5 +1,4 @@
-#include "plate_impact/plate/support.h"
-
+// Supports of the edges of a plate.
 #include <deal.II/base/numbers.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_values_extractors.h>
@@ -7,7 +6,7 @@
 #include <deal.II/numerics/vector_tools_constraints.h>
 
 #include "plate_impact/base/entries.h"
-#include "plate_impact/plate/plate_element.h"
+#include "plate_impact/plate/plate_discretization.h"
 #include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
 
@@ -28,31 +27,24 @@ namespace PlateImpact
       bool normal, tangential;
     };
 
+    template <typename Choice>
     struct SupportRow
     {
-      EdgeSupport choice;
+      Choice      choice;
       std::string word;
-      bool        deflection;
-      Held        rotations;
+      Held        held; ///< of the rotations, or of displacements in the plane
+      bool        holds_deflection = true;
     };
 
-    const std::vector<SupportRow> support_rows = {
-      {EdgeSupport::clamped, "clamped", true, {true, true}},
-      {EdgeSupport::simply_supported, "simply supported", true, {false, true}},
+    const std::vector<SupportRow<EdgeSupport>> support_rows = {
+      {EdgeSupport::clamped, "clamped", {true, true}},
+      {EdgeSupport::simply_supported, "simply supported", {false, true}},
       {EdgeSupport::soft_simply_supported,
        "soft simply supported",
-       true,
        {false, false}},
-      {EdgeSupport::free, "free", false, {false, false}}};
+      {EdgeSupport::free, "free", {false, false}, false}};
 
-    struct InPlaneRow
-    {
-      InPlaneSupport choice;
-      std::string    word;
-      Held           displacements;
-    };
-
-    const std::vector<InPlaneRow> in_plane_rows = {
+    const std::vector<SupportRow<InPlaneSupport>> in_plane_rows = {
       {InPlaneSupport::held, "held", {true, true}},
       {InPlaneSupport::sliding, "sliding", {false, false}},
       {InPlaneSupport::held_along, "held along", {false, true}},
@@ -78,7 +70,6 @@ namespace PlateImpact
       // a mean normal, which deal.II takes at vertices of several cells, is
       // that of a smooth edge
       const double least_cosine = std::cos(10. * numbers::PI / 180.);
-      const auto  &mesh         = dof_handler.get_triangulation();
       std::map<unsigned int, Tensor<1, 2>> directions;
       for (const auto &cell : dof_handler.active_cell_iterators())
         for (const auto &face : cell->face_iterators())
@@ -89,8 +80,7 @@ namespace PlateImpact
             for (const unsigned int v : face->vertex_indices())
               {
                 const Tensor<1, 2> normal =
-                  mesh.get_manifold(face->manifold_id())
-                    .normal_vector(face, face->vertex(v));
+                  face->get_manifold().normal_vector(face, face->vertex(v));
                 const Tensor<1, 2> held =
                   is_along ? cross_product_2d(normal) : normal;
                 const auto [known, is_new] =
@@ -98,9 +88,7 @@ namespace PlateImpact
                 if (is_new || std::abs(known->second * held) > least_cosine)
                   continue;
                 for (const unsigned int component : {first, first + 1})
-                  if (const auto dof = face->vertex_dof_index(v, component);
-                      !constraints.is_constrained(dof))
-                    constraints.add_line(dof);
+                  constraints.add_line(face->vertex_dof_index(v, component));
               }
           }
     }
@@ -160,35 +148,32 @@ namespace PlateImpact
 
 
   bool
-  hold_edges(const DoFHandler<2>       &dof_handler,
-             const PlateParameters     &plate,
-             AffineConstraints<double> &constraints)
+  PlateDiscretization::hold_edges(const PlateParameters &plate)
   {
     const PlateGeometry geometry = geometry_of(plate);
     const auto          in_plane = geometry.by_edge(plate.in_plane_supports);
     std::map<types::boundary_id, Held> rotations     = {{symmetry_x, mirrored},
                                                         {symmetry_y, mirrored}},
                                        displacements = rotations;
-    const ComponentMask of_deflection = dof_handler.get_fe().component_mask(
-      FEValuesExtractors::Scalar(deflection));
-    bool holds_deflection = false;
+    const ComponentMask of_deflection =
+      dofs.get_fe().component_mask(FEValuesExtractors::Scalar(deflection));
+    bool is_held = false;
     for (const auto &[edge, support] : geometry.by_edge(plate.supports))
       {
-        const SupportRow &row = row_of(support, support_rows);
-        rotations[edge]       = row.rotations;
-        if (!row.deflection)
+        const auto &row = row_of(support, support_rows);
+        rotations[edge] = row.held;
+        if (!row.holds_deflection)
           continue;
-        holds_deflection = true;
-        DoFTools::make_zero_boundary_constraints(dof_handler,
+        is_held = true;
+        DoFTools::make_zero_boundary_constraints(dofs,
                                                  edge,
                                                  constraints,
                                                  of_deflection);
-        displacements[edge] =
-          row_of(in_plane.at(edge), in_plane_rows).displacements;
+        displacements[edge] = row_of(in_plane.at(edge), in_plane_rows).held;
       }
-    hold_vector(dof_handler, rotations, rotation_x, constraints);
-    if (dof_handler.get_fe().n_components() > displacement_x)
-      hold_vector(dof_handler, displacements, displacement_x, constraints);
-    return holds_deflection;
+    hold_vector(dofs, rotations, rotation_x, constraints);
+    if (plate_section.stretching != Stretching::none)
+      hold_vector(dofs, displacements, displacement_x, constraints);
+    return is_held;
   }
 } // namespace PlateImpact

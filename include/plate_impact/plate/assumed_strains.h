@@ -36,11 +36,10 @@ namespace PlateImpact
 
 
   /// Tied at n x n Gauss points, Cartesian components interpolated by
-  /// polynomials of degree n - 1 in each direction: the same as integrating the
-  /// shear energy with these points only (Malkus & Hughes, Comput Methods Appl
-  /// Mech Engng 15, 1978, 63-81), since they integrate the square of such a
-  /// strain exactly on parallelograms. As the rest of the element has 3 x 3
-  /// points, nothing is assumed with n = 3.
+  /// polynomials of degree n - 1 in each direction: on parallelograms the same
+  /// as integrating the shear energy with these points only (Malkus & Hughes,
+  /// Comput Methods Appl Mech Engng 15, 1978, 63-81). As the rest of the
+  /// element has 3 x 3 points, nothing is assumed with n = 3.
   AssumedShear
   shear_at_gauss_points(unsigned int n);
 
@@ -50,13 +49,12 @@ namespace PlateImpact
   /// component along xi is linear in xi and quadratic in eta, tied at xi =
   /// +-1/sqrt(3), eta = -1, 0, 1, that along eta the other way round.
   ///
-  /// The outer points lie on the edges, where the edge tying of the plate
-  /// elements of Bathe, Brezzi & Cho (Comput Struct 32, 1989, 797-814) has
-  /// them, and not at eta = +-sqrt(3/5): the strain along an edge is then the
-  /// same in both cells that share it. On squares the two agree; on distorted
-  /// cells the inner points lock (measured, clamped plate with 8x8 cells moved
-  /// by a quarter of their size: 0.94, 0.64 and 0.08 of the thin plate's
-  /// deflection at a/t = 1e4, 1e5, 1e6; on the edges 1.000 at all three).
+  /// The outer points lie on the edges, as those of Bathe, Brezzi & Cho (Comput
+  /// Struct 32, 1989, 797-814), and not at eta = +-sqrt(3/5): the strain along
+  /// an edge is then the same in both of its cells. On squares the two agree;
+  /// on distorted cells the inner points lock (clamped plate, 8x8 cells moved
+  /// by a quarter of their size: 0.08 of the thin plate's deflection at a/t =
+  /// 1e6, on the edges 1.000).
   AssumedShear
   mixed_shear();
 
@@ -65,11 +63,10 @@ namespace PlateImpact
   /// w_x^2/2, w_y^2/2, w_x w_y ) after von Karman, as a cell assumes them.
   ///
   /// Squares of slopes are of higher order than the strains of displacements in
-  /// the plane: taken as they are, these cannot balance them, and the membrane
-  /// locks. So they are tied where those strains have their degree, as the
-  /// transverse shear of MITC9: covariant components as in mixed_shear(), that
-  /// of shear at 2x2 Gauss points. On parallelograms a plate of nine nodes then
-  /// bends without a membrane force where the exact one does.
+  /// the plane, which cannot balance them: the membrane locks. So they are tied
+  /// where those have their degree: covariant components as in mixed_shear(),
+  /// that of shear at 2x2 Gauss points. On parallelograms a plate of nine nodes
+  /// then bends without a membrane force where the exact one does.
   namespace SlopeSquares
   {
     constexpr int n_squares = 16;
@@ -82,8 +79,11 @@ namespace PlateImpact
     slopes();
 
     /// The covariant strains, from slopes.
-    Eigen::VectorXd
-    squares(const Eigen::Ref<const Eigen::VectorXd> &slopes);
+    inline Eigen::VectorXd
+    squares(const Eigen::Ref<const Eigen::VectorXd> &slopes)
+    {
+      return slopes.head<n_squares>().cwiseProduct(slopes.tail<n_squares>());
+    }
 
     /// Their derivative with respect to the nine deflections.
     Eigen::MatrixXd

@@ -21,13 +21,12 @@ namespace PlateImpact
   };
 
 
-  /// What a plate with large deflections answers to its unknowns beyond the
-  /// linear plate: von Karman's strains of the middle surface, with first-order
-  /// shear (Reddy 2004, Mechanics of Laminated Composite Plates and Shells,
-  /// sec. 10.2). Strains are quadratic in the unknowns, so that the mean of the
-  /// stresses at both ends of a change, with the strains as they vary halfway,
-  /// does exactly the work that the strain energy changes by (Simo & Tarnow
-  /// 1992, doi:10.1007/BF00913408).
+  /// What a plate with large deflections answers beyond the linear plate: von
+  /// Karman's strains of the middle surface, with first-order shear (Reddy
+  /// 2004, Mechanics of Laminated Composite Plates and Shells, sec. 10.2). As
+  /// they are quadratic in the unknowns, the mean of the stresses at both ends
+  /// of a change, with the strains as they vary halfway, does exactly the work
+  /// that the energy changes by (Simo & Tarnow 1992, doi:10.1007/BF00913408).
   class LargeDeflection
   {
   public:
@@ -81,7 +80,6 @@ namespace PlateImpact
     }
 
     const PlateDiscretization &plate;
-    const Eigen::Matrix3d      membrane_stiffness;
     /// Among the dofs of a cell: of the deflection, and that cause forces.
     std::vector<unsigned int>                    deflections, causes;
     std::map<const CellShape *, Eigen::MatrixXd> by_shape;

@@ -9,13 +9,13 @@ namespace PlateImpact
   /// What the struck face of an elastic layer does beyond plate theory and a
   /// half-space.
   ///
-  /// Hertz's law holds the local compression of a half-space. Plate theory
-  /// holds the bending and the shear of the plate, but its shear term goes on
-  /// to waves far shorter than the thickness, which the half-space answers
-  /// already, and lacks the bending by the thickness stress under a load on one
-  /// face. Both cure a load patch that belongs to the plate and a compliance in
-  /// series with Hertz's law, from the static compliance C(k) of the struck
-  /// face of a free layer at the wavenumber k (doc/theory.md).
+  /// Hertz's law holds the local compression of a half-space. The shear of
+  /// plate theory goes on to waves far shorter than the thickness, which the
+  /// half-space answers already, and plate theory lacks the bending by the
+  /// thickness stress under a load on one face. A load patch that belongs to
+  /// the plate and a compliance in series with Hertz's law cure both, from the
+  /// static compliance C(k) of the struck face of a free layer at the
+  /// wavenumber k (doc/theory.md).
   ///
   /// Lengths are relative to the thickness h.
   class LayerResponse
@@ -26,7 +26,7 @@ namespace PlateImpact
     /// @param load     Hertz disc, uniform disc or strip
     LayerResponse(const PlateSection &section, LoadShape load);
 
-    /// Radius of the patch, c/h, with which plate and layer answer alike to all
+    /// Radius of the patch, c/h, with which plate and layer answer alike to
     /// waves longer than the thickness; 0 where there is none.
     double
     patch_radius() const;
@@ -34,7 +34,11 @@ namespace PlateImpact
     /// beta / h^2 of the functional w + beta div theta that load and reading
     /// use with another radius; 0 with patch_radius().
     double
-    rotation_factor(double radius) const;
+    rotation_factor(const double radius) const
+    {
+      return 1. / (12. * shear_correction * (1. - poissons_ratio)) - 0.1 -
+        radius * radius / (2. * spread);
+    }
 
     /// Lambda of the compliance Lambda / (G h) in series with the law of a
     /// sphere, negative: layer less half-space less plate.

@@ -18,14 +18,11 @@ namespace PlateImpact
   };
 
   /// Quadrature of the scene's load distribution over the quadrant x >= 0, y >=
-  /// 0; the weights sum to one. The points lie where the load needs them, in
-  /// whatever cells they fall, and are dense enough for each of these to have
-  /// several. `point`: the origin.
-  /// `Hertz disc`: pressure ~ sqrt(1 - (r/c)^2), `uniform disc`: constant
-  /// pressure, both within the patch radius c. `line`: the contact length of a
-  /// cylinder along x, constant force per length; `strip`: the same with
-  /// pressure ~ sqrt(1 - (y/c)^2) across.
-  ///
+  /// 0, with several points in each cell there; the weights sum to one.
+  /// `point`: the origin. `Hertz disc`: pressure ~ sqrt(1 - (r/c)^2), `uniform
+  /// disc`: constant pressure, both within the patch radius c. `line`: constant
+  /// force along the contact length of a cylinder, along x; `strip`: the same
+  /// with pressure ~ sqrt(1 - (y/c)^2) across.
   /// @param length       of the contact of a cylinder, 2l [m]
   /// @param finest_cell  size of the smallest that the load falls on [m]
   std::vector<LoadPoint>
@@ -37,6 +34,6 @@ namespace PlateImpact
   /// The same on what is meshed of a plate: points of the quadrant are joined
   /// by their mirror images in axes that are no planes of symmetry.
   std::vector<LoadPoint>
-  on_meshed_part(const std::vector<LoadPoint> &of_quadrant,
-                 const PlateParameters        &plate);
+  on_meshed_part(std::vector<LoadPoint> of_quadrant,
+                 const PlateParameters &plate);
 } // namespace PlateImpact

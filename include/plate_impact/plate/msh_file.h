@@ -28,14 +28,11 @@ namespace PlateImpact
   };
 
 
-  /// Reads Gmsh's MSH file format, versions 2 and 4.1, as text. Every node of
-  /// an element is among those of the file, and memory is taken for what the
-  /// file holds, whatever it announces. Not by Gmsh itself, which does what a
-  /// file of options beside the mesh says, commands of the shell among it; nor
-  /// by dealii::GridIn, which trusts the numbers of a file: a damaged one ends
-  /// the program, or never comes to an end.
-  ///
-  /// Reference: Gmsh reference manual, "MSH file format".
+  /// Reads Gmsh's MSH file format (Gmsh reference manual), versions 2 and 4.1,
+  /// as text. Every node of an element is among those of the file, and memory
+  /// is taken for what the file holds, whatever it announces. Not by Gmsh,
+  /// which obeys a file of options beside the mesh, commands of the shell among
+  /// it; nor by dealii::GridIn, which trusts the numbers of a damaged file.
   ///
   /// @throws InputError  a sentence that goes on from the name of the file
   MshFile

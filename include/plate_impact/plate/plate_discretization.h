@@ -2,13 +2,13 @@
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/vector.h>
 
-#include "plate_impact/plate/free_unknowns.h"
 #include "plate_impact/plate/load_distribution.h"
 #include "plate_impact/plate/plate_element.h"
 #include "plate_impact/plate/plate_section.h"
 
-#include <Eigen/Core>
+#include <Eigen/SparseCore>
 #include <Epetra_CrsMatrix.h>
 
 #include <functional>
@@ -19,15 +19,15 @@ namespace PlateImpact
 {
   /// The plate on one mesh: unknowns, supports, K and M.
   ///
-  /// Only unknowns that constraints leave free are numbered: hanging nodes,
-  /// supports, symmetry and the centre nodes of the element are resolved within
-  /// each cell, so that matrices and vectors carry no dead entries. K, M and
-  /// loads are those of the whole plate moving symmetrically, that is
-  /// `n_parts` times those of the part that is meshed (4 for a quadrant):
-  /// forces and energies need no factor anywhere else.
+  /// Only degrees of freedom that constraints leave free are unknowns, numbered
+  /// without gaps: hanging nodes, supports, symmetry and the centre nodes of
+  /// the element are resolved within each cell, whose nodal values are sums of
+  /// unknowns with weights. K, M and loads are those of the whole plate moving
+  /// symmetrically, `n_parts` times those of the part that is meshed (4 for a
+  /// quadrant): forces and energies need no factor anywhere else.
   ///
-  /// K and M are serial Epetra matrices; unlike TrilinosWrappers::SparseMatrix
-  /// they do not need MPI, whose start costs more than a small scene.
+  /// K and M are serial Epetra matrices: TrilinosWrappers::SparseMatrix needs
+  /// MPI, whose start costs more than a small scene.
   class PlateDiscretization
   {
   public:
@@ -48,7 +48,7 @@ namespace PlateImpact
     unsigned int
     n_unknowns() const
     {
-      return unknowns.size();
+      return dof_of_unknown.size();
     }
 
     const Epetra_CrsMatrix &
@@ -73,12 +73,44 @@ namespace PlateImpact
     load(const std::vector<LoadPoint> &points,
          double                        rotation_factor = 0.) const;
 
-    /// What cells and nodes see of the unknowns.
-    const FreeUnknowns &
-    free_unknowns() const
+    /// Values of a cell's nodal quantities, dofs of the cell x n.
+    /// @param cell      active cell index
+    /// @param unknowns  n_unknowns() x n
+    Eigen::MatrixXd
+    cell_values(unsigned int                             cell,
+                const Eigen::Ref<const Eigen::MatrixXd> &unknowns) const
     {
-      return unknowns;
+      const int n = element.finite_element.n_dofs_per_cell();
+      return nodal_values_of_cells.middleRows(n * cell, n) * unknowns;
     }
+
+    /// Values of the nodal quantities of all cells, a column each.
+    Eigen::MatrixXd
+    values_of_cells(const Eigen::VectorXd &unknowns) const
+    {
+      return (nodal_values_of_cells * unknowns)
+        .reshaped(element.finite_element.n_dofs_per_cell(),
+                  mesh().n_active_cells());
+    }
+
+    /// Forces on the unknowns from those on the nodal quantities of all cells,
+    /// a column each.
+    Eigen::VectorXd
+    forces(const Eigen::MatrixXd &of_cells) const
+    {
+      return nodal_values_of_cells.transpose() * of_cells.reshaped();
+    }
+
+    /// Unknowns of values at all nodes, by degree of freedom, and the reverse.
+    Eigen::VectorXd
+    of_nodal_values(const dealii::Vector<double> &values) const
+    {
+      return Eigen::Map<const Eigen::VectorXd>(values.begin(),
+                                               values.size())(dof_of_unknown);
+    }
+
+    dealii::Vector<double>
+    nodal_values(const Eigen::VectorXd &unknowns) const;
 
     const CellShape &
     shape(unsigned int cell) const
@@ -137,12 +169,31 @@ namespace PlateImpact
     }
 
   private:
+    /// Adds what supports and planes of symmetry hold to the constraints. On an
+    /// edge that runs in any direction a rotation is held along its tangent, an
+    /// arc's too, and a displacement along tangent or normal; where such edges
+    /// hold two directions, both components.
+    /// @return whether any edge has its deflection held
+    bool
+    hold_edges(const PlateParameters &plate);
+
+    void
+    number_unknowns();
+
+    /// Unknowns of a cell, in ascending order.
+    std::vector<dealii::types::global_dof_index>
+    unknowns_of(unsigned int cell) const;
+
     const PlateSection                plate_section;
     dealii::DoFHandler<2>             dofs;
     dealii::AffineConstraints<double> constraints;
+    bool                              holds_deflection; ///< some edge
 
-    bool         holds_deflection; ///< some edge
-    FreeUnknowns unknowns;
+    std::vector<dealii::types::global_dof_index> dof_of_unknown;
+    std::vector<unsigned int> components_of; ///< of an unknown, a bit each
+
+    /// A row for each nodal value of each cell, by unknowns.
+    Eigen::SparseMatrix<double, Eigen::RowMajor> nodal_values_of_cells;
 
     std::vector<unsigned int> shape_of_cell;
     std::vector<CellShape>    shapes;

@@ -19,9 +19,8 @@ namespace PlateImpact
 {
   /// Components of the unknowns at a node: deflection [m], positive in the
   /// direction of impact, and the rotations of the normal in the planes xz and
-  /// yz [rad], which equal the slopes of the deflection where there is no
-  /// transverse shear: gamma = grad w - theta. Of plates that stretch the
-  /// displacements of the middle surface [m] as well.
+  /// yz [rad], gamma = grad w - theta. Of plates that stretch the displacements
+  /// of the middle surface [m] as well.
   enum PlateComponent : unsigned int
   {
     deflection     = 0,
@@ -55,23 +54,16 @@ namespace PlateImpact
   };
 
 
-  /// A Reissner-Mindlin plate element: FE_Q(2) for the deflection, both
-  /// rotations and, where the plate stretches, the displacements in its plane,
-  /// 3x3 Gauss points, and an assumed transverse shear strain. What is
-  /// constrained at the centre node and how the shear is assumed makes the
-  /// element. In its plane the plate has the nodes of the rotations.
-  ///
-  /// Constrained to -1/4 of the corners plus 1/2 of the midsides, the centre
-  /// node turns FE_Q(2) into the 8-node serendipity element exactly.
-  ///  - `serendipity`, the paper's: all components constrained, shear
-  ///    integrated with 2x2 points;
-  ///  - `serendipity full`: the same with 3x3 points for the shear, which locks
-  ///    on plates that are thin for their cells;
-  ///  - `heterosis` (Hughes & Cohen, Comput Struct 9, 1978, 445-450): the
-  ///    deflection constrained, 2x2 points;
-  ///  - `Lagrange`: nothing constrained, 2x2 points; has a spurious zero-energy
-  ///    mode that the assembly of a uniform mesh does not suppress;
-  ///  - `MITC9`: nothing constrained, mixed_shear().
+  /// A Reissner-Mindlin plate element: FE_Q(2) for all components, 3x3 Gauss
+  /// points, and an assumed transverse shear strain. What is constrained at the
+  /// centre node and how the shear is assumed makes the element; in its plane
+  /// the plate has the nodes of the rotations. Constrained to -1/4 of the
+  /// corners plus 1/2 of the midsides, the centre node turns FE_Q(2) into the
+  /// 8-node serendipity element exactly. `heterosis` (Hughes & Cohen, Comput
+  /// Struct 9, 1978, 445-450) constrains the deflection only. `serendipity
+  /// full` locks on plates that are thin for their cells; `Lagrange` has a
+  /// spurious zero-energy mode that the assembly of a uniform mesh does not
+  /// suppress.
   class PlateElement
   {
   public:

@@ -16,10 +16,9 @@ namespace PlateImpact
     double           radius;
   };
 
-  /// Finds sides of one edge that are chords of a circle, nine or more to a
-  /// full turn, and makes them parts of arcs: their manifold id is the number
-  /// of an arc, and that manifold is set. On a polygon a simple support is
-  /// another (Babuska's paradox).
+  /// Makes sides of one edge that are chords of a circle, nine or more to a
+  /// full turn, parts of arcs: their manifold id is the number of an arc. On a
+  /// polygon a simple support is another (Babuska's paradox).
   /// @param mesh  of one level, with boundary ids
   std::vector<Arc>
   find_arcs(dealii::Triangulation<2> &mesh);

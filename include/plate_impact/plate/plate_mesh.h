@@ -4,6 +4,7 @@
 #include <deal.II/grid/tria.h>
 
 #include <array>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -34,16 +35,17 @@ namespace PlateImpact
   const dealii::Mapping<2> &
   mapping_of(const dealii::Triangulation<2> &mesh);
 
-  std::unique_ptr<dealii::Triangulation<2>>
-  copy_of(const dealii::Triangulation<2> &mesh);
+  inline std::unique_ptr<dealii::Triangulation<2>>
+  copy_of(const dealii::Triangulation<2> &mesh)
+  {
+    auto copy = std::make_unique<dealii::Triangulation<2>>();
+    copy->copy_triangulation(mesh);
+    return copy;
+  }
 
   /// Size h of a cell: its longest side, which is what resolves a field. [m]
   double
   cell_size(const dealii::Triangulation<2>::cell_iterator &cell);
-
-  /// That of the smallest active cell. [m]
-  double
-  smallest_cell_size(const dealii::Triangulation<2> &mesh);
 
   /// Whether a point is inside a cell or at one of its vertices.
   bool
@@ -64,4 +66,12 @@ namespace PlateImpact
   cell_sizes_near_load(const dealii::Triangulation<2> &mesh,
                        double                          half_length,
                        double                          distance = 0.);
+
+  /// That of the smallest active cell. [m]
+  inline double
+  smallest_cell_size(const dealii::Triangulation<2> &mesh)
+  {
+    const double everywhere = std::numeric_limits<double>::infinity();
+    return cell_sizes_near_load(mesh, 0., everywhere).first;
+  }
 } // namespace PlateImpact

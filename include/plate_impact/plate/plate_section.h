@@ -2,18 +2,19 @@
 
 #include "plate_impact/base/parameters.h"
 
-#include <Eigen/Core>
+#include <Eigen/Cholesky>
 
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
 namespace PlateImpact
 {
-  /// Stress resultants M_x, M_y, M_xy [N] and Q_x, Q_y [N/m], or the
-  /// generalized strains conjugate to them: curvatures [1/m] and transverse
-  /// shear strains. Plates that stretch have the membrane forces N_x, N_y, N_xy
-  /// [N/m] and the strains of the middle surface after these.
+  /// Stress resultants M_x, M_y, M_xy [N] and Q_x, Q_y [N/m], or the strains
+  /// conjugate to them: curvatures [1/m] and transverse shear strains. Of
+  /// plates that stretch the membrane forces N_x, N_y, N_xy [N/m] and the
+  /// strains of the middle surface follow.
   using Resultants = Eigen::Matrix<double, 5, 1>;
 
   /// What a plate needs displacements in its plane for.
@@ -25,14 +26,12 @@ namespace PlateImpact
   };
 
   /// The section of a Reissner-Mindlin plate, homogeneous and isotropic or a
-  /// laminate (classical lamination theory with first-order shear,
-  /// Reddy, Mechanics of Laminated Composite Plates and Shells, 2nd ed., secs.
-  /// 2.4 and 3.4): what its strains cost, what it weighs, and which isotropic
-  /// layer answers a contact as it does. The only place of the material. A flat
-  /// plate of a symmetric section has no membrane response to a transverse load
-  /// as long as it deflects little, and the paper's in-plane unknowns are left
-  /// out; stresses are linear through the thickness, or through each ply, so
-  /// that resultants give the energies of its through-thickness Gauss points.
+  /// laminate (classical lamination theory with first-order shear, Reddy,
+  /// Mechanics of Laminated Composite Plates and Shells, 2nd ed., secs. 2.4 and
+  /// 3.4), and the isotropic layer that answers a contact as it does. The only
+  /// place of the material. A symmetric section that deflects little needs none
+  /// of the paper's in-plane unknowns; as stresses are linear through each ply,
+  /// resultants give the energies of its through-thickness Gauss points.
   struct PlateSection
   {
     explicit PlateSection(const PlateParameters &plate);
@@ -48,9 +47,8 @@ namespace PlateImpact
     /// Membrane forces per strain of the middle surface. [N/m]
     Eigen::Matrix3d membrane_stiffness;
 
-    /// Membrane forces per curvature, which a symmetric section does not have:
-    /// with z from the middle to the far face a fibre is strained by -z times
-    /// the curvature. [N]
+    /// Membrane forces per curvature, none of a symmetric section: a fibre at z
+    /// from the middle to the far face is strained by -z times it. [N]
     Eigen::Matrix3d coupling_stiffness;
 
     /// rho t. [kg/m^2]
@@ -89,7 +87,11 @@ namespace PlateImpact
 
     /// Of all directions. [N/m]
     double
-    mean_shear_stiffness() const;
+    mean_shear_stiffness() const
+    {
+      return std::sqrt(shear_stiffness(0, 0)) *
+        std::sqrt(shear_stiffness(1, 1));
+    }
 
     /// Speed of the fastest wave, at infinite frequency: of bending, and where
     /// the plate stretches of both together. [m/s]
@@ -115,7 +117,10 @@ namespace PlateImpact
     /// 1 of the paper per area: twice their strain energy. [J/m^2]
     double
     squared_energy_norm(
-      const Eigen::Ref<const Eigen::VectorXd> &resultants) const;
+      const Eigen::Ref<const Eigen::VectorXd> &resultants) const
+    {
+      return resultants.dot(compliance * resultants);
+    }
 
     /// Resultants per strains; its bending part is bending_stiffness.
     Eigen::MatrixXd
@@ -123,7 +128,10 @@ namespace PlateImpact
 
     /// R, upper triangular, with squared_energy_norm(s) = |R s|^2.
     Eigen::MatrixXd
-    root_of_compliance() const;
+    root_of_compliance() const
+    {
+      return compliance.llt().matrixU();
+    }
 
     /// The first resultants of which stresses() needs.
     unsigned int
@@ -132,14 +140,13 @@ namespace PlateImpact
       return stretching == Stretching::none ? 3 : 8;
     }
 
-    /// Names of the stresses that they cause at the faces: the paper's
-    /// effective stress, von Mises; of a ply those along and across its fibres
-    /// and the shear stress between.
+    /// Names of the stresses at the faces: the paper's effective stress, von
+    /// Mises; of a ply those along and across its fibres, and its shear stress.
     const std::vector<std::string> &
     stress_names() const;
 
-    /// Their magnitudes, the larger of both faces of each ply: a row a ply, or
-    /// one row, and a column a name. No transverse shear. [Pa]
+    /// Their magnitudes, the larger of both faces: a row a ply, a column a
+    /// name. No transverse shear. [Pa]
     /// @param resultants  n_for_stresses() or more
     Eigen::MatrixXd
     stresses(const Eigen::Ref<const Eigen::VectorXd> &resultants) const;

@@ -42,7 +42,12 @@ namespace PlateImpact
     /// nu of the isotropic layer that squeezed through its thickness widens as
     /// much as turned plies: nu / (1 - nu) = (C_13 + C_23) / (2 C_33).
     double
-    layer_poissons_ratio() const;
+    layer_poissons_ratio() const
+    {
+      const double widening =
+        (stiffness(0, 2) + stiffness(1, 2)) / (2. * stiffness(2, 2));
+      return widening / (1. + widening);
+    }
 
   private:
     const Eigen::Matrix3d stiffness; ///< C_ij of the normal strains
