@@ -9,15 +9,11 @@ namespace PlateImpact
   OutputParameters::declare_entries(Entries &entries)
   {
     const auto entry = entries.section("Output");
-    entry(
-      "Directory",
-      "output",
-      Allowed<std::string>{"the name of a directory, without '#' and line ends",
-                           [](const std::string &text, std::string &name) {
-                             name = text;
-                             return !text.empty();
-                           }},
-      directory)
+    entry("Directory",
+          "output",
+          any_text("the name of a directory, without '#' and line ends",
+                   /*may_be_empty=*/false),
+          directory)
       .means("Created where it does not exist.");
     entry("Write meshes", "true", truth(), write_meshes)
       .means("SVG, one per cycle.");
