@@ -266,7 +266,7 @@ namespace PlateImpact
   {
     // mpirun has its own way to end processes
     if (processes.size > 1)
-      await_no_interrupt();
+      await_interrupt(/*ends_at_once=*/true);
     // the first process alone reads and writes results; without any it has
     // nothing to do for the others
     std::unique_ptr<SweepRecord> record;
