@@ -200,7 +200,7 @@ namespace PlateImpact
     check_edges("Plate/In-plane support", edges_of(plate.in_plane_supports));
     check_extent();
     const double to_edge =
-      parameters.has_impactor() ? geometry.distance_to_edge : half_side;
+      has_impactor() ? geometry.distance_to_edge : half_side;
     if (to_edge <= 0. && plate.is_from_file())
       return refuse({"Plate/Impact point", "Plate/Outline"},
                     "m lies outside of the plate of " + plate.outline.file +
@@ -237,8 +237,7 @@ namespace PlateImpact
     if (points.empty())
       return;
     const auto geometry = geometry_of(plate);
-    const auto mesh =
-      make_plate_mesh(plate, parameters.discretization.initial_cells);
+    const auto mesh     = make_plate_mesh(plate, discretization.initial_cells);
     for (SingularPoint &point : points)
       {
         const auto [x, y] = point.position;

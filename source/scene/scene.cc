@@ -181,12 +181,12 @@ namespace PlateImpact
   {
     SceneReader      reader(path, overrides, output);
     SceneChecker     checker(reader);
-    const Parameters given = checker.parameters;
+    const Parameters given = checker;
     checker.complete();
     const SweepPlan sweep(reader);
     reader.refuse_mistakes();
     Scene scene{printable(path),
-                checker.parameters,
+                checker,
                 reader.entries.text(/*with_meanings=*/false),
                 given,
                 checker.expected,
@@ -214,7 +214,7 @@ namespace PlateImpact
         entry.origin   = swept.origin;
         entry.is_known = false;
       }
-    parameters = SceneChecker(reader).parameters;
+    parameters = SceneChecker(reader);
     if (reader.mistakes.empty() && plan.n_points == 0)
       reader.mistakes.push_back(
         path +
@@ -255,7 +255,7 @@ namespace PlateImpact
       reader.mistakes = {plan.entries.front().origin +
                          ": there is no impactor"};
     refuse_mistakes();
-    return {checker.parameters, *checker.expected};
+    return {checker, *checker.expected};
   }
 
 

@@ -18,7 +18,7 @@ namespace PlateImpact
   void
   SceneChecker::complete()
   {
-    if (!reader.mistakes.empty() || !parameters.has_impactor())
+    if (!reader.mistakes.empty() || !has_impactor())
       return;
     complete_impactor();
     if (!expected)
@@ -44,7 +44,7 @@ namespace PlateImpact
       choose("Impactor/Mass", impactor.mass, mass_point.mass);
     try
       {
-        expected.emplace(make_zener_impact(parameters));
+        expected.emplace(make_zener_impact(*this));
       }
     catch (const ComputationError &error)
       {
@@ -114,7 +114,7 @@ namespace PlateImpact
                           " m; expected a point farther from the edge");
         choose("Contact/Patch radius", contact.patch_radius, radius);
       }
-    const double largest = make_contact(parameters).largest_force();
+    const double largest = make_contact(*this).largest_force();
     if (expected->peak.force <= largest)
       return;
     const std::string forces = number(largest, "N") +
@@ -144,7 +144,7 @@ namespace PlateImpact
   SceneChecker::complete_contact()
   {
     impactor.contact_radius =
-      ContactBodies(parameters, expected->section)
+      ContactBodies(*this, expected->section)
         .radius(expected->peak.force, expected->peak.indentation);
     if (!contact.has_patch())
       return;
@@ -191,7 +191,7 @@ namespace PlateImpact
     if (adaptivity.maximum_cell_size == 0.)
       choose("Adaptivity/Maximum cell size",
              adaptivity.maximum_cell_size,
-             initial_cell_size(parameters));
+             initial_cell_size(*this));
     adaptivity.minimum_cell_size_is_chosen = adaptivity.minimum_cell_size == 0.;
     if (adaptivity.minimum_cell_size_is_chosen)
       choose("Adaptivity/Minimum cell size",
