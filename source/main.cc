@@ -2,7 +2,6 @@
 #include <deal.II/base/multithread_info.h>
 
 #include "plate_impact/base/exceptions.h"
-#include "plate_impact/base/interrupt.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/base/version.h"
 #include "plate_impact/command/commands.h"
@@ -78,15 +77,13 @@ namespace
 
 
 
-  /// @param command  run_scene or compare_scene
-  template <typename Function>
-  void
-  compute(const Function &command, const Arguments &arguments)
+  Scene
+  read(const Arguments &arguments)
   {
     const Scene scene =
       read_scene(arguments.path, arguments.overrides, arguments.output);
     throw_if_interrupted(); // results of before stay
-    command(scene, arguments.quiet, arguments.marking);
+    return scene;
   }
 
 
@@ -134,14 +131,16 @@ namespace
       "every entry.\n\n"
       "Example:\n"
       "  plate-impact run my.prm --set \"Impactor/Velocity=2\" --output fast",
-      [&] { compute(run_scene, arguments); });
+      [&] { run_scene(read(arguments), arguments.quiet, arguments.marking); });
     add(
       "compare",
       "Compare strategies and elements: error against run time",
       "Reads the scene's section Comparison; writes comparison.html, "
       "comparison.csv\nand comparison.json. Ctrl-C leaves what is done, in whole "
       "files.",
-      [&] { compute(compare_scene, arguments); });
+      [&] {
+        compare_scene(read(arguments), arguments.quiet, arguments.marking);
+      });
     add(
       "sweep",
       "Compute many impacts: the entries and values of the scene's Sweep "
@@ -159,10 +158,7 @@ namespace
         "Check a scene and say what to expect of it",
         "Takes a second or two and writes nothing. It takes longer under heavy "
         "impactors and where the plate stretches.",
-        [&] {
-          print(expectation_in_words(
-            read_scene(arguments.path, arguments.overrides)));
-        });
+        [&] { print(expectation_in_words(read(arguments))); });
     add(
       "defaults",
       "Print every entry with its meaning, unit and default, as a valid scene",

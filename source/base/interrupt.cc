@@ -1,5 +1,3 @@
-#include "plate_impact/base/interrupt.h"
-
 #include "plate_impact/base/exceptions.h"
 
 #include <csignal>

@@ -2,7 +2,6 @@
 #include "plate_impact/analysis/impact_analysis.h"
 #include "plate_impact/analysis/warnings.h"
 #include "plate_impact/base/exceptions.h"
-#include "plate_impact/base/interrupt.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/command/commands.h"
 #include "plate_impact/contact/make_contact.h"

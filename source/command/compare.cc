@@ -2,7 +2,6 @@
 #include <deal.II/base/utilities.h>
 
 #include "plate_impact/base/exceptions.h"
-#include "plate_impact/base/interrupt.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/command/commands.h"
 #include "plate_impact/comparison/strategy_comparison.h"

@@ -3,7 +3,6 @@
 
 #include "plate_impact/analysis/impact_quantities.h"
 #include "plate_impact/base/exceptions.h"
-#include "plate_impact/base/interrupt.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/command/commands.h"
 #include "plate_impact/output/console.h"
