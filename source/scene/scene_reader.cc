@@ -42,53 +42,31 @@ namespace PlateImpact
 
 
 
-    /// Units that people write, in those of entries.
-    const std::map<std::string, std::pair<double, std::string>> units = {
-      {"m", {1., "m"}},
-      {"cm", {1e-2, "m"}},
-      {"mm", {1e-3, "m"}},
-      {"um", {1e-6, "m"}},
-      {"s", {1., "s"}},
-      {"ms", {1e-3, "s"}},
-      {"us", {1e-6, "s"}},
-      {"kg", {1., "kg"}},
-      {"g", {1e-3, "kg"}},
-      {"t", {1e3, "kg"}},
-      {"m/s", {1., "m/s"}},
-      {"mm/s", {1e-3, "m/s"}},
-      {"km/h", {1. / 3.6, "m/s"}},
-      {"Pa", {1., "Pa"}},
-      {"kPa", {1e3, "Pa"}},
-      {"MPa", {1e6, "Pa"}},
-      {"N/mm^2", {1e6, "Pa"}},
-      {"GPa", {1e9, "Pa"}},
-      {"kg/m^3", {1., "kg/m^3"}},
-      {"kg/m3", {1., "kg/m^3"}},
-      {"g/cm^3", {1e3, "kg/m^3"}},
-      {"g/cm3", {1e3, "kg/m^3"}},
-      {"N", {1., "N"}},
-      {"kN", {1e3, "N"}},
-      {"%", {1e-2, "-"}}};
+    /// Units of entries, and what one that people write is in them.
+    const std::map<std::string, std::map<std::string, double>> units = {
+      {"m", {{"m", 1.}, {"cm", 1e-2}, {"mm", 1e-3}, {"um", 1e-6}}},
+      {"s", {{"s", 1.}, {"ms", 1e-3}, {"us", 1e-6}}},
+      {"kg", {{"kg", 1.}, {"g", 1e-3}, {"t", 1e3}}},
+      {"m/s", {{"m/s", 1.}, {"mm/s", 1e-3}, {"km/h", 1. / 3.6}}},
+      {"Pa",
+       {{"Pa", 1.}, {"kPa", 1e3}, {"MPa", 1e6}, {"N/mm^2", 1e6}, {"GPa", 1e9}}},
+      {"kg/m^3",
+       {{"kg/m^3", 1.}, {"kg/m3", 1.}, {"g/cm^3", 1e3}, {"g/cm3", 1e3}}},
+      {"N", {{"N", 1.}, {"kN", 1e3}}},
+      {"-", {{"%", 1e-2}}}};
 
-    /// Other words for those of scenes.
-    const std::vector<std::pair<std::string, std::string>> synonyms = {
-      {"fixed", "clamped"},
-      {"built-in", "clamped"},
-      {"built in", "clamped"},
-      {"encastre", "clamped"},
-      {"fully fixed", "clamped"},
-      {"hinged", "simply supported"},
-      {"pinned", "simply supported"},
-      {"ball", "sphere"},
-      {"roller", "cylinder"},
-      {"circular", "circle"},
-      {"disc", "circle"},
-      {"rectangular", "rectangle"},
-      {"square", "rectangle"},
-      {"yes", "true"},
-      {"on", "true"},
-      {"no", "false"},
-      {"off", "false"}};
+    /// Words of scenes, and others for them.
+    const std::vector<std::pair<std::string, std::vector<std::string>>>
+      synonyms = {
+        {"clamped",
+         {"fixed", "built-in", "built in", "encastre", "fully fixed"}},
+        {"simply supported", {"hinged", "pinned"}},
+        {"sphere", {"ball"}},
+        {"cylinder", {"roller"}},
+        {"circle", {"circular", "disc"}},
+        {"rectangle", {"rectangular", "square"}},
+        {"true", {"yes", "on"}},
+        {"false", {"no", "off"}}};
 
 
 
@@ -99,14 +77,13 @@ namespace PlateImpact
       static const std::regex number_and_unit(
         R"(([-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?)\s*([A-Za-z%][A-Za-z0-9/^]*))");
       std::smatch parts;
-      if (!std::regex_match(value, parts, number_and_unit))
+      const auto  of_entry = units.find(unit);
+      if (of_entry == units.end() ||
+          !std::regex_match(value, parts, number_and_unit))
         return {};
-      const auto found = units.find(parts[2]);
-      if (found == units.end())
-        return {};
-      const auto &[factor, of_entry] = found->second;
-      return of_entry == unit ?
-        fmt::format("{:.6g}", std::stod(parts[1]) * factor) :
+      const auto factor = of_entry->second.find(parts[2]);
+      return factor != of_entry->second.end() ?
+        fmt::format("{:.6g}", std::stod(parts[1]) * factor->second) :
         "";
     }
 
@@ -130,8 +107,9 @@ namespace PlateImpact
           std::replace(with_point.begin(), with_point.end(), ',', '.');
           return "; write " + with_point + ", with a point";
         }
-      for (const auto &[other, word] : synonyms)
-        if (value == other && entry.allowed.find(word) != std::string::npos)
+      for (const auto &[word, others] : synonyms)
+        if (std::count(others.begin(), others.end(), value) > 0 &&
+            entry.allowed.find(word) != std::string::npos)
           return "; did you mean '" + word + "'?";
       return {};
     }
