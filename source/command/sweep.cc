@@ -15,7 +15,6 @@
 #include <exception>
 #include <fstream>
 #include <map>
-#include <memory>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -103,11 +102,15 @@ namespace PlateImpact
     class SweepRecord
     {
     public:
-      SweepRecord(SweepScene &scene, const bool resume, const bool quiet)
+      /// @param directory  cleared, or with the sweep to resume
+      SweepRecord(SweepScene            &scene,
+                  const ResultDirectory &directory,
+                  const bool             resume,
+                  const bool             quiet)
         : scene(scene)
         , console(quiet)
-        , directory(scene.parameters.output.directory)
-        , table(prepared(directory, scene, resume), scene.plan, resume)
+        , directory(directory)
+        , table(directory, scene.plan, resume)
       {}
 
       std::vector<std::size_t>
@@ -203,20 +206,6 @@ namespace PlateImpact
       }
 
     private:
-      /// Cleared for another sweep, or with the rows of this one.
-      static const ResultDirectory &
-      prepared(const ResultDirectory &directory,
-               const SweepScene      &scene,
-               const bool             resume)
-      {
-        if (resume)
-          check_scene_to_resume(directory, scene);
-        else
-          directory.clear();
-        directory.write_scene(scene.name, scene.text);
-        return directory;
-      }
-
       /// A line per point of a small sweep; of a large one, on a terminal, the
       /// number of points done so far and the time that the others take.
       void
@@ -244,11 +233,11 @@ namespace PlateImpact
         console.print(text + '\n');
       }
 
-      SweepScene           &scene;
-      Console               console;
-      const ResultDirectory directory;
-      SweepTable            table;
-      const dealii::Timer   timer;
+      SweepScene            &scene;
+      Console                console;
+      const ResultDirectory &directory;
+      SweepTable             table;
+      const dealii::Timer    timer;
       std::size_t n_points = 0, n_computed = 0; ///< without those before
 
       std::map<std::size_t, ContactHistory> histories; ///< for the page
@@ -268,14 +257,21 @@ namespace PlateImpact
       await_interrupt(/*ends_at_once=*/true);
     // the first process alone reads and writes results; without any it has
     // nothing to do for the others
-    std::unique_ptr<SweepRecord> record;
-    std::vector<std::size_t>     to_do;
-    std::exception_ptr           failure;
+    std::optional<ResultDirectory> directory;
+    std::optional<SweepRecord>     record;
+    std::vector<std::size_t>       to_do;
+    std::exception_ptr             failure;
     if (processes.rank == 0)
       try
         {
-          record = std::make_unique<SweepRecord>(scene, resume, quiet);
-          to_do  = record->points_to_do();
+          directory.emplace(scene.parameters.output.directory);
+          if (resume)
+            check_scene_to_resume(*directory, scene);
+          else
+            directory->clear();
+          directory->write_scene(scene.name, scene.text);
+          record.emplace(scene, *directory, resume, quiet);
+          to_do = record->points_to_do();
         }
       catch (...)
         {

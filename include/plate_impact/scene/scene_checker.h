@@ -21,8 +21,6 @@ namespace PlateImpact
     ///                involves an entry that is not known is not judged
     explicit SceneChecker(SceneReader &reader);
 
-    SceneChecker(const SceneChecker &) = delete;
-
     /// Replaces zeros that mean "chosen by the program", and checks what is
     /// chosen; nothing where there are mistakes.
     void
