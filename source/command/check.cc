@@ -148,62 +148,6 @@ namespace PlateImpact
 
 
 
-    /// What is known of an impact before it is paid for: from a coarse mesh,
-    /// or, where that does not carry the waves, from Zener's infinite plate
-    /// until waves are back from the edges.
-    struct Expectation
-    {
-      /// @param parameters  of a scene with an impactor
-      explicit Expectation(const Parameters &parameters)
-        : zener(make_zener_impact(parameters))
-      {
-        const BendingWave wave   = zener.wave();
-        CycleResult       impact = coarse_impact(parameters, zener);
-        const bool is_resolved   = impact.min_cell_size < 0.5 * wave.length;
-        until                    = impact.history->states().back().time;
-        contact_end = impact.history->end_of_impact(/*is_held=*/true);
-        if (!contact_end)
-          contact_end = impact.history->first_contact_end();
-        source = "on a coarse mesh of " + counted(impact.cells, "cell");
-        if (!is_resolved)
-          {
-            // when waves are back from the edges
-            until       = 2. * distance_to_edge(parameters) / wave.group_speed;
-            contact_end = zener.history(until).first_contact_end();
-            source =
-              "for an infinite plate, since the waves are too short for a coarse "
-              "mesh";
-            impact.history =
-              zener.history(parameters.time.end_time > 0. ?
-                              std::min(until, parameters.time.end_time) :
-                              until);
-          }
-        is_bound = parameters.impactor.is_cylinder() && !is_resolved;
-        history  = *impact.history;
-        impact.min_cell_size = parameters.adaptivity.minimum_cell_size;
-        if (!is_bound)
-          {
-            const Warnings of_model =
-              model_warnings({parameters, zener, impact});
-            warnings = of_model.all();
-            contact  = of_model.contact;
-          }
-      }
-
-      ZenerImpact zener; ///< on the infinite plate
-
-      ContactHistory        history;          ///< up to the scene's end at most
-      std::optional<double> contact_end;      ///< of the impact [s]
-      double                until = 0.;       ///< when what is known ends [s]
-      std::string           source;           ///< where it comes from
-      bool                  is_bound = false; ///< whether the force is larger
-
-      std::vector<std::string> warnings; ///< as model_warnings()
-      std::string              contact;  ///< as Warnings::contact
-    };
-
-
-
     /// Why points that could share a load with its response do not; empty when
     /// they do.
     std::string
@@ -232,22 +176,22 @@ namespace PlateImpact
         , scene(scene)
       {
         if (parameters.has_impactor())
-          expected.emplace(parameters);
+          expect();
         else
           text += "There is no impactor: the plate stays at rest.\n";
         text += "\nExpected\n";
-        if (expected)
+        if (zener)
           {
             add_impact();
             add_waves();
           }
         add_frequencies();
-        if (!expected)
+        if (!zener)
           return;
         text += "\nAdvice\n";
         add_advice();
         add_sweep();
-        for (const std::string &warning : expected->warnings)
+        for (const std::string &warning : warnings)
           text += "  warning: " + in_ascii(warning) + '\n';
       }
 
@@ -260,16 +204,53 @@ namespace PlateImpact
         text += format("  {:<22}{}\n", name, in_ascii(sentence));
       }
 
+      /// The impact on a coarse mesh or, where that does not carry the waves,
+      /// on Zener's infinite plate until waves are back from the edges.
+      void
+      expect()
+      {
+        zener.emplace(make_zener_impact(parameters));
+        const BendingWave wave   = zener->wave();
+        CycleResult       impact = coarse_impact(parameters, *zener);
+        const bool is_resolved   = impact.min_cell_size < 0.5 * wave.length;
+        until                    = impact.history->states().back().time;
+        contact_end = impact.history->end_of_impact(/*is_held=*/true);
+        if (!contact_end)
+          contact_end = impact.history->first_contact_end();
+        source = "on a coarse mesh of " + counted(impact.cells, "cell");
+        if (!is_resolved)
+          {
+            // when waves are back from the edges
+            until       = 2. * distance_to_edge(parameters) / wave.group_speed;
+            contact_end = zener->history(until).first_contact_end();
+            source =
+              "for an infinite plate, since the waves are too short for a coarse "
+              "mesh";
+            impact.history =
+              zener->history(parameters.time.end_time > 0. ?
+                               std::min(until, parameters.time.end_time) :
+                               until);
+          }
+        is_bound = parameters.impactor.is_cylinder() && !is_resolved;
+        history  = *impact.history;
+        impact.min_cell_size = parameters.adaptivity.minimum_cell_size;
+        if (!is_bound)
+          {
+            const Warnings of_model =
+              model_warnings({parameters, *zener, impact});
+            warnings = of_model.all();
+            contact  = of_model.contact;
+          }
+      }
+
       void
       add_impact()
       {
-        const ContactState &peak = expected->history.peak();
-        if (expected->is_bound)
+        const ContactState &peak = history.peak();
+        if (is_bound)
           {
             line("peak force",
-                 format("above {}, {}",
-                        about(peak.force, "N"),
-                        expected->source));
+                 format("above {}, {}", about(peak.force, "N"), source));
             line("contact time", "cannot be estimated for this plate");
           }
         else
@@ -278,31 +259,30 @@ namespace PlateImpact
                  format("about {} at {}, {}",
                         about(peak.force, "N"),
                         about(peak.time, "s"),
-                        expected->source));
+                        source));
             line("contact time",
-                 (expected->contact_end ? "about " : "more than ") +
-                   about(expected->contact_end.value_or(expected->until), "s"));
+                 (contact_end ? "about " : "more than ") +
+                   about(contact_end.value_or(until), "s"));
             line("indentation",
                  format("about {}; deflection of the plate under the load {}",
                         about(peak.indentation, "m"),
-                        about(expected->history.max_plate_displacement(),
-                              "m")));
+                        about(history.max_plate_displacement(), "m")));
           }
         line("infinite plate",
              format("{} at {}, by Zener's equation{}",
-                    about(expected->zener.peak.force, "N"),
-                    about(expected->zener.peak.time, "s"),
+                    about(zener->peak.force, "N"),
+                    about(zener->peak.time, "s"),
                     parameters.impactor.is_cylinder() ?
                       ", for contact at a point" :
                       ""));
-        const ContactState rigid = expected->zener.peak_on_rigid_plate();
+        const ContactState rigid = zener->peak_on_rigid_plate();
         line("half-space",
              format("{} at {}, on a plate that does not move: the upper "
                     "bound of a single contact",
                     about(rigid.force, "N"),
                     about(rigid.time, "s")));
-        if (!expected->contact.empty())
-          line("contact", expected->contact);
+        if (!contact.empty())
+          line("contact", contact);
         if (parameters.contact.patch_radius > 0.)
           line("load",
                word_for(parameters.contact.load_distribution) + " of " +
@@ -315,16 +295,15 @@ namespace PlateImpact
       std::optional<double>
       crossings_before_peak() const
       {
-        const double crossings = expected->history.peak().time *
-          expected->zener.section.fastest_wave() /
-          (2. * distance_to_edge(parameters));
+        const double crossings = history.peak().time *
+          zener->section.fastest_wave() / (2. * distance_to_edge(parameters));
         return crossings > 5. ? std::optional(crossings) : std::nullopt;
       }
 
       void
       add_waves()
       {
-        const double speed = expected->zener.section.fastest_wave();
+        const double speed = zener->section.fastest_wave();
         const double back  = 2. * distance_to_edge(parameters) / speed;
         line("first reflection",
              format("back at {}; until then the supports have no effect",
@@ -336,12 +315,11 @@ namespace PlateImpact
                       rounded(std::floor(*n), 3)));
 
         // the first are those that the warnings of a run speak of
-        const double      wavelength = expected->zener.wave().length;
+        const double      wavelength = zener->wave().length;
         const double      h          = initial_cell_size(parameters);
-        const std::string of_contact = expected->contact_end ?
+        const std::string of_contact = contact_end ?
           format(" and {} of the whole contact",
-                 about(expected->zener.wave_of(*expected->contact_end).length,
-                       "m")) :
+                 about(zener->wave_of(*contact_end).length, "m")) :
           "";
         line("bending wavelength",
              format("{} as the force rises{}; initial cells of {}{}",
@@ -383,14 +361,13 @@ namespace PlateImpact
             return rounded(count < 10. ? std::round(count) : count, 2);
           };
           const TimeParameters &time = parameters.time;
-          const double          end  = time.end_time > 0. ?
-                      time.end_time :
-                      expected->contact_end.value_or(expected->until);
-          const Cost            cost = parameters.adaptivity.is_adaptive() ?
-                       cost_by_two_meshes(parameters) :
-                       Cost{n_initial_cells(parameters), end / time.time_step};
-          const Stretching      stretching = expected->zener.section.stretching;
-          const double n_fields = stretching == Stretching::none ? 3. : 5.;
+          const double          end =
+            time.end_time > 0. ? time.end_time : contact_end.value_or(until);
+          const Cost       cost       = parameters.adaptivity.is_adaptive() ?
+                        cost_by_two_meshes(parameters) :
+                        Cost{n_initial_cells(parameters), end / time.time_step};
+          const Stretching stretching = zener->section.stretching;
+          const double     n_fields = stretching == Stretching::none ? 3. : 5.;
           line("cost",
                format(
                  "of the order of {} cells, {} unknowns, {} steps{} a mesh",
@@ -407,11 +384,11 @@ namespace PlateImpact
       void
       add_advice()
       {
-        if (expected->is_bound)
+        if (is_bound)
           return line("step, end time, cost",
                       "cannot be estimated for this plate");
         const TimeParameters &time  = parameters.time;
-        const double          rise  = expected->history.peak().time;
+        const double          rise  = history.peak().time;
         const std::string     steps = format("{} s is {} steps to the peak",
                                          about(time.time_step),
                                          about(rise / time.time_step));
@@ -433,9 +410,8 @@ namespace PlateImpact
                       steps));
         line("Time/End time",
              format("about {} s covers the {}; the scene's is {}",
-                    about(expected->contact_end ? 1.1 * *expected->contact_end :
-                                                  2. * rise),
-                    expected->contact_end ? "contact" : "peak",
+                    about(contact_end ? 1.1 * *contact_end : 2. * rise),
+                    contact_end ? "contact" : "peak",
                     time.end_time > 0. ? about(time.end_time) + " s" :
                                          "the end of the contact"));
         if (parameters.contact.load_is_singular())
@@ -482,9 +458,19 @@ namespace PlateImpact
                  ""));
       }
 
-      const Scene               &scene;
-      const Parameters          &parameters = scene.parameters;
-      std::optional<Expectation> expected; ///< of an impactor
+      const Scene      &scene;
+      const Parameters &parameters = scene.parameters;
+
+      std::optional<ZenerImpact> zener; ///< on the infinite plate; of impactors
+
+      ContactHistory        history;          ///< up to the scene's end at most
+      std::optional<double> contact_end;      ///< of the impact [s]
+      double                until = 0.;       ///< when what is known ends [s]
+      std::string           source;           ///< where it comes from
+      bool                  is_bound = false; ///< whether the force is larger
+
+      std::vector<std::string> warnings; ///< as model_warnings()
+      std::string              contact;  ///< as Warnings::contact
     };
   } // namespace
 
