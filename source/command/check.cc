@@ -224,8 +224,8 @@ namespace PlateImpact
             until       = 2. * distance_to_edge(parameters) / wave.group_speed;
             contact_end = zener->history(until).first_contact_end();
             source =
-              "for an infinite plate, since the waves are too short for a coarse "
-              "mesh";
+              "for an infinite plate, since the waves are too short for a "
+              "coarse mesh";
             impact.history =
               zener->history(parameters.time.end_time > 0. ?
                                std::min(until, parameters.time.end_time) :
