@@ -67,7 +67,14 @@ namespace PlateImpact
     check_contact();
     check_time();
     check_mesh();
-    check_comparison();
+    const auto refuse_repetition = [this](const std::string &path,
+                                          const auto        &choices) {
+      for (const auto &choice : choices)
+        if (std::count(choices.begin(), choices.end(), choice) > 1)
+          return refuse({path}, "names " + word_for(choice) + " twice");
+    };
+    refuse_repetition("Comparison/Strategies", comparison.strategies);
+    refuse_repetition("Comparison/Elements", comparison.elements);
   }
 
 
@@ -238,20 +245,5 @@ namespace PlateImpact
       refuse({"Adaptivity/Goal", "Time/Newmark beta", "Time/Newmark gamma"},
              "needs Newmark beta = 0.25 and Newmark gamma = 0.5; with others "
              "there is no error bar, set Goal = energy norm");
-  }
-
-
-
-  void
-  SceneChecker::check_comparison()
-  {
-    const auto refuse_repetition = [this](const std::string &path,
-                                          const auto        &choices) {
-      for (const auto &choice : choices)
-        if (std::count(choices.begin(), choices.end(), choice) > 1)
-          return refuse({path}, "names " + word_for(choice) + " twice");
-    };
-    refuse_repetition("Comparison/Strategies", comparison.strategies);
-    refuse_repetition("Comparison/Elements", comparison.elements);
   }
 } // namespace PlateImpact

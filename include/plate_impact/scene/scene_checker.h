@@ -68,8 +68,6 @@ namespace PlateImpact
     check_time();
     void
     check_mesh();
-    void
-    check_comparison();
     /// @return whether there is no file to read, or it can be read
     bool
     read_plate();
@@ -85,8 +83,6 @@ namespace PlateImpact
     void
     check_edges(const std::string              &entry,
                 const std::vector<std::string> &named);
-    void
-    check_extent();
 
     // what is 0, in scene_completion.cc
 
