@@ -211,19 +211,6 @@ namespace PlateImpact
 
 
 
-  void
-  OutsideMarking::require_sizes(const AdaptivityParameters &adaptivity)
-  {
-    if (adaptivity.strategy != AdaptationStrategy::hanging_nodes &&
-        adaptivity.strategy != AdaptationStrategy::remeshing)
-      throw InputError(
-        {"--marking needs Adaptivity/Strategy = hanging nodes or "
-         "remeshing, which give cells the sizes that are "
-         "wanted"});
-  }
-
-
-
   ErrorRatios
   OutsideMarking::error_ratios(const Cycle &cycle) const
   {

@@ -20,20 +20,6 @@ namespace PlateImpact
   {
     if (!reader.mistakes.empty() || !has_impactor())
       return;
-    complete_impactor();
-    if (!expected)
-      return;
-    complete_time();
-    complete_contact();
-    if (!contact.has_patch() || contact.patch_radius > 0.)
-      complete_mesh();
-  }
-
-
-
-  void
-  SceneChecker::complete_impactor()
-  {
     const Impactor mass_point = make_impactor(impactor);
     if (!std::isnormal(mass_point.kinetic_energy()))
       return refuse({"Impactor/Velocity", "Impactor/Mass", "Impactor/Radius"},
@@ -48,10 +34,14 @@ namespace PlateImpact
       }
     catch (const ComputationError &error)
       {
-        refuse({"Impactor/Velocity", "Impactor/Mass"},
-               "m/s gives no finite force in Zener's equation: " +
-                 std::string(error.what()));
+        return refuse({"Impactor/Velocity", "Impactor/Mass"},
+                      "m/s gives no finite force in Zener's equation: " +
+                        std::string(error.what()));
       }
+    complete_time();
+    complete_contact();
+    if (!contact.has_patch() || contact.patch_radius > 0.)
+      complete_mesh();
   }
 
 

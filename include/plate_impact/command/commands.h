@@ -14,6 +14,7 @@ namespace PlateImpact
   /// is found.
   /// @param marking  a command that says what the next mesh is to be
   ///                 (OutsideMarking); empty: none
+  /// @throws InputError where there is one and the strategy gives no sizes
   /// @throws ComputationError, of which summary.json tells
   void
   run_scene(const Scene &scene, bool quiet, const std::string &marking);

@@ -87,8 +87,6 @@ namespace PlateImpact
     // what is 0, in scene_completion.cc
 
     void
-    complete_impactor();
-    void
     complete_time();
     void
     complete_contact();
