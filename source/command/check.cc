@@ -76,13 +76,6 @@ namespace PlateImpact
 
 
 
-    /// By which the bar of the peak force falls when every cell is halved: the
-    /// median of random heavy impactors, whose peaks are late
-    /// (doc/make/error_bars.py).
-    constexpr double fall_by_halved_cells = 9.;
-
-
-
     /// What a run is to cost that reaches its target.
     struct Cost
     {
@@ -100,7 +93,10 @@ namespace PlateImpact
     Cost
     cost_by_two_meshes(Parameters parameters)
     {
-      const bool has_more = parameters.adaptivity.maximum_cycles > 2;
+      // by which the bar falls when every cell is halved: the median of random
+      // heavy impactors, whose peaks are late (doc/make/error_bars.py)
+      constexpr double fall_by_halved_cells = 9.;
+      const bool       has_more = parameters.adaptivity.maximum_cycles > 2;
       parameters.adaptivity.maximum_cycles =
         std::min(2u, parameters.adaptivity.maximum_cycles);
       ImpactAnalysis    analysis(parameters, nullptr, Wanted{true, false, 0});

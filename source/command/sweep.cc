@@ -65,6 +65,9 @@ namespace PlateImpact
     /// Sweeps up to this size have a line for every point.
     constexpr std::size_t most_lines = 40;
 
+    /// More histories than these do not show in one plot.
+    constexpr std::size_t most_plotted_histories = 12;
+
     /// A quantity in a line: its name in impact_quantities, and how it is
     /// shown.
     struct Column
@@ -90,11 +93,6 @@ namespace PlateImpact
         width = std::max(width, value.size());
       return width + 2;
     }
-
-
-
-    /// More histories than these do not show in one plot.
-    constexpr std::size_t most_plotted_histories = 12;
 
 
 

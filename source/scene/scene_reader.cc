@@ -31,17 +31,6 @@ namespace PlateImpact
 
 
 
-    /// "; did you mean ...?", empty when nothing is close.
-    std::string
-    suggestion(const std::string              &name,
-               const std::vector<std::string> &candidates)
-    {
-      const std::string closest = closest_name(name, candidates);
-      return closest.empty() ? "" : "; did you mean '" + closest + "'?";
-    }
-
-
-
     /// Units of entries, and what one that people write is in them.
     const std::map<std::string, std::map<std::string, double>> units = {
       {"m", {{"m", 1.}, {"cm", 1e-2}, {"mm", 1e-3}, {"um", 1e-6}}},
@@ -121,6 +110,11 @@ namespace PlateImpact
   SceneReader::unknown(const std::string &section,
                        const std::string &name) const
   {
+    const auto suggestion = [](const std::string              &misspelled,
+                               const std::vector<std::string> &candidates) {
+      const std::string closest = closest_name(misspelled, candidates);
+      return closest.empty() ? "" : "; did you mean '" + closest + "'?";
+    };
     std::vector<std::string> sections, names;
     std::string              elsewhere;
     for (const Entry &entry : entries.all)
