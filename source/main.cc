@@ -78,7 +78,7 @@ namespace
 
 
   Scene
-  read(const Arguments &arguments)
+  scene_of(const Arguments &arguments)
   {
     const Scene scene =
       read_scene(arguments.path, arguments.overrides, arguments.output);
@@ -131,7 +131,9 @@ namespace
       "every entry.\n\n"
       "Example:\n"
       "  plate-impact run my.prm --set \"Impactor/Velocity=2\" --output fast",
-      [&] { run_scene(read(arguments), arguments.quiet, arguments.marking); });
+      [&] {
+        run_scene(scene_of(arguments), arguments.quiet, arguments.marking);
+      });
     add(
       "compare",
       "Compare strategies and elements: error against run time",
@@ -139,7 +141,7 @@ namespace
       "comparison.csv\nand comparison.json. Ctrl-C leaves what is done, in whole "
       "files.",
       [&] {
-        compare_scene(read(arguments), arguments.quiet, arguments.marking);
+        compare_scene(scene_of(arguments), arguments.quiet, arguments.marking);
       });
     add(
       "sweep",
@@ -158,7 +160,7 @@ namespace
         "Check a scene and say what to expect of it",
         "Takes a second or two and writes nothing. It takes longer under heavy "
         "impactors and where the plate stretches.",
-        [&] { print(expectation_in_words(read(arguments))); });
+        [&] { print(expectation_in_words(scene_of(arguments))); });
     add(
       "defaults",
       "Print every entry with its meaning, unit and default, as a valid scene",
