@@ -168,15 +168,6 @@ namespace PlateImpact
         show(row);
       }
 
-      /// What Ctrl-C leaves.
-      std::string
-      kept() const
-      {
-        return std::to_string(scene.plan.n_points - points_to_do().size()) +
-          " of " + counted(scene.plan.n_points, "point") + " are in " +
-          (directory / "sweep.csv").string() + "; --resume goes on from there";
-      }
-
       void
       finish(const SweepWork &work)
       {
@@ -302,7 +293,12 @@ namespace PlateImpact
       }
     catch (const Interruption &interruption)
       {
-        throw interruption.with(record->kept());
+        const std::size_t n = scene.plan.n_points;
+        throw interruption.with(
+          std::to_string(n - record->points_to_do().size()) + " of " +
+          counted(n, "point") + " are in " +
+          (*directory / "sweep.csv").string() +
+          "; --resume goes on from there");
       }
   }
 } // namespace PlateImpact
