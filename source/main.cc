@@ -2,7 +2,6 @@
 #include <deal.II/base/multithread_info.h>
 
 #include "plate_impact/base/exceptions.h"
-#include "plate_impact/base/interrupt.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/base/version.h"
 #include "plate_impact/command/commands.h"
@@ -22,15 +21,6 @@ namespace
 {
   using namespace PlateImpact;
 
-  enum ExitStatus
-  {
-    success          = 0,
-    wrong_input      = 1,
-    failed_computing = 2
-  };
-
-
-
   /// What the options of a command fill.
   struct Arguments
   {
@@ -47,55 +37,53 @@ namespace
   void
   add_options(CLI::App &app, Arguments &arguments)
   {
-    for (const char *const name : {"run", "compare", "sweep", "check"})
+    for (CLI::App *const command : app.get_subcommands({}))
       {
-        CLI::App &command = *app.get_subcommand(name);
-        command.add_option("scene", arguments.path, "Parameter file (.prm)")
+        const std::string name = command->get_name();
+        if (name == "defaults")
+          continue;
+        command->add_option("scene", arguments.path, "Parameter file (.prm)")
           ->required();
         command
-          .add_option("-s,--set",
-                      arguments.overrides,
-                      "Entry to change: \"Section/Entry=value\"; may be "
-                      "repeated")
+          ->add_option("-s,--set",
+                       arguments.overrides,
+                       "Entry to change: \"Section/Entry=value\"; may be "
+                       "repeated")
           ->allow_extra_args(false);
+        if (name == "check")
+          continue;
+        command->add_option("-o,--output",
+                            arguments.output,
+                            "Directory of the results, in place of the "
+                            "scene's");
+        command->add_flag("-q,--quiet",
+                          arguments.quiet,
+                          "Print warnings and errors only, and of a run one "
+                          "line for scripts: peak_force=... bar=... "
+                          "outcome=... trust=...");
+        if (name == "sweep")
+          command->add_flag("--resume",
+                            arguments.resume,
+                            "Continue an interrupted sweep: keep the points "
+                            "that are in its directory");
+        else
+          command->add_option("--marking",
+                              arguments.marking,
+                              "Command that is given a JSON file with the "
+                              "mesh and its errors, and prints which cells to "
+                              "refine and to coarsen, or their sizes");
       }
-    for (const char *const name : {"run", "compare", "sweep"})
-      {
-        CLI::App &command = *app.get_subcommand(name);
-        command.add_option("-o,--output",
-                           arguments.output,
-                           "Directory of the results, in place of the scene's");
-        command.add_flag(
-          "-q,--quiet",
-          arguments.quiet,
-          "Print warnings and errors only, and of a run one line "
-          "for scripts: peak_force=... bar=... outcome=... trust=...");
-      }
-    for (const char *const name : {"run", "compare"})
-      app.get_subcommand(name)->add_option(
-        "--marking",
-        arguments.marking,
-        "Command that is given a JSON file with the mesh and its errors, and "
-        "prints which cells to refine and to coarsen, or their sizes");
-    app.get_subcommand("sweep")->add_flag(
-      "--resume",
-      arguments.resume,
-      "Continue an interrupted sweep: keep the points that are in its "
-      "directory");
   }
 
 
 
-  /// Reads a scene and computes what a command asks for.
-  /// @param command  run_scene or compare_scene
-  template <typename Function>
-  void
-  compute(const Function &command, const Arguments &arguments)
+  Scene
+  scene_of(const Arguments &arguments)
   {
     const Scene scene =
       read_scene(arguments.path, arguments.overrides, arguments.output);
     throw_if_interrupted(); // results of before stay
-    command(scene, arguments.quiet, arguments.marking);
+    return scene;
   }
 
 
@@ -143,14 +131,18 @@ namespace
       "every entry.\n\n"
       "Example:\n"
       "  plate-impact run my.prm --set \"Impactor/Velocity=2\" --output fast",
-      [&] { compute(run_scene, arguments); });
+      [&] {
+        run_scene(scene_of(arguments), arguments.quiet, arguments.marking);
+      });
     add(
       "compare",
       "Compare strategies and elements: error against run time",
       "Reads the scene's section Comparison; writes comparison.html, "
       "comparison.csv\nand comparison.json. Ctrl-C leaves what is done, in whole "
       "files.",
-      [&] { compute(compare_scene, arguments); });
+      [&] {
+        compare_scene(scene_of(arguments), arguments.quiet, arguments.marking);
+      });
     add(
       "sweep",
       "Compute many impacts: the entries and values of the scene's Sweep "
@@ -168,10 +160,7 @@ namespace
         "Check a scene and say what to expect of it",
         "Takes a second or two and writes nothing. It takes longer under heavy "
         "impactors and where the plate stretches.",
-        [&] {
-          print(expectation_in_words(
-            read_scene(arguments.path, arguments.overrides)));
-        });
+        [&] { print(expectation_in_words(scene_of(arguments))); });
     add(
       "defaults",
       "Print every entry with its meaning, unit and default, as a valid scene",
@@ -183,7 +172,7 @@ namespace
 
 
   /// Parses the command line and does what it asks for.
-  int
+  void
   execute(const int argc, const char *const *argv)
   {
     CLI::App app(
@@ -212,7 +201,7 @@ namespace
     catch (const CLI::ParseError &error)
       {
         if (error.get_exit_code() == 0)
-          return app.exit(error);
+          return void(app.exit(error)); // prints what it asks for
         if (argc > 1 && argv[1][0] != '-' && app.get_subcommands().empty())
           throw InputError(
             {"there is no command '" + std::string(argv[1]) +
@@ -223,7 +212,6 @@ namespace
         throw InputError(
           {error.what() + std::string("; see plate-impact --help")});
       }
-    return success;
   }
 
 
@@ -249,7 +237,7 @@ main(const int argc, const char *const *argv)
     {
       std::cerr << "plate-impact: this program was built for processors with "
                    "AVX2; build it on this machine\n";
-      return failed_computing;
+      return 2;
     }
 #endif
   // Nothing here gains from threads; not starting them saves time.
@@ -257,12 +245,13 @@ main(const int argc, const char *const *argv)
   await_interrupt();
   try
     {
-      return execute(argc, argv);
+      execute(argc, argv);
+      return 0;
     }
   catch (const InputError &error)
     {
       print_error(error.what());
-      return wrong_input;
+      return 1;
     }
   catch (const ComputationError &error)
     {
@@ -290,5 +279,5 @@ main(const int argc, const char *const *argv)
       print_error("an internal error (please report it with the scene): " +
                   std::string(error.what()));
     }
-  return failed_computing;
+  return 2;
 }

@@ -1,5 +1,3 @@
-#include "plate_impact/base/interrupt.h"
-
 #include "plate_impact/base/exceptions.h"
 
 #include <csignal>
@@ -28,23 +26,13 @@ namespace PlateImpact
 
 
   void
-  await_interrupt()
+  await_interrupt(const bool ends_at_once)
   {
     // the shell makes programs in the background deaf to Ctrl-C
     for (const int number : {SIGINT, SIGTERM})
-      if (std::signal(number, note_signal) == SIG_IGN)
+      if (std::signal(number, ends_at_once ? SIG_DFL : note_signal) == SIG_IGN)
         std::signal(number, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
-  }
-
-
-
-  void
-  await_no_interrupt()
-  {
-    for (const int number : {SIGINT, SIGTERM})
-      if (std::signal(number, SIG_DFL) == SIG_IGN)
-        std::signal(number, SIG_IGN);
   }
 
 

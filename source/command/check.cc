@@ -1,11 +1,17 @@
+// What to expect of a scene before paying for it.
+#include "plate_impact/analysis/impact_analysis.h"
+#include "plate_impact/analysis/warnings.h"
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/command/commands.h"
-#include "plate_impact/command/expectation.h"
+#include "plate_impact/contact/make_contact.h"
 #include "plate_impact/plate/plate_geometry.h"
+#include "plate_impact/plate/plate_mesh.h"
 #include "plate_impact/sweep/sweep_computation.h"
+#include "plate_impact/transient/plate_model.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -14,6 +20,127 @@ namespace PlateImpact
   namespace
   {
     using fmt::format;
+
+
+
+    /// On a uniform mesh of the best element.
+    PlateModel
+    coarse_plate(const Parameters                  &parameters,
+                 const std::array<unsigned int, 2> &n_cells)
+    {
+      DiscretizationParameters discretization = parameters.discretization;
+      discretization.element                  = ElementType::MITC9;
+      return {parameters.plate,
+              discretization,
+              make_plate_mesh(parameters.plate, n_cells)};
+    }
+
+
+
+    /// The impact on a coarse mesh, in steps of 1/64 of the contact, up to its
+    /// end: where the contact outlasts what Zener's equation expects, end and
+    /// step are extended together.
+    CycleResult
+    coarse_impact(const Parameters &scene, const ZenerImpact &expected)
+    {
+      std::array<unsigned int, 2> n_cells  = {{8, 8}};
+      const auto                  geometry = geometry_of(scene.plate);
+      // Zener's equation, which gives short waves, is of no help for a cylinder
+      for (unsigned int d = 0; d < 2; ++d)
+        if (scene.impactor.is_cylinder())
+          n_cells[d] = static_cast<unsigned int>(
+            std::clamp(2. * (geometry.end[d] - geometry.begin[d]) /
+                           expected.wave().length +
+                         1.,
+                       8.,
+                       32.));
+      Parameters parameters      = scene;
+      parameters.time.integrator = IntegratorType::Ritz_vectors;
+      parameters.time.end_time   = 1.5 * expected.contact_time();
+      PlateModel  plate          = coarse_plate(parameters, n_cells);
+      CycleResult result;
+      const bool  is_held  = std::isfinite(plate.static_compliance(scene));
+      result.cells         = plate.discretization().mesh().n_active_cells();
+      result.min_cell_size = smallest_cell_size(plate.discretization().mesh());
+      while (true)
+        {
+          parameters.time.time_step = parameters.time.end_time / 96.;
+          result.history = plate.under(parameters, false).strike().history;
+          const bool is_long =
+            parameters.time.end_time > 1e6 * expected.contact_time();
+          if (result.history->end_of_impact(is_held) || is_long)
+            return result;
+          parameters.time.end_time *= 2.;
+        }
+    }
+
+
+
+    /// What a run is to cost that reaches its target.
+    struct Cost
+    {
+      double cells; ///< of the last mesh
+      double steps; ///< on a mesh
+    };
+
+    /// About: of an adaptive run from its first two meshes, which it computes:
+    /// eta falls about as the number of cells grows, and the bar of the force
+    /// as if every cell were halved, which only late peaks need. On the scenes
+    /// of prm/ mostly right to a factor of two. Small targets are said to cost
+    /// too much, one of 0.5 % seventeen times as many cells as it did. Seconds
+    /// cannot be said as well: per unknown and cycle they differ by a hundred
+    /// between scenes.
+    Cost
+    cost_by_two_meshes(Parameters parameters)
+    {
+      // by which the bar falls when every cell is halved: the median of random
+      // heavy impactors, whose peaks are late (doc/make/error_bars.py)
+      constexpr double fall_by_halved_cells = 9.;
+      const bool       has_more = parameters.adaptivity.maximum_cycles > 2;
+      parameters.adaptivity.maximum_cycles =
+        std::min(2u, parameters.adaptivity.maximum_cycles);
+      ImpactAnalysis    analysis(parameters, nullptr, Wanted{true, false, 0});
+      AdaptationControl control(parameters.adaptivity);
+      AnalysisListener  listener;
+      listener.step = [](const auto &...) { throw_if_interrupted(); };
+      analysis.run(control, listener);
+      const CycleResult          &result     = analysis.last_cycle().result;
+      const AdaptivityParameters &adaptivity = parameters.adaptivity;
+      double                      cells      = result.cells;
+      if (!has_more)
+        return {cells, 1. * result.steps};
+      if (!adaptivity.is_for_peak_force())
+        cells *= std::max(1., result.error->eta / adaptivity.target_error);
+      else if (result.peak_force_bar &&
+               result.peak_force_bar->total() >
+                 adaptivity.target_peak_force_error)
+        cells *=
+          std::pow(4., // once at least
+                   std::max(1.,
+                            std::log(result.peak_force_bar->total() /
+                                     adaptivity.target_peak_force_error) /
+                              std::log(fall_by_halved_cells)));
+      return {std::min(cells, 1. * adaptivity.maximum_cells),
+              1. * result.steps};
+    }
+
+
+
+    /// Shortest way from the load to an edge. [m]
+    double
+    distance_to_edge(const Parameters &parameters)
+    {
+      const auto   geometry = geometry_of(parameters.plate);
+      const double patch    = parameters.contact.patch_radius;
+      const double along_x  = parameters.contact.load_has_length() ?
+         0.5 * parameters.impactor.length :
+         patch;
+      return std::max(0.,
+                      std::min(geometry.distance_along[0] - along_x,
+                               geometry.distance_along[1] -
+                                 (parameters.contact.load_is_line() ? 0. :
+                                                                      patch)));
+    }
 
 
 
@@ -44,22 +171,23 @@ namespace PlateImpact
         : text(scene.name + " is a valid scene.\n")
         , scene(scene)
       {
-        if (!parameters.has_impactor())
-          {
-            text += "There is no impactor: the plate stays at rest.\n"
-                    "\nExpected\n";
-            add_frequencies();
-            return;
-          }
-        expected.emplace(parameters);
+        if (parameters.has_impactor())
+          expect();
+        else
+          text += "There is no impactor: the plate stays at rest.\n";
         text += "\nExpected\n";
-        add_impact();
-        add_waves();
+        if (zener)
+          {
+            add_impact();
+            add_waves();
+          }
         add_frequencies();
+        if (!zener)
+          return;
         text += "\nAdvice\n";
         add_advice();
         add_sweep();
-        for (const std::string &warning : expected->warnings)
+        for (const std::string &warning : warnings)
           text += "  warning: " + in_ascii(warning) + '\n';
       }
 
@@ -72,16 +200,53 @@ namespace PlateImpact
         text += format("  {:<22}{}\n", name, in_ascii(sentence));
       }
 
+      /// The impact on a coarse mesh or, where that does not carry the waves,
+      /// on Zener's infinite plate until waves are back from the edges.
+      void
+      expect()
+      {
+        zener.emplace(make_zener_impact(parameters));
+        const BendingWave wave   = zener->wave();
+        CycleResult       impact = coarse_impact(parameters, *zener);
+        const bool is_resolved   = impact.min_cell_size < 0.5 * wave.length;
+        until                    = impact.history->states().back().time;
+        contact_end = impact.history->end_of_impact(/*is_held=*/true);
+        if (!contact_end)
+          contact_end = impact.history->first_contact_end();
+        source = "on a coarse mesh of " + counted(impact.cells, "cell");
+        if (!is_resolved)
+          {
+            // when waves are back from the edges
+            until       = 2. * distance_to_edge(parameters) / wave.group_speed;
+            contact_end = zener->history(until).first_contact_end();
+            source =
+              "for an infinite plate, since the waves are too short for a "
+              "coarse mesh";
+            impact.history =
+              zener->history(parameters.time.end_time > 0. ?
+                               std::min(until, parameters.time.end_time) :
+                               until);
+          }
+        is_bound = parameters.impactor.is_cylinder() && !is_resolved;
+        history  = *impact.history;
+        impact.min_cell_size = parameters.adaptivity.minimum_cell_size;
+        if (!is_bound)
+          {
+            const Warnings of_model =
+              model_warnings({parameters, *zener, impact});
+            warnings = of_model.all();
+            contact  = of_model.contact;
+          }
+      }
+
       void
       add_impact()
       {
-        const ContactState &peak = expected->history.peak();
-        if (expected->is_bound)
+        const ContactState &peak = history.peak();
+        if (is_bound)
           {
             line("peak force",
-                 format("above {}, {}",
-                        about(peak.force, "N"),
-                        expected->source));
+                 format("above {}, {}", about(peak.force, "N"), source));
             line("contact time", "cannot be estimated for this plate");
           }
         else
@@ -90,58 +255,67 @@ namespace PlateImpact
                  format("about {} at {}, {}",
                         about(peak.force, "N"),
                         about(peak.time, "s"),
-                        expected->source));
+                        source));
             line("contact time",
-                 (expected->contact_end ? "about " : "more than ") +
-                   about(expected->contact_end.value_or(expected->until), "s"));
+                 (contact_end ? "about " : "more than ") +
+                   about(contact_end.value_or(until), "s"));
             line("indentation",
                  format("about {}; deflection of the plate under the load {}",
                         about(peak.indentation, "m"),
-                        about(expected->history.max_plate_displacement(),
-                              "m")));
+                        about(history.max_plate_displacement(), "m")));
           }
         line("infinite plate",
              format("{} at {}, by Zener's equation{}",
-                    about(expected->zener.peak.force, "N"),
-                    about(expected->zener.peak.time, "s"),
+                    about(zener->peak.force, "N"),
+                    about(zener->peak.time, "s"),
                     parameters.impactor.is_cylinder() ?
                       ", for contact at a point" :
                       ""));
-        const ContactState rigid = expected->zener.peak_on_rigid_plate();
+        const ContactState rigid = zener->peak_on_rigid_plate();
         line("half-space",
              format("{} at {}, on a plate that does not move: the upper "
                     "bound of a single contact",
                     about(rigid.force, "N"),
                     about(rigid.time, "s")));
-        if (!expected->contact.empty())
-          line("contact", expected->contact);
+        if (!contact.empty())
+          line("contact", contact);
         if (parameters.contact.patch_radius > 0.)
           line("load",
                word_for(parameters.contact.load_distribution) + " of " +
                  about(parameters.contact.patch_radius, "m"));
       }
 
+      /// How many times the fastest waves have come back from the nearest edge
+      /// before the peak, where that is many: the slower ones that carry the
+      /// force are then back a few times.
+      std::optional<double>
+      crossings_before_peak() const
+      {
+        const double crossings = history.peak().time *
+          zener->section.fastest_wave() / (2. * distance_to_edge(parameters));
+        return crossings > 5. ? std::optional(crossings) : std::nullopt;
+      }
+
       void
       add_waves()
       {
-        const double speed = expected->zener.section.fastest_wave();
+        const double speed = zener->section.fastest_wave();
         const double back  = 2. * distance_to_edge(parameters) / speed;
         line("first reflection",
              format("back at {}; until then the supports have no effect",
                     about(back, "s")));
-        if (const auto n = expected->crossings_before_peak(parameters))
+        if (const auto n = crossings_before_peak())
           line("peak",
                format("late: the fastest waves cross the plate {} times "
                       "before, and a small error takes many cells",
                       rounded(std::floor(*n), 3)));
 
         // the first are those that the warnings of a run speak of
-        const double      wavelength = expected->zener.wave().length;
+        const double      wavelength = zener->wave().length;
         const double      h          = initial_cell_size(parameters);
-        const std::string of_contact = expected->contact_end ?
+        const std::string of_contact = contact_end ?
           format(" and {} of the whole contact",
-                 about(expected->zener.wave_of(*expected->contact_end).length,
-                       "m")) :
+                 about(zener->wave_of(*contact_end).length, "m")) :
           "";
         line("bending wavelength",
              format("{} as the force rises{}; initial cells of {}{}",
@@ -158,7 +332,7 @@ namespace PlateImpact
       try
         {
           const std::vector<double> frequencies =
-            expected_frequencies(parameters);
+            coarse_plate(parameters, {{8, 8}}).natural_frequencies(4);
           const double highest = frequencies.empty() ? 0. : frequencies.back();
           const PrefixedUnit       unit("Hz", highest);
           std::vector<std::string> values;
@@ -182,8 +356,13 @@ namespace PlateImpact
           const auto roughly = [](const double count) {
             return rounded(count < 10. ? std::round(count) : count, 2);
           };
-          const Expectation::Cost cost = expected->cost(parameters);
-          const Stretching stretching  = expected->zener.section.stretching;
+          const TimeParameters &time = parameters.time;
+          const double          end =
+            time.end_time > 0. ? time.end_time : contact_end.value_or(until);
+          const Cost       cost       = parameters.adaptivity.is_adaptive() ?
+                        cost_by_two_meshes(parameters) :
+                        Cost{n_initial_cells(parameters), end / time.time_step};
+          const Stretching stretching = zener->section.stretching;
           const double     n_fields = stretching == Stretching::none ? 3. : 5.;
           line("cost",
                format(
@@ -201,11 +380,11 @@ namespace PlateImpact
       void
       add_advice()
       {
-        if (expected->is_bound)
+        if (is_bound)
           return line("step, end time, cost",
                       "cannot be estimated for this plate");
         const TimeParameters &time  = parameters.time;
-        const double          rise  = expected->history.peak().time;
+        const double          rise  = history.peak().time;
         const std::string     steps = format("{} s is {} steps to the peak",
                                          about(time.time_step),
                                          about(rise / time.time_step));
@@ -215,7 +394,7 @@ namespace PlateImpact
                       parameters.adaptivity.is_for_peak_force() ? "at first " :
                                                                   "",
                       steps));
-        else if (expected->crossings_before_peak(parameters))
+        else if (crossings_before_peak())
           line("Time/Time step",
                "0: the ripples on a late peak need far shorter steps than "
                "its rise; the scene's " +
@@ -227,9 +406,8 @@ namespace PlateImpact
                       steps));
         line("Time/End time",
              format("about {} s covers the {}; the scene's is {}",
-                    about(expected->contact_end ? 1.1 * *expected->contact_end :
-                                                  2. * rise),
-                    expected->contact_end ? "contact" : "peak",
+                    about(contact_end ? 1.1 * *contact_end : 2. * rise),
+                    contact_end ? "contact" : "peak",
                     time.end_time > 0. ? about(time.end_time) + " s" :
                                          "the end of the contact"));
         if (parameters.contact.load_is_singular())
@@ -276,9 +454,19 @@ namespace PlateImpact
                  ""));
       }
 
-      const Scene               &scene;
-      const Parameters          &parameters = scene.parameters;
-      std::optional<Expectation> expected; ///< of an impactor
+      const Scene      &scene;
+      const Parameters &parameters = scene.parameters;
+
+      std::optional<ZenerImpact> zener; ///< on the infinite plate; of impactors
+
+      ContactHistory        history;          ///< up to the scene's end at most
+      std::optional<double> contact_end;      ///< of the impact [s]
+      double                until = 0.;       ///< when what is known ends [s]
+      std::string           source;           ///< where it comes from
+      bool                  is_bound = false; ///< whether the force is larger
+
+      std::vector<std::string> warnings; ///< as model_warnings()
+      std::string              contact;  ///< as Warnings::contact
     };
   } // namespace
 

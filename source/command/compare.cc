@@ -2,7 +2,6 @@
 #include <deal.II/base/utilities.h>
 
 #include "plate_impact/base/exceptions.h"
-#include "plate_impact/base/interrupt.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/command/commands.h"
 #include "plate_impact/comparison/strategy_comparison.h"
@@ -20,11 +19,6 @@ namespace PlateImpact
 {
   namespace
   {
-    /// Of a line on the console.
-    constexpr unsigned int most_columns = 78;
-
-
-
     /// What a reader should know before believing the comparison.
     std::vector<std::string>
     warnings_of(const Scene &scene, const StrategyComparison &comparison)
@@ -170,7 +164,7 @@ namespace PlateImpact
       for (const ThresholdRow &row : comparison.thresholds())
         for (const std::string &line : dealii::Utilities::break_text_into_lines(
                in_words(row, comparison.curves),
-               most_columns))
+               /*width=*/78))
           console.print(line + '\n');
       console.print("\nResults     " + directory.main_files() + '\n');
       print_warnings(warnings_of(scene, comparison));

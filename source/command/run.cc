@@ -2,7 +2,6 @@
 
 #include "plate_impact/analysis/impact_analysis.h"
 #include "plate_impact/base/exceptions.h"
-#include "plate_impact/base/interrupt.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/command/commands.h"
 #include "plate_impact/marking/outside_marking.h"
@@ -256,8 +255,12 @@ namespace PlateImpact
   run_scene(const Scene &scene, const bool quiet, const std::string &marking)
   {
     const AdaptivityParameters &adaptivity = scene.parameters.adaptivity;
-    if (!marking.empty())
-      OutsideMarking::require_sizes(adaptivity);
+    if (!marking.empty() &&
+        adaptivity.strategy != AdaptationStrategy::hanging_nodes &&
+        adaptivity.strategy != AdaptationStrategy::remeshing)
+      throw InputError({"--marking needs Adaptivity/Strategy = hanging nodes "
+                        "or remeshing, which give cells the sizes that are "
+                        "wanted"});
     Output                             output(scene);
     std::unique_ptr<AdaptationControl> control =
       std::make_unique<AdaptationControl>(adaptivity);

@@ -3,7 +3,6 @@
 
 #include "plate_impact/analysis/impact_quantities.h"
 #include "plate_impact/base/exceptions.h"
-#include "plate_impact/base/interrupt.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/command/commands.h"
 #include "plate_impact/output/console.h"
@@ -16,7 +15,6 @@
 #include <exception>
 #include <fstream>
 #include <map>
-#include <memory>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -67,6 +65,9 @@ namespace PlateImpact
     /// Sweeps up to this size have a line for every point.
     constexpr std::size_t most_lines = 40;
 
+    /// More histories than these do not show in one plot.
+    constexpr std::size_t most_plotted_histories = 12;
+
     /// A quantity in a line: its name in impact_quantities, and how it is
     /// shown.
     struct Column
@@ -95,20 +96,19 @@ namespace PlateImpact
 
 
 
-    /// More histories than these do not show in one plot.
-    constexpr std::size_t most_plotted_histories = 12;
-
-
-
     /// The first process' side of a sweep: what is written and printed.
     class SweepRecord
     {
     public:
-      SweepRecord(SweepScene &scene, const bool resume, const bool quiet)
+      /// @param directory  cleared, or with the sweep to resume
+      SweepRecord(SweepScene            &scene,
+                  const ResultDirectory &directory,
+                  const bool             resume,
+                  const bool             quiet)
         : scene(scene)
         , console(quiet)
-        , directory(scene.parameters.output.directory)
-        , table(prepared(directory, scene, resume), scene.plan, resume)
+        , directory(directory)
+        , table(directory, scene.plan, resume)
       {}
 
       std::vector<std::size_t>
@@ -168,15 +168,6 @@ namespace PlateImpact
         show(row);
       }
 
-      /// What Ctrl-C leaves.
-      std::string
-      kept() const
-      {
-        return std::to_string(scene.plan.n_points - points_to_do().size()) +
-          " of " + counted(scene.plan.n_points, "point") + " are in " +
-          (directory / "sweep.csv").string() + "; --resume goes on from there";
-      }
-
       void
       finish(const SweepWork &work)
       {
@@ -204,20 +195,6 @@ namespace PlateImpact
       }
 
     private:
-      /// Cleared for another sweep, or with the rows of this one.
-      static const ResultDirectory &
-      prepared(const ResultDirectory &directory,
-               const SweepScene      &scene,
-               const bool             resume)
-      {
-        if (resume)
-          check_scene_to_resume(directory, scene);
-        else
-          directory.clear();
-        directory.write_scene(scene.name, scene.text);
-        return directory;
-      }
-
       /// A line per point of a small sweep; of a large one, on a terminal, the
       /// number of points done so far and the time that the others take.
       void
@@ -245,11 +222,11 @@ namespace PlateImpact
         console.print(text + '\n');
       }
 
-      SweepScene           &scene;
-      Console               console;
-      const ResultDirectory directory;
-      SweepTable            table;
-      const dealii::Timer   timer;
+      SweepScene            &scene;
+      Console                console;
+      const ResultDirectory &directory;
+      SweepTable             table;
+      const dealii::Timer    timer;
       std::size_t n_points = 0, n_computed = 0; ///< without those before
 
       std::map<std::size_t, ContactHistory> histories; ///< for the page
@@ -266,17 +243,24 @@ namespace PlateImpact
   {
     // mpirun has its own way to end processes
     if (processes.size > 1)
-      await_no_interrupt();
+      await_interrupt(/*ends_at_once=*/true);
     // the first process alone reads and writes results; without any it has
     // nothing to do for the others
-    std::unique_ptr<SweepRecord> record;
-    std::vector<std::size_t>     to_do;
-    std::exception_ptr           failure;
+    std::optional<ResultDirectory> directory;
+    std::optional<SweepRecord>     record;
+    std::vector<std::size_t>       to_do;
+    std::exception_ptr             failure;
     if (processes.rank == 0)
       try
         {
-          record = std::make_unique<SweepRecord>(scene, resume, quiet);
-          to_do  = record->points_to_do();
+          directory.emplace(scene.parameters.output.directory);
+          if (resume)
+            check_scene_to_resume(*directory, scene);
+          else
+            directory->clear();
+          directory->write_scene(scene.name, scene.text);
+          record.emplace(scene, *directory, resume, quiet);
+          to_do = record->points_to_do();
         }
       catch (...)
         {
@@ -309,7 +293,12 @@ namespace PlateImpact
       }
     catch (const Interruption &interruption)
       {
-        throw interruption.with(record->kept());
+        const std::size_t n = scene.plan.n_points;
+        throw interruption.with(
+          std::to_string(n - record->points_to_do().size()) + " of " +
+          counted(n, "point") + " are in " +
+          (*directory / "sweep.csv").string() +
+          "; --resume goes on from there");
       }
   }
 } // namespace PlateImpact

@@ -36,28 +36,6 @@ namespace PlateImpact
 
 
 
-    Json
-    as_json(const Point<2> &point)
-    {
-      return {point[0], point[1]};
-    }
-
-
-
-    /// Numbers of the active cells on the other side of each side of a cell.
-    Json
-    neighbours_of(const Triangulation<2>::active_cell_iterator &cell)
-    {
-      std::vector<Triangulation<2>::active_cell_iterator> cells;
-      GridTools::get_active_neighbors<Triangulation<2>>(cell, cells);
-      Json neighbours = Json::array();
-      for (const auto &neighbour : cells)
-        neighbours.push_back(neighbour->active_cell_index());
-      return neighbours;
-    }
-
-
-
     /// Raw and recovered resultants at the samples of all cells, of one state.
     void
     add_samples(const Cycle &cycle, const Snapshot &state, Json &cells)
@@ -80,14 +58,13 @@ namespace PlateImpact
                                                    state.unknowns);
           for (unsigned int q = 0; q < samples.size(); ++q)
             {
-              const Eigen::VectorXd own = raw.row(q),
-                                    smooth =
-                                      recovered.col(samples.size() * c + q);
+              const Point<2> x =
+                mapping_of(cell).transform_unit_to_real_cell(cell,
+                                                             samples.point(q));
+              const auto own    = raw.row(q);
+              const auto smooth = recovered.col(samples.size() * c + q);
               cells[c]["samples"].push_back(
-                {{"point",
-                  as_json(mapping_of(cell).transform_unit_to_real_cell(
-                    cell,
-                    samples.point(q)))},
+                {{"point", {x[0], x[1]}},
                  {"raw", std::vector<double>(own.begin(), own.end())},
                  {"recovered",
                   std::vector<double>(smooth.begin(), smooth.end())}});
@@ -104,16 +81,21 @@ namespace PlateImpact
       const CycleResult &result = cycle.result;
       Json vertices = Json::array(), cells = Json::array(), history;
       for (const Point<2> &vertex : cycle.mesh().get_vertices())
-        vertices.push_back(as_json(vertex));
+        vertices.push_back({vertex[0], vertex[1]});
+      // on the other side of each side of a cell
+      std::vector<Triangulation<2>::active_cell_iterator> neighbours;
       for (const auto &cell : cycle.mesh().active_cell_iterators())
         {
           const unsigned int c = cell->active_cell_index();
           Json               one;
           for (const unsigned int v : cell->vertex_indices())
             one["vertices"].push_back(cell->vertex_index(v));
-          one["level"]       = cell->level();
-          one["size"]        = cell_size(cell);
-          one["neighbours"]  = neighbours_of(cell);
+          one["level"]      = cell->level();
+          one["size"]       = cell_size(cell);
+          one["neighbours"] = Json::array();
+          GridTools::get_active_neighbors<Triangulation<2>>(cell, neighbours);
+          for (const auto &neighbour : neighbours)
+            one["neighbours"].push_back(neighbour->active_cell_index());
           one["error_ratio"] = result.error_ratios->elements[c];
           if (result.peak_force_error)
             one["peak_force_error"] = result.peak_force_error->cells[c];
@@ -215,31 +197,17 @@ namespace PlateImpact
       while (const std::size_t n = fread(buffer, 1, sizeof buffer, pipe))
         answer.append(buffer, n);
       const int status = pclose(pipe);
-      if (WIFEXITED(status) && WEXITSTATUS(status) == status_of_timeout)
+      const int code   = WIFEXITED(status) ? WEXITSTATUS(status) : status;
+      if (code == status_of_timeout)
         throw ComputationError(fmt::format("--marking takes more than {} s: {}",
                                            time_limit,
                                            command));
-      if (status != 0)
+      if (code != 0)
         throw ComputationError(
-          fmt::format("--marking ends with status {}: {}",
-                      WIFEXITED(status) ? WEXITSTATUS(status) : status,
-                      command));
+          fmt::format("--marking ends with status {}: {}", code, command));
       return answer;
     }
   } // namespace
-
-
-
-  void
-  OutsideMarking::require_sizes(const AdaptivityParameters &adaptivity)
-  {
-    if (adaptivity.strategy != AdaptationStrategy::hanging_nodes &&
-        adaptivity.strategy != AdaptationStrategy::remeshing)
-      throw InputError(
-        {"--marking needs Adaptivity/Strategy = hanging nodes or "
-         "remeshing, which give cells the sizes that are "
-         "wanted"});
-  }
 
 
 
@@ -255,8 +223,7 @@ namespace PlateImpact
     std::vector<double> sizes;
     try
       {
-        const Json answer = Json::parse(text, nullptr, false);
-        sizes             = sizes_of(answer, cycle.mesh());
+        sizes = sizes_of(Json::parse(text, nullptr, false), cycle.mesh());
       }
     catch (const ComputationError &error)
       {

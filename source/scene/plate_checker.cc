@@ -17,20 +17,30 @@ namespace PlateImpact
   bool
   SceneChecker::read_plate()
   {
-    if (!plate.is_from_file() ||
-        (plate.file && plate.file->path == plate.outline.file))
+    if (!plate.is_from_file())
       return true;
-    try
-      {
-        plate.file = read_plate_file(plate.outline.file);
-      }
-    catch (const InputError &error)
-      {
-        refuse({"Plate/Outline"}, error.what());
-        // what else is wrong can be said of a rectangle
-        plate.outline.shape = PlateOutline::rectangle;
-        return false;
-      }
+    if (!plate.file || plate.file->path != plate.outline.file)
+      try
+        {
+          plate.file = read_plate_file(plate.outline.file);
+        }
+      catch (const InputError &error)
+        {
+          refuse({"Plate/Outline"}, error.what());
+          // what else is wrong can be said of a rectangle
+          plate.outline.shape = PlateOutline::rectangle;
+          return false;
+        }
+    // the file's own lengths count; those given tell another unit
+    const auto &[a, b] = plate.file->extent;
+    const double ratio =
+      std::max(a, b) / std::max(plate.side_lengths[0], plate.side_lengths[1]);
+    if (is_given("Plate/Side lengths") && (ratio > 50. || ratio < 0.02))
+      refuse({"Plate/Side lengths", "Plate/Outline"},
+             "m are far from the " + number(a) + " x " + number(b) + " m of " +
+               plate.outline.file +
+               ", which may be in other units; expected a file in metres, and "
+               "no side lengths beside it");
     return true;
   }
 
@@ -161,25 +171,6 @@ namespace PlateImpact
 
 
   void
-  SceneChecker::check_extent()
-  {
-    // the file's own lengths count; those given tell another unit
-    if (!plate.is_from_file() || !is_given("Plate/Side lengths"))
-      return;
-    const double ratio =
-      std::max(plate.file->extent[0], plate.file->extent[1]) /
-      std::max(plate.side_lengths[0], plate.side_lengths[1]);
-    if (ratio > 50. || ratio < 0.02)
-      refuse({"Plate/Side lengths", "Plate/Outline"},
-             "m are far from the " + number(plate.file->extent[0]) + " x " +
-               number(plate.file->extent[1]) + " m of " + plate.outline.file +
-               ", which may be in other units; expected a file in metres, and "
-               "no side lengths beside it");
-  }
-
-
-
-  void
   SceneChecker::check_shape()
   {
     const auto  &geometry = geometry_of(plate);
@@ -198,9 +189,8 @@ namespace PlateImpact
     };
     check_edges("Plate/Support", edges_of(plate.supports));
     check_edges("Plate/In-plane support", edges_of(plate.in_plane_supports));
-    check_extent();
     const double to_edge =
-      parameters.has_impactor() ? geometry.distance_to_edge : half_side;
+      has_impactor() ? geometry.distance_to_edge : half_side;
     if (to_edge <= 0. && plate.is_from_file())
       return refuse({"Plate/Impact point", "Plate/Outline"},
                     "m lies outside of the plate of " + plate.outline.file +
@@ -237,8 +227,7 @@ namespace PlateImpact
     if (points.empty())
       return;
     const auto geometry = geometry_of(plate);
-    const auto mesh =
-      make_plate_mesh(plate, parameters.discretization.initial_cells);
+    const auto mesh     = make_plate_mesh(plate, discretization.initial_cells);
     for (SingularPoint &point : points)
       {
         const auto [x, y] = point.position;

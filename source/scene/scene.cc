@@ -181,12 +181,12 @@ namespace PlateImpact
   {
     SceneReader      reader(path, overrides, output);
     SceneChecker     checker(reader);
-    const Parameters given = checker.parameters;
+    const Parameters given = checker;
     checker.complete();
     const SweepPlan sweep(reader);
     reader.refuse_mistakes();
     Scene scene{printable(path),
-                checker.parameters,
+                checker,
                 reader.entries.text(/*with_meanings=*/false),
                 given,
                 checker.expected,
@@ -214,7 +214,7 @@ namespace PlateImpact
         entry.origin   = swept.origin;
         entry.is_known = false;
       }
-    parameters = SceneChecker(reader).parameters;
+    parameters = SceneChecker(reader);
     if (reader.mistakes.empty() && plan.n_points == 0)
       reader.mistakes.push_back(
         path +
@@ -229,24 +229,17 @@ namespace PlateImpact
   SweepPoint
   SweepScene::point(const std::size_t index)
   {
-    const auto refuse_mistakes = [this] {
-      if (!reader.mistakes.empty())
-        throw InputError(reader.mistakes);
-    };
     for (Entry &entry : reader.entries.all)
       entry.chosen.reset();
-    std::vector<Assignment>        assignments;
+    reader.mistakes.clear();
     const std::vector<std::string> values = plan.values(index);
     for (std::size_t i = 0; i < values.size(); ++i)
       {
         const SweptEntry &swept = plan.entries[i];
         const Entry      &entry = reader.entries.at(swept.path);
-        assignments.push_back(
-          {entry.section(), entry.name(), values[i], swept.origin});
+        reader.set({{entry.section(), entry.name(), values[i], swept.origin}});
       }
-    reader.mistakes.clear();
-    reader.set(assignments);
-    refuse_mistakes();
+    reader.refuse_mistakes();
 
     reader.parameters.plate.file = parameters.plate.file;
     SceneChecker checker(reader);
@@ -254,8 +247,8 @@ namespace PlateImpact
     if (reader.mistakes.empty() && !checker.expected)
       reader.mistakes = {plan.entries.front().origin +
                          ": there is no impactor"};
-    refuse_mistakes();
-    return {checker.parameters, *checker.expected};
+    reader.refuse_mistakes();
+    return {checker, *checker.expected};
   }
 
 

@@ -53,13 +53,13 @@ namespace PlateImpact
 
 
   SceneChecker::SceneChecker(SceneReader &reader)
-    : parameters(reader.parameters)
+    : Parameters(reader.parameters)
     , reader(reader)
   {
     const bool has_outline = read_plate();
     choose_contact();
     ask_for_units("Plate", plate.youngs_modulus, plate.density);
-    if (parameters.has_impactor())
+    if (has_impactor())
       ask_for_units("Impactor", impactor.youngs_modulus, impactor.density);
     check_section();
     if (has_outline)
@@ -67,7 +67,14 @@ namespace PlateImpact
     check_contact();
     check_time();
     check_mesh();
-    check_comparison();
+    const auto refuse_repetition = [this](const std::string &path,
+                                          const auto        &choices) {
+      for (const auto &choice : choices)
+        if (std::count(choices.begin(), choices.end(), choice) > 1)
+          return refuse({path}, "names " + word_for(choice) + " twice");
+    };
+    refuse_repetition("Comparison/Strategies", comparison.strategies);
+    refuse_repetition("Comparison/Elements", comparison.elements);
   }
 
 
@@ -93,7 +100,7 @@ namespace PlateImpact
   void
   SceneChecker::check_contact()
   {
-    if (!parameters.has_impactor())
+    if (!has_impactor())
       return;
     const bool                     is_cylinder   = impactor.is_cylinder();
     const std::vector<std::string> law_and_shape = {"Contact/Law",
@@ -198,10 +205,10 @@ namespace PlateImpact
   void
   SceneChecker::check_mesh()
   {
-    const auto &cells = parameters.discretization.initial_cells;
+    const auto &cells = discretization.initial_cells;
     if (static_cast<double>(cells[0]) * cells[1] > 250000.)
       refuse({"Discretization/Initial cells"}, "are more than 250000 cells");
-    const double h = initial_cell_size(parameters);
+    const double h = initial_cell_size(*this);
     if (adaptivity.minimum_cell_size > h)
       refuse({"Adaptivity/Minimum cell size",
               "Plate/Side lengths",
@@ -238,21 +245,5 @@ namespace PlateImpact
       refuse({"Adaptivity/Goal", "Time/Newmark beta", "Time/Newmark gamma"},
              "needs Newmark beta = 0.25 and Newmark gamma = 0.5; with others "
              "there is no error bar, set Goal = energy norm");
-  }
-
-
-
-  void
-  SceneChecker::check_comparison()
-  {
-    const auto refuse_repetition = [this](const std::string &path,
-                                          const auto        &choices) {
-      for (const auto &choice : choices)
-        if (std::count(choices.begin(), choices.end(), choice) > 1)
-          return refuse({path}, "names " + word_for(choice) + " twice");
-    };
-    const ComparisonParameters &comparison = parameters.comparison;
-    refuse_repetition("Comparison/Strategies", comparison.strategies);
-    refuse_repetition("Comparison/Elements", comparison.elements);
   }
 } // namespace PlateImpact

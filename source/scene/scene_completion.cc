@@ -17,22 +17,8 @@ namespace PlateImpact
   void
   SceneChecker::complete()
   {
-    if (!reader.mistakes.empty() || !parameters.has_impactor())
+    if (!reader.mistakes.empty() || !has_impactor())
       return;
-    complete_impactor();
-    if (!expected)
-      return;
-    complete_time();
-    complete_contact();
-    if (!contact.has_patch() || contact.patch_radius > 0.)
-      complete_mesh();
-  }
-
-
-
-  void
-  SceneChecker::complete_impactor()
-  {
     const Impactor mass_point = make_impactor(impactor);
     if (!std::isnormal(mass_point.kinetic_energy()))
       return refuse({"Impactor/Velocity", "Impactor/Mass", "Impactor/Radius"},
@@ -43,14 +29,18 @@ namespace PlateImpact
       choose("Impactor/Mass", impactor.mass, mass_point.mass);
     try
       {
-        expected.emplace(make_zener_impact(parameters));
+        expected.emplace(make_zener_impact(*this));
       }
     catch (const ComputationError &error)
       {
-        refuse({"Impactor/Velocity", "Impactor/Mass"},
-               "m/s gives no finite force in Zener's equation: " +
-                 std::string(error.what()));
+        return refuse({"Impactor/Velocity", "Impactor/Mass"},
+                      "m/s gives no finite force in Zener's equation: " +
+                        std::string(error.what()));
       }
+    complete_time();
+    complete_contact();
+    if (!contact.has_patch() || contact.patch_radius > 0.)
+      complete_mesh();
   }
 
 
@@ -113,7 +103,7 @@ namespace PlateImpact
                           " m; expected a point farther from the edge");
         choose("Contact/Patch radius", contact.patch_radius, radius);
       }
-    const double largest = make_contact(parameters).largest_force();
+    const double largest = make_contact(*this).largest_force();
     if (expected->peak.force <= largest)
       return;
     const std::string forces = number(largest, "N") +
@@ -143,7 +133,7 @@ namespace PlateImpact
   SceneChecker::complete_contact()
   {
     impactor.contact_radius =
-      ContactBodies(parameters, expected->section)
+      ContactBodies(*this, expected->section)
         .radius(expected->peak.force, expected->peak.indentation);
     if (!contact.has_patch())
       return;
@@ -190,7 +180,7 @@ namespace PlateImpact
     if (adaptivity.maximum_cell_size == 0.)
       choose("Adaptivity/Maximum cell size",
              adaptivity.maximum_cell_size,
-             initial_cell_size(parameters));
+             initial_cell_size(*this));
     adaptivity.minimum_cell_size_is_chosen = adaptivity.minimum_cell_size == 0.;
     if (adaptivity.minimum_cell_size_is_chosen)
       choose("Adaptivity/Minimum cell size",

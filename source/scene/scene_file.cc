@@ -34,30 +34,35 @@ namespace PlateImpact
 
 
 
-    /// The lines of a scene; each call of read_line() adds what it finds.
     class Scanner
     {
     public:
-      explicit Scanner(const std::string &name)
-        : name(name)
-      {}
-
-      void
-      read_line(const std::string &raw)
+      SceneFile
+      scan(std::istream &in, const std::string &name)
       {
-        origin = name + ":" + std::to_string(++line_number);
-        if (is_binary)
-          return; // said once
-        if (!is_text(raw.substr(0, raw.find_last_not_of('\r') + 1)))
+        for (std::string line; std::getline(in, line);)
           {
-            is_binary = true;
-            return mistake("this line holds control characters; a scene is a "
-                           "text file");
+            if (++line_number == 1 && line.compare(0, 3, "\xEF\xBB\xBF") == 0)
+              line.erase(0, 3);
+            origin = name + ":" + std::to_string(line_number);
+            if (!is_text(line.substr(0, line.find_last_not_of('\r') + 1)))
+              {
+                mistake("this line holds control characters; a scene is a "
+                        "text file");
+                return scene;
+              }
+            read(simplified(line.substr(0, line.find('#'))));
           }
-        const std::string line = simplified(raw.substr(0, raw.find('#')));
-        if (line.empty())
-          return;
+        if (!open_sections.empty())
+          mistake("the file ends within subsection " + open_sections.back() +
+                  "; an 'end' is missing");
+        return scene;
+      }
 
+    private:
+      void
+      read(const std::string &line)
+      {
         const std::string command = line.substr(0, line.find(' '));
         const std::string rest    = simplified(line.substr(command.size()));
         if (command == "subsection")
@@ -68,22 +73,12 @@ namespace PlateImpact
           open_sections.pop_back();
         else if (command == "set")
           set(rest);
-        else
+        else if (!line.empty())
           mistake("'" + line +
                   "' is not understood; a line is 'subsection NAME', 'set "
                   "ENTRY = VALUE', 'end' or a comment after '#'");
       }
 
-      SceneFile
-      finish()
-      {
-        if (!open_sections.empty() && !is_binary)
-          mistake("the file ends within subsection " + open_sections.back() +
-                  "; an 'end' is missing");
-        return std::move(scene);
-      }
-
-    private:
       void
       mistake(const std::string &text)
       {
@@ -127,11 +122,9 @@ namespace PlateImpact
           {section, entry, simplified(text.substr(equals + 1)), origin});
       }
 
-      const std::string                   name;
       SceneFile                           scene;
       std::string                         origin;
       std::vector<std::string>            open_sections;
-      bool                                is_binary   = false;
       unsigned int                        line_number = 0;
       std::map<std::string, unsigned int> first_set;
     };
@@ -142,15 +135,7 @@ namespace PlateImpact
   SceneFile
   scan_scene(std::istream &in, const std::string &name)
   {
-    Scanner     scanner(name);
-    std::string line;
-    for (bool first = true; std::getline(in, line); first = false)
-      {
-        if (first && line.compare(0, 3, "\xEF\xBB\xBF") == 0)
-          line.erase(0, 3);
-        scanner.read_line(line);
-      }
-    return scanner.finish();
+    return Scanner().scan(in, name);
   }
 
 

@@ -31,64 +31,31 @@ namespace PlateImpact
 
 
 
-    /// "; did you mean ...?", empty when nothing is close.
-    std::string
-    suggestion(const std::string              &name,
-               const std::vector<std::string> &candidates)
-    {
-      const std::string closest = closest_name(name, candidates);
-      return closest.empty() ? "" : "; did you mean '" + closest + "'?";
-    }
+    /// Units of entries, and what one that people write is in them.
+    const std::map<std::string, std::map<std::string, double>> units = {
+      {"m", {{"m", 1.}, {"cm", 1e-2}, {"mm", 1e-3}, {"um", 1e-6}}},
+      {"s", {{"s", 1.}, {"ms", 1e-3}, {"us", 1e-6}}},
+      {"kg", {{"kg", 1.}, {"g", 1e-3}, {"t", 1e3}}},
+      {"m/s", {{"m/s", 1.}, {"mm/s", 1e-3}, {"km/h", 1. / 3.6}}},
+      {"Pa",
+       {{"Pa", 1.}, {"kPa", 1e3}, {"MPa", 1e6}, {"N/mm^2", 1e6}, {"GPa", 1e9}}},
+      {"kg/m^3",
+       {{"kg/m^3", 1.}, {"kg/m3", 1.}, {"g/cm^3", 1e3}, {"g/cm3", 1e3}}},
+      {"N", {{"N", 1.}, {"kN", 1e3}}},
+      {"-", {{"%", 1e-2}}}};
 
-
-
-    /// Units that people write, in those of entries.
-    const std::map<std::string, std::pair<double, std::string>> units = {
-      {"m", {1., "m"}},
-      {"cm", {1e-2, "m"}},
-      {"mm", {1e-3, "m"}},
-      {"um", {1e-6, "m"}},
-      {"s", {1., "s"}},
-      {"ms", {1e-3, "s"}},
-      {"us", {1e-6, "s"}},
-      {"kg", {1., "kg"}},
-      {"g", {1e-3, "kg"}},
-      {"t", {1e3, "kg"}},
-      {"m/s", {1., "m/s"}},
-      {"mm/s", {1e-3, "m/s"}},
-      {"km/h", {1. / 3.6, "m/s"}},
-      {"Pa", {1., "Pa"}},
-      {"kPa", {1e3, "Pa"}},
-      {"MPa", {1e6, "Pa"}},
-      {"N/mm^2", {1e6, "Pa"}},
-      {"GPa", {1e9, "Pa"}},
-      {"kg/m^3", {1., "kg/m^3"}},
-      {"kg/m3", {1., "kg/m^3"}},
-      {"g/cm^3", {1e3, "kg/m^3"}},
-      {"g/cm3", {1e3, "kg/m^3"}},
-      {"N", {1., "N"}},
-      {"kN", {1e3, "N"}},
-      {"%", {1e-2, "-"}}};
-
-    /// Other words for those of scenes.
-    const std::vector<std::pair<std::string, std::string>> synonyms = {
-      {"fixed", "clamped"},
-      {"built-in", "clamped"},
-      {"built in", "clamped"},
-      {"encastre", "clamped"},
-      {"fully fixed", "clamped"},
-      {"hinged", "simply supported"},
-      {"pinned", "simply supported"},
-      {"ball", "sphere"},
-      {"roller", "cylinder"},
-      {"circular", "circle"},
-      {"disc", "circle"},
-      {"rectangular", "rectangle"},
-      {"square", "rectangle"},
-      {"yes", "true"},
-      {"on", "true"},
-      {"no", "false"},
-      {"off", "false"}};
+    /// Words of scenes, and others for them.
+    const std::vector<std::pair<std::string, std::vector<std::string>>>
+      synonyms = {
+        {"clamped",
+         {"fixed", "built-in", "built in", "encastre", "fully fixed"}},
+        {"simply supported", {"hinged", "pinned"}},
+        {"sphere", {"ball"}},
+        {"cylinder", {"roller"}},
+        {"circle", {"circular", "disc"}},
+        {"rectangle", {"rectangular", "square"}},
+        {"true", {"yes", "on"}},
+        {"false", {"no", "off"}}};
 
 
 
@@ -99,14 +66,13 @@ namespace PlateImpact
       static const std::regex number_and_unit(
         R"(([-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?)\s*([A-Za-z%][A-Za-z0-9/^]*))");
       std::smatch parts;
-      if (!std::regex_match(value, parts, number_and_unit))
+      const auto  of_entry = units.find(unit);
+      if (of_entry == units.end() ||
+          !std::regex_match(value, parts, number_and_unit))
         return {};
-      const auto found = units.find(parts[2]);
-      if (found == units.end())
-        return {};
-      const auto &[factor, of_entry] = found->second;
-      return of_entry == unit ?
-        fmt::format("{:.6g}", std::stod(parts[1]) * factor) :
+      const auto factor = of_entry->second.find(parts[2]);
+      return factor != of_entry->second.end() ?
+        fmt::format("{:.6g}", std::stod(parts[1]) * factor->second) :
         "";
     }
 
@@ -130,8 +96,9 @@ namespace PlateImpact
           std::replace(with_point.begin(), with_point.end(), ',', '.');
           return "; write " + with_point + ", with a point";
         }
-      for (const auto &[other, word] : synonyms)
-        if (value == other && entry.allowed.find(word) != std::string::npos)
+      for (const auto &[word, others] : synonyms)
+        if (std::count(others.begin(), others.end(), value) > 0 &&
+            entry.allowed.find(word) != std::string::npos)
           return "; did you mean '" + word + "'?";
       return {};
     }
@@ -143,6 +110,11 @@ namespace PlateImpact
   SceneReader::unknown(const std::string &section,
                        const std::string &name) const
   {
+    const auto suggestion = [](const std::string              &misspelled,
+                               const std::vector<std::string> &candidates) {
+      const std::string closest = closest_name(misspelled, candidates);
+      return closest.empty() ? "" : "; did you mean '" + closest + "'?";
+    };
     std::vector<std::string> sections, names;
     std::string              elsewhere;
     for (const Entry &entry : entries.all)
@@ -277,5 +249,64 @@ namespace PlateImpact
                        return line(a) < line(b);
                      });
     throw InputError(mistakes);
+  }
+
+
+
+  // Output and Comparison are declared here: their rooms come after this one.
+
+  void
+  OutputParameters::declare_entries(Entries &entries)
+  {
+    const auto entry = entries.section("Output");
+    entry("Directory",
+          "output",
+          any_text("the name of a directory, without '#' and line ends",
+                   /*may_be_empty=*/false),
+          directory)
+      .means("Created where it does not exist.");
+    entry("Write meshes", "true", truth(), write_meshes)
+      .means("SVG, one per cycle.");
+    entry("Write report", "true", truth(), write_report)
+      .means("report.html: the run on one page.");
+    entry("Field samples", "0", whole_number(0, 100000), field_samples)
+      .means("VTU snapshots over the last cycle; 0: none.");
+    entry("Natural frequencies", "0", whole_number(0, 100), natural_frequencies)
+      .means("How many of the lowest natural frequencies of the last mesh are "
+             "written to summary.json. Only modes with the symmetry of the "
+             "impact are counted, since it excites no others.");
+  }
+
+
+
+  void
+  ComparisonParameters::declare_entries(Entries &entries)
+  {
+    const auto entry = entries.section("Comparison");
+    entry("Strategies",
+          "uniform, hanging nodes, remeshing",
+          list(one_of<ComparedStrategy>(),
+               1,
+               Choices<ComparedStrategy>::words.size()),
+          strategies)
+      .means("This section is read by `plate-impact compare` only. The "
+             "strategies to compare, each with every element. They adapt the "
+             "mesh for the error in the energy norm; those whose name ends in "
+             "'by force' adapt it for the error of the peak force "
+             "(Adaptivity/Goal).");
+    entry("Elements",
+          "serendipity, heterosis, Lagrange, MITC9",
+          list(one_of<ElementType>(), 1, Choices<ElementType>::words.size()),
+          elements)
+      .means("As in Discretization/Element.");
+    entry("Maximum cycles", "6", whole_number(1, 1000), maximum_cycles)
+      .means("Meshes of a curve, the initial one included. Adaptivity/Target "
+             "error is halved whenever it is met.");
+    entry("Reference peak force", "0", number_from(0), reference_peak_force)
+      .means("What errors are relative to; 0: computed by a run much finer "
+             "than any in the comparison. [N]");
+    entry("Time budget", "60", number_above(0), time_budget)
+      .means("Computing time after which a curve is not continued. The time of "
+             "the reference does not count. [s]");
   }
 } // namespace PlateImpact

@@ -3,7 +3,6 @@
 #include <deal.II/base/mpi.h>
 
 #include "plate_impact/base/exceptions.h"
-#include "plate_impact/base/interrupt.h"
 
 #include <boost/serialization/is_bitwise_serializable.hpp>
 #include <boost/serialization/vector.hpp>

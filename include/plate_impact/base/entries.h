@@ -69,31 +69,12 @@ namespace PlateImpact
   Allowed<unsigned int>
   whole_number(unsigned int first, unsigned int last);
 
-  inline Allowed<bool>
-  truth()
-  {
-    return {"true | false", [](const std::string &text, bool &value) {
-              value = text == "true";
-              return value || text == "false";
-            }};
-  }
-
-  /// Whether it is the second of two words.
-  inline Allowed<bool>
-  second_of(const std::string &first, const std::string &second)
-  {
-    return {first + " | " + second, [=](const std::string &text, bool &value) {
-              value = text == second;
-              return value || text == first;
-            }};
-  }
-
   inline Allowed<std::string>
-  any_text(const std::string &words)
+  any_text(const std::string &words, const bool may_be_empty = true)
   {
-    return {words, [](const std::string &text, std::string &value) {
+    return {words, [=](const std::string &text, std::string &value) {
               value = text;
-              return true;
+              return may_be_empty || !text.empty();
             }};
   }
 
@@ -108,7 +89,7 @@ namespace PlateImpact
     for (const Row &row : rows)
       words += (words.empty() ? "" : " | ") + row.word;
     return Allowed<Choice>{words,
-                           [&rows](const std::string &text, Choice &choice) {
+                           [rows](const std::string &text, Choice &choice) {
                              for (const Row &row : rows)
                                if (row.word == text)
                                  {
@@ -125,6 +106,19 @@ namespace PlateImpact
   one_of()
   {
     return one_of(Choices<Choice>::words);
+  }
+
+  /// Whether it is the second of two words.
+  inline Allowed<bool>
+  second_of(const std::string &first, const std::string &second)
+  {
+    return one_of<Word<bool>>({{false, first}, {true, second}});
+  }
+
+  inline Allowed<bool>
+  truth()
+  {
+    return one_of<Word<bool>>({{true, "true"}, {false, "false"}});
   }
 
   /// The items between separators, without blanks at their ends; an empty one

@@ -142,15 +142,8 @@ namespace PlateImpact
     auto
     members() const
     {
-      return std::tie(shape,
-                      radius,
-                      length,
-                      mass,
-                      density,
-                      youngs_modulus,
-                      poissons_ratio,
-                      yield_strength,
-                      velocity);
+      const auto &[a, b, c, d, e, f, g, h, i, j] = *this;
+      return std::tie(a, b, c, d, e, f, g, h, i, j);
     }
   };
 
@@ -199,14 +192,8 @@ namespace PlateImpact
     auto
     members() const
     {
-      return std::tie(law,
-                      local_response,
-                      finite_ball,
-                      load_distribution,
-                      patch_radius,
-                      integration,
-                      unloading,
-                      critical_indentation);
+      const auto &[a, b, c, d, e, f, g, h] = *this;
+      return std::tie(a, b, c, d, e, f, g, h);
     }
   };
 
@@ -248,13 +235,8 @@ namespace PlateImpact
     auto
     members() const
     {
-      return std::tie(end_time,
-                      time_step,
-                      step_tolerance,
-                      integrator,
-                      ritz_tolerance,
-                      newmark_beta,
-                      newmark_gamma);
+      const auto &[a, b, c, d, e, f, g, h, i, j] = *this;
+      return std::tie(a, b, c, d, e, f, g);
     }
   };
 
@@ -364,7 +346,8 @@ namespace PlateImpact
   };
 
   /// Sections are compared whole, so that a new entry is never forgotten where
-  /// something is kept for the next impact: members() lists all (tested).
+  /// something is kept for the next impact: members() binds all of them, which
+  /// does not compile with another number, and ties those that count.
   template <typename Section>
   auto
   operator<(const Section &a, const Section &b)

@@ -14,14 +14,13 @@ namespace PlateImpact
   /// is found.
   /// @param marking  a command that says what the next mesh is to be
   ///                 (OutsideMarking); empty: none
+  /// @throws InputError where there is one and the strategy gives no sizes
   /// @throws ComputationError, of which summary.json tells
   void
   run_scene(const Scene &scene, bool quiet, const std::string &marking);
 
-  /// Computes the comparison of a scene, and writes and prints what is found:
-  /// comparison.csv, a row per mesh as soon as it is known; comparison.json
-  /// with the reference and who reaches which error first, and comparison.html,
-  /// after every curve.
+  /// Computes the comparison of a scene, and writes and prints what is found,
+  /// after every mesh and every curve.
   /// @param marking  a command whose meshes are compared as well
   ///                 (OutsideMarking); empty: none
   /// @throws InputError for a scene without an impactor
@@ -37,13 +36,11 @@ namespace PlateImpact
   void
   run_sweep(SweepScene &scene, bool resume, bool quiet, Processes &processes);
 
-  /// What to expect of a scene before paying for it: peak force and contact
-  /// time on a coarse mesh, which takes some hundredths of a second; beside
-  /// them Zener's infinite thin plate (ZenerImpact) and the force on a plate
-  /// that does not move; the time at which the first waves return from the
-  /// edges, the bending wavelength of the contact against the cells, advice on
-  /// step and end time, a rough cost by the first two meshes of the run, what a
-  /// sweep of it computes, and where the impact leaves the model.
+  /// What to expect of a scene before paying for it: the impact on a coarse
+  /// mesh, on Zener's infinite thin plate and on one that does not move, when
+  /// waves return from the edges, the wavelength against the cells, advice on
+  /// step and end time, a rough cost, what a sweep of it computes, and where
+  /// the impact leaves the model.
   /// @throws ComputationError when the impact cannot be computed
   std::string
   expectation_in_words(const Scene &scene);

@@ -16,10 +16,6 @@ namespace PlateImpact
   class OutsideMarking : public AdaptationControl
   {
   public:
-    /// @throws InputError where the strategy gives cells no sizes
-    static void
-    require_sizes(const AdaptivityParameters &adaptivity);
-
     /// @param adaptivity  with a strategy that gives cells the wanted sizes
     /// @param directory   for the files; must outlive this object
     OutsideMarking(const std::string          &command,

@@ -93,11 +93,9 @@ namespace PlateImpact
       inputs; ///< entries by their paths, with the values used
   };
 
-  /// Reads a scene file, the overrides "Section/Entry=value" and the output
-  /// directory of the command line on top of it,
-  /// checks every entry and the entries against each other, and replaces zeros
-  /// that mean "chosen by the program" by what is chosen: the impactor's mass,
-  /// the patch radius, the minimum cell size.
+  /// Reads a scene file, on top of it the overrides "Section/Entry=value" and
+  /// the output directory of the command line, checks the entries, and replaces
+  /// zeros that mean "chosen by the program" by what is chosen.
   /// @throws InputError with every mistake found: file, line, entry, value and
   ///         what is allowed
   Scene

@@ -10,9 +10,9 @@
 
 namespace PlateImpact
 {
-  /// Checks values that are each allowed by themselves, and fills in those
-  /// that the program chooses.
-  class SceneChecker
+  /// Parameters whose values are each allowed by themselves, checked against
+  /// each other and with those that the program chooses.
+  class SceneChecker : public Parameters
   {
   public:
     /// Checks entries against each other, with words in place of those not
@@ -21,14 +21,10 @@ namespace PlateImpact
     ///                involves an entry that is not known is not judged
     explicit SceneChecker(SceneReader &reader);
 
-    SceneChecker(const SceneChecker &) = delete;
-
     /// Replaces zeros that mean "chosen by the program", and checks what is
     /// chosen; nothing where there are mistakes.
     void
     complete();
-
-    Parameters parameters; ///< with what has been chosen
 
     /// Empty without an impactor or before complete().
     std::optional<ZenerImpact> expected;
@@ -55,10 +51,13 @@ namespace PlateImpact
       entries.at(path).chosen = shortest(value);
     }
 
-    /// Law, load and local response that fit the rest of the scene, where they
-    /// are not given.
+    /// Law, load and local response that fit the rest, where not given.
     void
     choose_contact();
+
+    // checks of entries against each other, from read_plate() on in
+    // plate_checker.cc
+
     /// Asks about a modulus in GPa and a density in g/cm^3.
     /// @param body  Plate or Impactor
     void
@@ -69,19 +68,12 @@ namespace PlateImpact
     check_time();
     void
     check_mesh();
-    void
-    check_comparison();
-
-    // of the plate, in plate_checker.cc
-
-    /// Reads the plate from its file, unless it is there already.
-    /// @return whether it can be read
+    /// @return whether there is no file to read, or it can be read
     bool
     read_plate();
-    /// Lay-up or isotropic material; needs the law.
+    /// Needs the law.
     void
     check_section();
-    /// A ply in three dimensions.
     void
     check_ply();
     /// Outline, supports and what must lie within; needs the load's shape.
@@ -91,35 +83,25 @@ namespace PlateImpact
     void
     check_edges(const std::string              &entry,
                 const std::vector<std::string> &named);
+
+    // what is 0, in scene_completion.cc
+
     void
-    check_extent();
+    complete_time();
+    void
+    complete_contact();
+    /// Refuses a force that the local response of a layer does not hold.
+    void
+    complete_layer();
+    void
+    complete_mesh();
     /// Moves the singular points that the scene names to where the mesh has
     /// them.
     /// @param turn  of the plate about its centre [rad]
     void
     place_singular_points(double turn);
 
-    // of what is 0, in scene_completion.cc
-
-    void
-    complete_impactor();
-    void
-    complete_time();
-    void
-    complete_contact();
-    /// The same for the local response of a layer; refuses a force that it does
-    /// not hold.
-    void
-    complete_layer();
-    void
-    complete_mesh();
-
-    SceneReader          &reader;
-    Entries              &entries    = reader.entries;
-    PlateParameters      &plate      = parameters.plate;
-    ImpactorParameters   &impactor   = parameters.impactor;
-    ContactParameters    &contact    = parameters.contact;
-    TimeParameters       &time       = parameters.time;
-    AdaptivityParameters &adaptivity = parameters.adaptivity;
+    SceneReader &reader;
+    Entries     &entries = reader.entries;
   };
 } // namespace PlateImpact

@@ -32,12 +32,10 @@ namespace PlateImpact
   };
 
   /// Reads the grammar of deal.II's ParameterHandler (`subsection`, `set`,
-  /// `end`, comments from `#` to the end of the line) line by line. Unlike
-  /// ParameterHandler it goes on after a mistake, so that a user sees all of
-  /// them at once. Byte order marks and Windows line ends are accepted;
-  /// sections within sections, entries set twice and anything else are
-  /// mistakes.
-  ///
+  /// `end`, comments from `#` to the end of the line), but goes on after a
+  /// mistake, so that a user sees all of them at once. Byte order marks and
+  /// Windows line ends are accepted; sections within sections, entries set
+  /// twice and anything else are mistakes.
   /// @param name  of the file, for the mistakes
   SceneFile
   scan_scene(std::istream &in, const std::string &name);
