@@ -1,4 +1,4 @@
-#include "plate_impact/base/text.h"
+#include "plate_impact/base/entries.h"
 #include "plate_impact/base/version.h"
 #include "plate_impact/comparison/strategy_comparison.h"
 #include "plate_impact/output/report.h"
@@ -14,18 +14,10 @@ namespace PlateImpact
     constexpr std::size_t most_plotted_states = 600;
 
     /// Columns of comparison.csv after strategy and element.
-    const std::vector<std::string> columns_of_meshes = {
-      "cycle",
-      "cells",
-      "degrees_of_freedom",
-      "discretization_error",
-      "peak_force",
-      "peak_force_error",
-      "peak_force_error_bar",
-      "contact_end_error",
-      "seconds",
-      "cumulative_seconds",
-      "cells_at_minimum_size"};
+    const std::string columns_of_meshes =
+      "cycle,cells,degrees_of_freedom,discretization_error,peak_force,"
+      "peak_force_error,peak_force_error_bar,contact_end_error,seconds,"
+      "cumulative_seconds,cells_at_minimum_size";
 
 
 
@@ -82,9 +74,8 @@ namespace PlateImpact
     /// Whether neither is ahead: identical meshes, or times that differ by less
     /// than a tenth, as they do from run to run.
     bool
-    are_tied(const Achievement &a, const Achievement &b)
+    are_tied(const ComparedMesh &one, const ComparedMesh &other)
     {
-      const ComparedMesh &one = *a.mesh, &other = *b.mesh;
       const double ratio = one.cumulative_seconds / other.cumulative_seconds;
       return (one.cycle == other.cycle && one.cells == other.cells &&
               one.peak_force == other.peak_force) ||
@@ -101,20 +92,19 @@ namespace PlateImpact
                    {"comparable", row.is_comparable},
                    {"in_words", in_words(row, curves)},
                    {"reached", Json::array()}};
-      for (const Achievement &achievement : row.achievements)
+      for (const auto &[curve, mesh] : row.achievements)
         {
-          const Achievement  &first = row.achievements.front();
-          const ComparedMesh &mesh  = *achievement.mesh;
+          const ComparedMesh &first = *row.achievements.front().mesh;
           json["reached"].push_back(
-            {{"strategy", achievement.curve->strategy_name()},
-             {"element", word_for(achievement.curve->element)},
-             {"cycle", mesh.cycle},
-             {"cells", mesh.cells},
-             {"degrees_of_freedom", mesh.degrees_of_freedom},
-             {"cumulative_seconds", mesh.cumulative_seconds},
+            {{"strategy", curve->strategy_name()},
+             {"element", word_for(curve->element)},
+             {"cycle", mesh->cycle},
+             {"cells", mesh->cells},
+             {"degrees_of_freedom", mesh->degrees_of_freedom},
+             {"cumulative_seconds", mesh->cumulative_seconds},
              {"times_the_fastest",
-              mesh.cumulative_seconds / first.mesh->cumulative_seconds},
-             {"as_fast_as_the_first", are_tied(achievement, first)}});
+              mesh->cumulative_seconds / first.cumulative_seconds},
+             {"as_fast_as_the_first", are_tied(*mesh, first)}});
         }
       return json;
     }
@@ -174,7 +164,7 @@ namespace PlateImpact
       return what + ": not reached.";
     const auto next =
       std::find_if(best.begin() + 1, best.end(), [&](auto &one) {
-        return !are_tied(one, best.front());
+        return !are_tied(*one.mesh, *best.front().mesh);
       });
     std::string text =
       what + ": " + in_words(std::vector<Achievement>(best.begin(), next));
@@ -233,21 +223,14 @@ namespace PlateImpact
   write_comparison_table(std::ostream                       &out,
                          const std::vector<ComparisonCurve> &curves)
   {
-    out << "strategy,element";
-    for (const std::string &column : columns_of_meshes)
-      out << ',' << column;
-    out << '\n';
+    out << "strategy,element," << columns_of_meshes << '\n';
     for (const ComparisonCurve &curve : curves)
       for (const ComparedMesh &mesh : curve.meshes)
         {
           const Json json = to_json(mesh);
           out << curve.strategy_name() << ',' << word_for(curve.element);
-          for (const std::string &column : columns_of_meshes)
-            {
-              out << ',';
-              if (json.contains(column))
-                out << json[column];
-            }
+          for (const std::string &column : split_list(columns_of_meshes))
+            out << ',' << (json.contains(column) ? json[column].dump() : "");
           out << '\n';
         }
   }
@@ -260,18 +243,18 @@ namespace PlateImpact
                         const StrategyComparison &comparison,
                         const Json               &results)
   {
-    const Parameters &parameters = scene.parameters;
-    const Reference  &reference  = comparison.reference;
-    const auto forces = [](const std::optional<ContactHistory> &history) {
+    const Reference &reference = comparison.reference;
+    const auto       forces = [](const std::optional<ContactHistory> &history) {
       return history ?
-        history_on_page(*history, most_plotted_states, {"time", "force"}) :
-        Json();
+              history_on_page(*history, most_plotted_states, {"time", "force"}) :
+              Json();
     };
-    Json study          = {{"study", "comparison"}, {"text", scene.text}};
-    study["comparison"] = results;
-    study["target"]     = parameters.adaptivity.target_error;
-    study.update(plate_on_page(parameters));
-    study["meshes"] = Json::array();
+    Json study = {{"study", "comparison"},
+                  {"text", scene.text},
+                  {"comparison", results},
+                  {"target", scene.parameters.adaptivity.target_error},
+                  {"meshes", Json::array()}};
+    study.update(plate_on_page(scene.parameters));
     for (const ComparisonCurve &curve : comparison.curves)
       {
         study["histories"].push_back(forces(curve.history));

@@ -67,14 +67,13 @@ namespace PlateImpact
       {
         if (const auto outcome = end(result))
           return outcome;
-        const double error      = goal->error(result);
-        const bool   is_in_vain = result.cells_at_minimum_size > 0 &&
-          error > least_progress * error_before;
-        if (is_in_vain)
+        const double error = goal->error(result);
+        if (result.cells_at_minimum_size > 0 &&
+            error > least_progress * error_before)
           return Outcome::minimum_cell_size;
         error_before = error;
         n_halvings   = 0;
-        while (goal->error(result) <= target && tighten())
+        while (error <= target && tighten())
           ;
         return {};
       }
@@ -103,31 +102,103 @@ namespace PlateImpact
     /// at the edge of a load patch eta falls more slowly than the size.
     constexpr double size_at_smaller_targets = 8.;
 
+    Parameters
+    parameters_of(const Scene            &scene,
+                  const ComparedStrategy &strategy,
+                  const ElementType       element)
+    {
+      Parameters parameters             = scene.parameters;
+      parameters.adaptivity.strategy    = strategy.strategy;
+      parameters.adaptivity.goal        = strategy.goal;
+      parameters.time.step_is_chosen    = false; // all take the same
+      parameters.discretization.element = element;
+      parameters.output.field_samples   = n_compared_states;
+      parameters.output.write_report    = false;
+      // meshes graded to the load take the size that they end with from it
+      if (scene.given.adaptivity.minimum_cell_size == 0. &&
+          !parameters.contact.load_is_singular() &&
+          strategy.strategy != AdaptationStrategy::graded)
+        parameters.adaptivity.minimum_cell_size /= size_at_smaller_targets;
+      return parameters;
+    }
+
+
+
     /// Thrown out of a cycle that would exceed the time budget.
     struct BudgetSpent
     {};
+
+
+
+    ComparedMesh
+    compared(const Cycle     &cycle,
+             const Reference &reference,
+             const double     seconds_before)
+    {
+      const CycleResult    &result  = cycle.result;
+      const ContactHistory &history = *result.history;
+      ComparedMesh          mesh;
+      mesh.cycle                 = result.cycle;
+      mesh.cells                 = result.cells;
+      mesh.degrees_of_freedom    = result.degrees_of_freedom;
+      mesh.cells_at_minimum_size = result.cells_at_minimum_size;
+      mesh.eta                   = result.error->eta;
+      mesh.peak_force            = history.peak().force;
+      mesh.peak_force_error =
+        std::abs(mesh.peak_force / reference.peak_force - 1.);
+      mesh.is_comparable      = mesh.peak_force_error > reference.uncertainty;
+      mesh.seconds            = result.seconds.total();
+      mesh.cumulative_seconds = seconds_before + mesh.seconds;
+      if (result.peak_force_bar)
+        mesh.peak_force_bar = result.peak_force_bar->total();
+      if (!reference.computed)
+        return mesh;
+      const ContactHistory &fine = *reference.computed->history;
+      const auto            end  = history.first_contact_end(),
+                 true_end        = fine.first_contact_end();
+      if (end && true_end)
+        mesh.contact_end_error = std::abs(*end / *true_end - 1.);
+      const bool is_whole =
+        history.states().back().time == fine.states().back().time;
+      if (reference.field_error && is_whole &&
+          !(mesh.eta < 3. * reference.computed->error->eta))
+        mesh.effectivity = mesh.eta /
+          reference.field_error->of(cycle.discretization(), result.snapshots);
+      return mesh;
+    }
+
+
+
+    /// Of curves that reach a threshold and stay below, the fastest first.
+    std::vector<Achievement>
+    achievements(const std::vector<ComparisonCurve> &curves,
+                 const bool                          is_of_eta,
+                 const double                        threshold)
+    {
+      std::vector<Achievement> result;
+      for (const ComparisonCurve &curve : curves)
+        {
+          if (is_of_eta && curve.strategy.goal == AdaptationGoal::peak_force)
+            continue;
+          const auto is_reached = [&](const ComparedMesh &mesh) {
+            return (is_of_eta ? mesh.eta : mesh.peak_force_error) <= threshold;
+          };
+          auto mesh = curve.meshes.end();
+          while (mesh != curve.meshes.begin() && is_reached(mesh[-1]))
+            --mesh;
+          if (mesh == curve.meshes.end())
+            continue;
+          // errors of the force change their sign, and may be small by chance
+          if (is_of_eta || mesh + 1 != curve.meshes.end() ||
+              (mesh->peak_force_bar && *mesh->peak_force_bar <= threshold))
+            result.push_back({&curve, &*mesh});
+        }
+      std::stable_sort(result.begin(), result.end(), [](auto &a, auto &b) {
+        return a.mesh->cumulative_seconds < b.mesh->cumulative_seconds;
+      });
+      return result;
+    }
   } // namespace
-
-
-
-  Parameters
-  StrategyComparison::parameters_of(const ComparedStrategy &strategy,
-                                    const ElementType       element) const
-  {
-    Parameters parameters             = scene.parameters;
-    parameters.adaptivity.strategy    = strategy.strategy;
-    parameters.adaptivity.goal        = strategy.goal;
-    parameters.time.step_is_chosen    = false; // all take the same
-    parameters.discretization.element = element;
-    parameters.output.field_samples   = n_compared_states;
-    parameters.output.write_report    = false;
-    // meshes graded to the load take the size that they end with from it
-    if (scene.given.adaptivity.minimum_cell_size == 0. &&
-        !parameters.contact.load_is_singular() &&
-        strategy.strategy != AdaptationStrategy::graded)
-      parameters.adaptivity.minimum_cell_size /= size_at_smaller_targets;
-    return parameters;
-  }
 
 
 
@@ -142,7 +213,8 @@ namespace PlateImpact
       }
     const Timer      timer;
     const Parameters parameters =
-      parameters_of({AdaptationStrategy::hanging_nodes,
+      parameters_of(scene,
+                    {AdaptationStrategy::hanging_nodes,
                      AdaptationGoal::energy_norm},
                     ElementType::MITC9);
     ImpactAnalysis analysis(parameters);
@@ -194,8 +266,7 @@ namespace PlateImpact
     const ElementType                                   element,
     const std::function<void(const ComparisonCurve &)> &listener)
   {
-    curves.emplace_back();
-    ComparisonCurve &curve = curves.back();
+    ComparisonCurve &curve = curves.emplace_back();
     curve.strategy         = strategy;
     curve.element          = element;
     try
@@ -224,11 +295,12 @@ namespace PlateImpact
     ComparisonCurve                                    &curve,
     const std::function<void(const ComparisonCurve &)> &listener)
   {
-    const Parameters parameters = parameters_of(curve.strategy, curve.element);
-    const auto       goal       = make_goal(parameters.adaptivity);
-    double           seconds    = 0.; // of the meshes so far
-    Timer            timer;           // of the next one
-    const auto       is_spent = [&] {
+    const Parameters parameters =
+      parameters_of(scene, curve.strategy, curve.element);
+    const auto goal    = make_goal(parameters.adaptivity);
+    double     seconds = 0.; // of the meshes so far
+    Timer      timer;        // of the next one
+    const auto is_spent = [&] {
       return !curve.meshes.empty() &&
         seconds + timer.wall_time() > parameters.comparison.time_budget;
     };
@@ -262,7 +334,7 @@ namespace PlateImpact
                                      curve.name() + ": " +
                                        std::to_string(result.cells) + " cells",
                                      result.element_errors());
-      curve.meshes.push_back(compared(cycle, seconds));
+      curve.meshes.push_back(compared(cycle, reference, seconds));
       seconds        = curve.meshes.back().cumulative_seconds;
       curve.history  = result.history;
       curve.warnings = analysis.warnings;
@@ -274,87 +346,6 @@ namespace PlateImpact
                           curve.strategy.is_outside ? marking : nullptr);
     curve.end = word_for(analysis.run(control, teller));
   }
-
-
-
-  ComparedMesh
-  StrategyComparison::compared(const Cycle &cycle,
-                               const double seconds_before) const
-  {
-    const CycleResult &result     = cycle.result;
-    const double       peak_force = result.history->peak().force;
-    const double       error = std::abs(peak_force / reference.peak_force - 1.);
-    ComparedMesh       mesh{result.cycle,
-                      result.cells,
-                      result.degrees_of_freedom,
-                      result.cells_at_minimum_size,
-                      result.error->eta,
-                      peak_force,
-                      error,
-                      {},
-                      error > reference.uncertainty,
-                      {},
-                      result.seconds.total(),
-                      seconds_before + result.seconds.total(),
-                      {}};
-    if (result.peak_force_bar)
-      mesh.peak_force_bar = result.peak_force_bar->total();
-    if (!reference.computed)
-      return mesh;
-    const ContactHistory &fine = *reference.computed->history;
-    const auto            end  = result.history->first_contact_end(),
-               true_end        = fine.first_contact_end();
-    if (end && true_end)
-      mesh.contact_end_error = std::abs(*end / *true_end - 1.);
-    const bool is_whole =
-      result.history->states().back().time == fine.states().back().time;
-    if (reference.field_error && is_whole &&
-        !(mesh.eta < 3. * reference.computed->error->eta))
-      mesh.effectivity = mesh.eta /
-        reference.field_error->of(cycle.discretization(), result.snapshots);
-    return mesh;
-  }
-
-
-
-  namespace
-  {
-    /// Of curves that reach a threshold and stay below, the fastest first.
-    std::vector<Achievement>
-    achievements(const std::vector<ComparisonCurve> &curves,
-                 const bool                          is_of_eta,
-                 const double                        threshold)
-    {
-      std::vector<Achievement> result;
-      for (const ComparisonCurve &curve : curves)
-        {
-          if (is_of_eta && curve.strategy.goal == AdaptationGoal::peak_force)
-            continue;
-          const auto mesh =
-            std::find_if(curve.meshes.rbegin(),
-                         curve.meshes.rend(),
-                         [&](const ComparedMesh &mesh) {
-                           return !(
-                             (is_of_eta ? mesh.eta : mesh.peak_force_error) <=
-                             threshold);
-                         })
-              .base();
-          if (mesh == curve.meshes.end())
-            continue;
-          // errors of the force change their sign, and may be small by chance
-          if (is_of_eta || mesh + 1 != curve.meshes.end() ||
-              (mesh->peak_force_bar && *mesh->peak_force_bar <= threshold))
-            result.push_back({&curve, &*mesh});
-        }
-      std::stable_sort(result.begin(),
-                       result.end(),
-                       [](const Achievement &a, const Achievement &b) {
-                         return a.mesh->cumulative_seconds <
-                           b.mesh->cumulative_seconds;
-                       });
-      return result;
-    }
-  } // namespace
 
 
 

@@ -162,13 +162,9 @@ namespace PlateImpact
     std::vector<ComparisonCurve> curves;
 
   private:
-    Parameters
-    parameters_of(const ComparedStrategy &strategy, ElementType element) const;
     void
     add_meshes(ComparisonCurve                                    &curve,
                const std::function<void(const ComparisonCurve &)> &listener);
-    ComparedMesh
-    compared(const Cycle &cycle, double seconds_before) const;
 
     const Scene             &scene;
     const Progress           progress;
