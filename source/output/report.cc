@@ -6,7 +6,6 @@
 #include "plate_impact/estimator/peak_force_error.h"
 #include "plate_impact/estimator/recovered_field.h"
 #include "plate_impact/output/plate_fields.h"
-#include "plate_impact/output/run_in_words.h"
 #include "plate_impact/plate/plate_mesh.h"
 #include "plate_impact/plate/plate_section.h"
 

@@ -1,7 +1,5 @@
 #include "plate_impact/sweep/processes.h"
 
-#include <deal.II/base/mpi.h>
-
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/interrupt.h"
 

@@ -8,14 +8,12 @@
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
-#include "plate_impact/transient/plate_model.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <new>
 #include <tuple>
-#include <utility>
 
 namespace PlateImpact
 {
