@@ -41,7 +41,7 @@ namespace PlateImpact
 
     ~Console()
     {
-      clear();
+      print("");
     }
 
     /// A text that stays, with the ends of its lines.
@@ -62,11 +62,7 @@ namespace PlateImpact
   private:
     using Clock = std::chrono::steady_clock;
 
-    void
-    clear();
-
     const bool        quiet, overwrites;
-    bool              has_text = false;
     std::string       counted;
     Clock::time_point begin_of_count, last;
   };

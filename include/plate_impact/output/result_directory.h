@@ -21,8 +21,6 @@ namespace PlateImpact
     ~ResultDirectory();
 
     ResultDirectory(const ResultDirectory &) = delete;
-    ResultDirectory &
-    operator=(const ResultDirectory &) = delete;
 
     /// Removes results of earlier runs, so that they do not stay beside ours:
     /// files that carry the names of results.

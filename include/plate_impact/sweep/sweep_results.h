@@ -70,10 +70,6 @@ namespace PlateImpact
     std::vector<std::optional<SweepRow>> rows;
 
   private:
-    std::string
-    header() const;
-    std::string
-    line(const SweepRow &row) const;
     void
     read();
     void
