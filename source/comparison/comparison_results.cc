@@ -245,9 +245,7 @@ namespace PlateImpact
   {
     const Reference &reference = comparison.reference;
     const auto       forces = [](const std::optional<ContactHistory> &history) {
-      return history ?
-              history_on_page(*history, most_plotted_states, {"time", "force"}) :
-              Json();
+      return history ? history_on_page(*history, most_plotted_states) : Json();
     };
     Json study = {{"study", "comparison"},
                   {"text", scene.text},

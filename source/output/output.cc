@@ -283,6 +283,8 @@ namespace PlateImpact
     : directory(scene.parameters.output.directory)
     , scene(scene)
   {
+    for (const char *list : {"histories", "errors", "meshes", "stresses"})
+      study[list] = Json::array();
     directory.clear();
     directory.write_scene(scene.name, scene.text);
   }

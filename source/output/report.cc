@@ -11,10 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <map>
-#include <utility>
 
 namespace PlateImpact
 {
@@ -31,20 +29,18 @@ namespace PlateImpact
 
 
 
-    const std::vector<
-      std::pair<std::string, std::function<double(const ContactState &)>>>
-      columns_of_histories = {
-        {"time", &ContactState::time},
-        {"force", &ContactState::force},
-        {"indentation", &ContactState::indentation},
-        {"plate_displacement", &ContactState::plate_displacement},
-        {"impactor_displacement", &ContactState::impactor_displacement},
-        {"plate_energy", &ContactState::plate_energy},
-        {"contact_energy", &ContactState::contact_energy},
-        {"impactor_energy", &ContactState::impactor_energy},
-        {"dissipated_energy", &ContactState::dissipated_energy},
-        {"plate_dissipated_energy", &ContactState::plate_dissipated_energy},
-        {"total_energy", &ContactState::total_energy}};
+    const HistoryColumns columns_of_histories = {
+      {"time", &ContactState::time},
+      {"force", &ContactState::force},
+      {"indentation", &ContactState::indentation},
+      {"plate_displacement", &ContactState::plate_displacement},
+      {"impactor_displacement", &ContactState::impactor_displacement},
+      {"plate_energy", &ContactState::plate_energy},
+      {"contact_energy", &ContactState::contact_energy},
+      {"impactor_energy", &ContactState::impactor_energy},
+      {"dissipated_energy", &ContactState::dissipated_energy},
+      {"plate_dissipated_energy", &ContactState::plate_dissipated_energy},
+      {"total_energy", &ContactState::total_energy}};
 
 
 
@@ -181,19 +177,16 @@ namespace PlateImpact
 
 
   Json
-  history_on_page(const ContactHistory           &history,
-                  const std::size_t               most_states,
-                  const std::vector<std::string> &columns)
+  history_on_page(const ContactHistory &history,
+                  const std::size_t     most_states,
+                  const HistoryColumns &columns)
   {
     const std::vector<ContactState> &states = history.states();
     const std::size_t         stride = 1 + (states.size() - 1) / most_states;
     const ContactState *const peak   = &history.peak();
     Json                      result;
-    for (const auto &[name, value] : columns_of_histories)
+    for (const auto &[name, value] : columns)
       {
-        if (!columns.empty() &&
-            std::find(columns.begin(), columns.end(), name) == columns.end())
-          continue;
         std::vector<double> values;
         for (std::size_t i = 0; i < states.size(); ++i)
           if (i % stride == 0 || i + 1 == states.size() || &states[i] == peak)
@@ -210,8 +203,9 @@ namespace PlateImpact
   {
     const CycleResult &result = cycle.result;
     if (result.history)
-      study["histories"].push_back(
-        history_on_page(*result.history, max_plotted_states));
+      study["histories"].push_back(history_on_page(*result.history,
+                                                   max_plotted_states,
+                                                   columns_of_histories));
     if (result.error)
       study["errors"].push_back(
         {{"time", numbers_on_page(result.error->sample_times)},

@@ -292,8 +292,7 @@ namespace PlateImpact
       }
     for (const auto &[point, history] : histories)
       {
-        study["histories"].push_back(
-          history_on_page(history, most_states, {"time", "force"}));
+        study["histories"].push_back(history_on_page(history, most_states));
         study["histories"].back()["point"] = point;
       }
     study["words"].push_back("The scene, except for the swept entries: " +
