@@ -96,7 +96,7 @@ namespace PlateImpact
         {
           const ComparedMesh &first = *row.achievements.front().mesh;
           json["reached"].push_back(
-            {{"strategy", curve->strategy_name()},
+            {{"strategy", name_of(curve->strategy)},
              {"element", word_for(curve->element)},
              {"cycle", mesh->cycle},
              {"cells", mesh->cells},
@@ -131,7 +131,7 @@ namespace PlateImpact
       for (std::size_t i = 0; i < first.size(); ++i)
         {
           text += i == 0 ? "" : i + 1 == first.size() ? " and " : ", ";
-          text += first[i].curve->strategy_name();
+          text += name_of(first[i].curve->strategy);
           if (!is_alike)
             text += " (" + in_words(*first[i].mesh) + ')';
         }
@@ -156,8 +156,8 @@ namespace PlateImpact
     std::vector<Achievement> best;
     for (const Achievement &achievement : row.achievements)
       if (std::none_of(best.begin(), best.end(), [&](const Achievement &one) {
-            return one.curve->strategy_name() ==
-              achievement.curve->strategy_name();
+            return name_of(one.curve->strategy) ==
+              name_of(achievement.curve->strategy);
           }))
         best.push_back(achievement);
     if (best.empty())
@@ -181,7 +181,7 @@ namespace PlateImpact
         std::any_of(curves.begin(), curves.end(), is_uniform))
       return text + "; uniform meshes do not reach it.";
     if (other != best.end())
-      text += "; " + other->curve->strategy_name() + ", " +
+      text += "; " + name_of(other->curve->strategy) + ", " +
         in_words(*other->mesh) + ", " +
         rounded(other->mesh->cumulative_seconds /
                   best.front().mesh->cumulative_seconds,
@@ -205,7 +205,7 @@ namespace PlateImpact
                  {"thresholds", Json::array()}};
     for (const ComparisonCurve &curve : comparison.curves)
       {
-        json["curves"].push_back({{"strategy", curve.strategy_name()},
+        json["curves"].push_back({{"strategy", name_of(curve.strategy)},
                                   {"element", word_for(curve.element)},
                                   {"end", curve.end},
                                   {"meshes", Json::array()}});
@@ -228,7 +228,7 @@ namespace PlateImpact
       for (const ComparedMesh &mesh : curve.meshes)
         {
           const Json json = to_json(mesh);
-          out << curve.strategy_name() << ',' << word_for(curve.element);
+          out << name_of(curve.strategy) << ',' << word_for(curve.element);
           for (const std::string &column : split_list(columns_of_meshes))
             out << ',' << (json.contains(column) ? json[column].dump() : "");
           out << '\n';

@@ -19,9 +19,8 @@ namespace PlateImpact
   using HistoryColumns = std::vector<
     std::pair<std::string, std::function<double(const ContactState &)>>>;
 
-  /// Columns of a history for a page: every so many of its states, so that
-  /// there are no more than a plot shows, with the last and that of the largest
-  /// force.
+  /// Columns of a history for a page: of every so many of its states, with the
+  /// last and that of the largest force.
   Json
   history_on_page(
     const ContactHistory &history,

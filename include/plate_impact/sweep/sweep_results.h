@@ -42,9 +42,8 @@ namespace PlateImpact
 
 
   /// sweep.csv: a row per point with the swept values, the quantities of the
-  /// impact, warnings, and `ok` or the reason of the failure. While the sweep
-  /// lasts, rows are appended as they come, so that what is there is valid at
-  /// any moment; finish() puts them in the order of the points.
+  /// impact, warnings, and `ok` or the reason of the failure. Rows are appended
+  /// as they come; finish() puts them in the order of the points.
   class SweepTable
   {
   public:
@@ -81,9 +80,8 @@ namespace PlateImpact
   };
 
 
-  /// What a user should know about the rows of a sweep: how many points failed,
-  /// and how many have warnings that differ in their numbers only, with the
-  /// first of each kind.
+  /// How many points of a sweep failed, and how many have warnings that differ
+  /// in their numbers only, with the first of each kind.
   std::vector<std::string>
   sweep_warnings(const std::vector<std::optional<SweepRow>> &rows);
 
