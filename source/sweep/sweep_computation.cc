@@ -154,6 +154,7 @@ namespace PlateImpact
       if (valid.parameters.sweep.write_histories)
         row.history = std::move(*result.history);
     });
+    row.work    = std::exchange(work, {});
     return row;
   }
 

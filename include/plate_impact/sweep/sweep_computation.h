@@ -64,8 +64,6 @@ namespace PlateImpact
     SweepRow
     compute(std::size_t group, std::size_t point);
 
-    SweepWork work; ///< so far
-
   private:
     /// With its warnings, without those of a shared mesh.
     using Computed = std::pair<CycleResult, std::vector<std::string>>;
@@ -86,6 +84,7 @@ namespace PlateImpact
     SweepScene        &scene;
     const SweepGroups &groups;
 
+    SweepWork                   work; ///< since the last point
     std::optional<std::size_t>  current_group;
     double                      min_cell_size = 0.; ///< of its mesh [m]
     std::unique_ptr<PlateModel> plate_model;        ///< of the current group

@@ -13,7 +13,7 @@
 
 namespace PlateImpact
 {
-  /// What was made for the points of a sweep.
+  /// What was made for a point of a sweep, or for all.
   struct SweepWork
   {
     unsigned int meshes = 0; ///< adapted ones with those before them
@@ -30,6 +30,7 @@ namespace PlateImpact
     std::string         failure;       ///< the reason, in one line
     std::vector<std::string> warnings; ///< a sentence each, as of `run`
     ContactHistory           history;  ///< without states: not wanted
+    SweepWork                work = {};
 
     /// For the way from one process to another.
     template <typename Archive>
@@ -37,6 +38,7 @@ namespace PlateImpact
     serialize(Archive &archive, const unsigned int)
     {
       archive &point &quantities &failure &warnings &history;
+      archive &work.meshes &work.plates &work.loads;
     }
   };
 
