@@ -25,15 +25,15 @@ namespace PlateImpact
   namespace
   {
     void
-    write_element_errors(std::ostream               &out,
-                         const Triangulation<2>     &mesh,
-                         const ErrorRatios          &error,
-                         const AdaptivityParameters &adaptivity)
+    write_element_errors(std::ostream &out, const Cycle &cycle)
     {
-      const std::vector<double> sizes = target_sizes(mesh, error, adaptivity);
+      const AdaptivityParameters &adaptivity = cycle.parameters.adaptivity;
+      const ErrorRatios          &error      = *cycle.result.error_ratios;
+      const std::vector<double>   sizes =
+        target_sizes(cycle.mesh(), error, adaptivity);
       out.precision(17);
       out << "cell,center_x,center_y,size,element_error,target_size\n";
-      for (const auto &cell : mesh.active_cell_iterators())
+      for (const auto &cell : cycle.mesh().active_cell_iterators())
         {
           const unsigned int c = cell->active_cell_index();
           out << c << ',' << cell->center()[0] << ',' << cell->center()[1]
@@ -54,13 +54,12 @@ namespace PlateImpact
     {
       const double s =
         std::log(std::clamp(xi, lowest, highest)) / std::log(highest);
-      const Point<3> white(247., 247., 247.),
-        end = s < 0. ? Point<3>(33., 102., 172.) : Point<3>(178., 24., 43.);
-      const Point<3> mixed = white + std::abs(s) * (end - white);
-      return fmt::format("rgb({:.0f},{:.0f},{:.0f})",
-                         mixed[0],
-                         mixed[1],
-                         mixed[2]);
+      const Eigen::Vector3d white(247., 247., 247.), blue(33., 102., 172.),
+        red(178., 24., 43.);
+      const Eigen::Vector3d mixed =
+        white + std::abs(s) * ((s < 0. ? blue : red) - white);
+      return fmt::format("rgb({:.0f})",
+                         fmt::join(mixed.data(), mixed.data() + 3, ","));
     }
 
 
@@ -294,22 +293,20 @@ namespace PlateImpact
   void
   Output::write_cycle(Cycle &cycle)
   {
-    const Timer             timer;
-    CycleResult            &result = cycle.result;
-    const Triangulation<2> &mesh   = cycle.mesh();
-    const std::string       suffix = "_cycle_" + std::to_string(result.cycle);
+    const Timer       timer;
+    CycleResult      &result = cycle.result;
+    const std::string suffix = "_cycle_" + std::to_string(result.cycle);
     if (result.history)
       {
         if (result.cycle > 1)
           {
-            const std::string earlier = "contact_history_cycle_" +
-              std::to_string(result.cycle - 1) + ".csv";
+            const fs::path earlier = directory /
+              ("contact_history_cycle_" + std::to_string(result.cycle - 1) +
+               ".csv");
             std::error_code error;
-            fs::rename(directory / "contact_history.csv",
-                       directory / earlier,
-                       error);
+            fs::rename(directory / "contact_history.csv", earlier, error);
             if (error)
-              throw ComputationError((directory / earlier).string() +
+              throw ComputationError(earlier.string() +
                                      " cannot be written: " + error.message());
           }
         directory.write_file("contact_history.csv", [&](std::ostream &out) {
@@ -319,10 +316,7 @@ namespace PlateImpact
     if (result.error)
       directory.write_file("element_errors" + suffix + ".csv",
                            [&](std::ostream &out) {
-                             write_element_errors(out,
-                                                  mesh,
-                                                  *result.error_ratios,
-                                                  cycle.parameters.adaptivity);
+                             write_element_errors(out, cycle);
                            });
     if (scene.parameters.output.write_meshes)
       directory.write_file("mesh" + suffix + ".svg", [&](std::ostream &out) {

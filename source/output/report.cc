@@ -64,11 +64,10 @@ namespace PlateImpact
         {
           double enters = 0., leaves = std::numeric_limits<double>::max();
           // counter-clockwise: the cell is to the left of its edges
-          for (const auto &[a, b] : {std::pair(0, 1),
-                                     std::pair(1, 3),
-                                     std::pair(3, 2),
-                                     std::pair(2, 0)})
+          const unsigned int corners[] = {0, 1, 3, 2, 0};
+          for (unsigned int i = 0; i < 4; ++i)
             {
+              const unsigned int a = corners[i], b = corners[i + 1];
               const Tensor<1, 2> out =
                 cross_product_2d(cell->vertex(b) - cell->vertex(a));
               const double inside   = out * (cell->vertex(a) - ray.origin),

@@ -105,11 +105,9 @@ namespace PlateImpact
       }
     n_loads = number_of_load.size();
     for (auto &group : groups)
-      std::stable_sort(group.begin(),
-                       group.end(),
-                       [&load_of](const std::size_t p, const std::size_t q) {
-                         return load_of[p] < load_of[q];
-                       });
+      std::stable_sort(group.begin(), group.end(), [&](auto p, auto q) {
+        return load_of[p] < load_of[q];
+      });
   }
 
 
