@@ -157,10 +157,10 @@ namespace PlateImpact
 
     /// The largest of all plies by their names, and those of every ply.
     void
-    add_stresses(const Eigen::MatrixXd &stresses,
-                 const PlateParameters &plate,
-                 Json                  &cycle)
+    add_stresses(const ComputedImpact &impact, Json &cycle)
     {
+      const PlateParameters &plate    = impact.plate;
+      const Eigen::MatrixXd &stresses = impact.result.error->max_stresses;
       if (stresses.size() == 0)
         return;
       if (!plate.is_laminate())
@@ -185,19 +185,16 @@ namespace PlateImpact
 
 
     void
-    add_quantities(const CycleResult &result,
-                   const Parameters  &parameters,
-                   const ZenerImpact &expected,
-                   Json              &cycle)
+    add_quantities(const ComputedImpact &impact, Json &cycle)
     {
-      const ComputedImpact impact{parameters, expected, result};
-      const double         end_time = impact.last.time;
+      const CycleResult &result   = impact.result;
+      const double       end_time = impact.last.time;
       for (const ImpactQuantity &quantity : impact_quantities)
         if (const auto value = quantity.value(impact))
           cycle[quantity.name] = *value;
       cycle["number_of_contacts"] = impact.history.n_contacts();
-      if (!parameters.impactor.is_cylinder())
-        cycle["zener_peak_force"] = expected.peak.force;
+      if (!impact.impactor.is_cylinder())
+        cycle["zener_peak_force"] = impact.expected.peak.force;
       if (result.damping > 0. && impact.peak.force > 0.)
         cycle["loss_factor_of_contact"] = result.loss_factor_of_contact();
       if (result.time_error)
@@ -219,7 +216,7 @@ namespace PlateImpact
         cycle["no_contact_after"] = *result.separation_time;
       cycle["plate_displacement_at_peak"] = impact.peak.plate_displacement;
       if (result.error)
-        add_stresses(result.error->max_stresses, parameters.plate, cycle);
+        add_stresses(impact, cycle);
       cycle.update({{"steps", result.steps},
                     {"end_time", end_time},
                     {"time_step", end_time / result.steps},
@@ -235,11 +232,8 @@ namespace PlateImpact
 
 
     /// What summary.json says of a cycle (doc/results.md has every key).
-    /// @param expected  empty without an impactor
     Json
-    summary_of(const CycleResult                &result,
-               const Parameters                 &parameters,
-               const std::optional<ZenerImpact> &expected)
+    summary_of(const CycleResult &result, const Scene &scene)
     {
       Json cycle = {{"cycle", result.cycle},
                     {"cells", result.cells},
@@ -260,7 +254,7 @@ namespace PlateImpact
              {"cells_at_minimum_size", result.cells_at_minimum_size}});
         }
       if (result.history)
-        add_quantities(result, parameters, *expected, cycle);
+        add_quantities({scene.parameters, *scene.expected, result}, cycle);
       if (!result.natural_frequencies.empty())
         cycle["natural_frequencies"] = result.natural_frequencies;
       const Seconds &s            = result.seconds;
@@ -325,7 +319,7 @@ namespace PlateImpact
     if (scene.parameters.output.write_report)
       add_to_report(cycle, study);
     result.seconds.output += timer.wall_time();
-    cycles.push_back(summary_of(result, scene.parameters, scene.expected));
+    cycles.push_back(summary_of(result, scene));
   }
 
 
@@ -381,7 +375,7 @@ namespace PlateImpact
     if (!last.result.snapshots.empty())
       write_fields(directory, last);
     last.result.seconds.output += timer.wall_time();
-    cycles.back() = summary_of(last.result, scene.parameters, scene.expected);
+    cycles.back()      = summary_of(last.result, scene);
     const Json summary = write_summary(word_for(outcome), warnings, verdict);
     if (scene.parameters.output.write_report)
       directory.write_file("report.html", [&](std::ostream &out) {
