@@ -10,9 +10,6 @@ namespace PlateImpact
 {
   namespace
   {
-    /// A history has as many steps as a scene asks for; a plot shows that many.
-    constexpr std::size_t most_plotted_states = 600;
-
     /// Columns of comparison.csv after strategy and element.
     const std::string columns_of_meshes =
       "cycle,cells,degrees_of_freedom,discretization_error,peak_force,"
@@ -245,7 +242,7 @@ namespace PlateImpact
   {
     const Reference &reference = comparison.reference;
     const auto       forces = [](const std::optional<ContactHistory> &history) {
-      return history ? history_on_page(*history, most_plotted_states) : Json();
+      return history ? history_on_page(*history) : Json();
     };
     Json study = {{"study", "comparison"},
                   {"text", scene.text},

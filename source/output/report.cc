@@ -20,9 +20,6 @@ namespace PlateImpact
 
   namespace
   {
-    /// More points than these do not show on a screen.
-    constexpr std::size_t max_plotted_states = 1200;
-
     /// Cells of all meshes together that a page shows; a browser is slow with
     /// more.
     constexpr std::size_t max_pictured_cells = 15000;
@@ -176,11 +173,10 @@ namespace PlateImpact
 
 
   Json
-  history_on_page(const ContactHistory &history,
-                  const std::size_t     most_states,
-                  const HistoryColumns &columns)
+  history_on_page(const ContactHistory &history, const HistoryColumns &columns)
   {
-    const std::vector<ContactState> &states = history.states();
+    const std::vector<ContactState> &states      = history.states();
+    constexpr std::size_t            most_states = 1200; // more do not show
     const std::size_t         stride = 1 + (states.size() - 1) / most_states;
     const ContactState *const peak   = &history.peak();
     Json                      result;
@@ -202,9 +198,8 @@ namespace PlateImpact
   {
     const CycleResult &result = cycle.result;
     if (result.history)
-      study["histories"].push_back(history_on_page(*result.history,
-                                                   max_plotted_states,
-                                                   columns_of_histories));
+      study["histories"].push_back(
+        history_on_page(*result.history, columns_of_histories));
     if (result.error)
       study["errors"].push_back(
         {{"time", numbers_on_page(result.error->sample_times)},

@@ -117,11 +117,6 @@ namespace PlateImpact
     /// megabytes. Of very large sweeps it has the first quantities only.
     constexpr std::size_t most_numbers = 500000;
 
-    /// States of a history; more do not show.
-    constexpr std::size_t most_states = 1000;
-
-
-
     /// Figures of the impacts as columns.
     Json
     quantities_on_page(const std::vector<std::optional<SweepRow>> &rows)
@@ -292,7 +287,7 @@ namespace PlateImpact
       }
     for (const auto &[point, history] : histories)
       {
-        study["histories"].push_back(history_on_page(history, most_states));
+        study["histories"].push_back(history_on_page(history));
         study["histories"].back()["point"] = point;
       }
     study["words"].push_back("The scene, except for the swept entries: " +

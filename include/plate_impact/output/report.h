@@ -6,7 +6,6 @@
 #include "plate_impact/page/page.h"
 #include "plate_impact/scene/scene.h"
 
-#include <cstddef>
 #include <functional>
 #include <iosfwd>
 #include <string>
@@ -24,7 +23,6 @@ namespace PlateImpact
   Json
   history_on_page(
     const ContactHistory &history,
-    std::size_t           most_states,
     const HistoryColumns &columns = {{"time", &ContactState::time},
                                      {"force", &ContactState::force}});
 
