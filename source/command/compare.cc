@@ -168,9 +168,9 @@ namespace PlateImpact
                                comparison.curves.front().end);
       console.print("\n");
       for (const ThresholdRow &row : comparison.thresholds())
-        for (const std::string &line : dealii::Utilities::break_text_into_lines(
-               in_words(row, comparison.curves),
-               most_columns))
+        for (const std::string &line :
+             dealii::Utilities::break_text_into_lines(row.in_words,
+                                                      most_columns))
           console.print(line + '\n');
       console.print("\nResults     " + directory.main_files() + '\n');
       print_warnings(warnings_of(scene, comparison));

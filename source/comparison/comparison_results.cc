@@ -82,12 +82,12 @@ namespace PlateImpact
 
 
     Json
-    to_json(const ThresholdRow &row, const std::vector<ComparisonCurve> &curves)
+    to_json(const ThresholdRow &row)
     {
       Json json = {{"quantity", row.is_of_eta ? "eta" : "peak force error"},
                    {"threshold", row.threshold},
                    {"comparable", row.is_comparable},
-                   {"in_words", in_words(row, curves)},
+                   {"in_words", row.in_words},
                    {"reached", Json::array()}};
       for (const auto &[curve, mesh] : row.achievements)
         {
@@ -105,6 +105,8 @@ namespace PlateImpact
         }
       return json;
     }
+
+
 
     /// "105 cells after 0.06 s"
     std::string
@@ -135,56 +137,112 @@ namespace PlateImpact
       text += first.size() > 1 ? " tie" : "";
       return is_alike ? text + ", " + in_words(*first.front().mesh) : text;
     }
+
+
+
+    /// Which strategy reaches a threshold first, each with its fastest element,
+    /// and by how much: against uniform meshes, or the next.
+    std::string
+    in_words(const ThresholdRow                 &row,
+             const std::vector<ComparisonCurve> &curves)
+    {
+      const std::string what = row.is_of_eta ?
+        "Eta of " + percentage(row.threshold) :
+        percentage(row.threshold) + " of the peak force";
+      if (!row.is_comparable)
+        return what +
+          ": not compared, because the reference is not that "
+          "accurate.";
+      // the fastest curve of every strategy
+      std::vector<Achievement> best;
+      for (const Achievement &achievement : row.achievements)
+        if (std::none_of(best.begin(), best.end(), [&](const Achievement &one) {
+              return name_of(one.curve->strategy) ==
+                name_of(achievement.curve->strategy);
+            }))
+          best.push_back(achievement);
+      if (best.empty())
+        return what + ": not reached.";
+      const auto next =
+        std::find_if(best.begin() + 1, best.end(), [&](auto &one) {
+          return !are_tied(*one.mesh, *best.front().mesh);
+        });
+      std::string text =
+        what + ": " + in_words(std::vector<Achievement>(best.begin(), next));
+      const auto is_uniform = [](const ComparisonCurve &curve) {
+        return curve.strategy.strategy == AdaptationStrategy::uniform;
+      };
+      const auto uniform =
+        std::find_if(best.begin(), best.end(), [&](auto &one) {
+          return is_uniform(*one.curve);
+        });
+      // uniform meshes are what all are measured by, unless they are first
+      const auto other =
+        uniform >= next && uniform != best.end() ? uniform : next;
+      if (uniform == best.end() &&
+          std::any_of(curves.begin(), curves.end(), is_uniform))
+        return text + "; uniform meshes do not reach it.";
+      if (other != best.end())
+        text += "; " + name_of(other->curve->strategy) + ", " +
+          in_words(*other->mesh) + ", " +
+          rounded(other->mesh->cumulative_seconds /
+                    best.front().mesh->cumulative_seconds,
+                  2) +
+          " times as long";
+      return text + '.';
+    }
+
+
+
+    /// Of curves that reach a threshold and stay below, the fastest first.
+    std::vector<Achievement>
+    achievements(const std::vector<ComparisonCurve> &curves,
+                 const bool                          is_of_eta,
+                 const double                        threshold)
+    {
+      std::vector<Achievement> result;
+      for (const ComparisonCurve &curve : curves)
+        {
+          if (is_of_eta && curve.strategy.goal == AdaptationGoal::peak_force)
+            continue;
+          const auto is_reached = [&](const ComparedMesh &mesh) {
+            return (is_of_eta ? mesh.eta : mesh.peak_force_error) <= threshold;
+          };
+          auto mesh = curve.meshes.end();
+          while (mesh != curve.meshes.begin() && is_reached(mesh[-1]))
+            --mesh;
+          if (mesh == curve.meshes.end())
+            continue;
+          // errors of the force change their sign, and may be small by chance
+          if (is_of_eta || mesh + 1 != curve.meshes.end() ||
+              (mesh->peak_force_bar && *mesh->peak_force_bar <= threshold))
+            result.push_back({&curve, &*mesh});
+        }
+      std::stable_sort(result.begin(), result.end(), [](auto &a, auto &b) {
+        return a.mesh->cumulative_seconds < b.mesh->cumulative_seconds;
+      });
+      return result;
+    }
   } // namespace
 
 
 
-  std::string
-  in_words(const ThresholdRow &row, const std::vector<ComparisonCurve> &curves)
+  std::vector<ThresholdRow>
+  StrategyComparison::thresholds() const
   {
-    const std::string what = row.is_of_eta ?
-      "Eta of " + percentage(row.threshold) :
-      percentage(row.threshold) + " of the peak force";
-    if (!row.is_comparable)
-      return what +
-        ": not compared, because the reference is not that "
-        "accurate.";
-    // the fastest curve of every strategy
-    std::vector<Achievement> best;
-    for (const Achievement &achievement : row.achievements)
-      if (std::none_of(best.begin(), best.end(), [&](const Achievement &one) {
-            return name_of(one.curve->strategy) ==
-              name_of(achievement.curve->strategy);
-          }))
-        best.push_back(achievement);
-    if (best.empty())
-      return what + ": not reached.";
-    const auto next =
-      std::find_if(best.begin() + 1, best.end(), [&](auto &one) {
-        return !are_tied(*one.mesh, *best.front().mesh);
-      });
-    std::string text =
-      what + ": " + in_words(std::vector<Achievement>(best.begin(), next));
-    const auto is_uniform = [](const ComparisonCurve &curve) {
-      return curve.strategy.strategy == AdaptationStrategy::uniform;
-    };
-    const auto uniform = std::find_if(best.begin(), best.end(), [&](auto &one) {
-      return is_uniform(*one.curve);
-    });
-    // uniform meshes are what all are measured by, unless they are first
-    const auto other =
-      uniform >= next && uniform != best.end() ? uniform : next;
-    if (uniform == best.end() &&
-        std::any_of(curves.begin(), curves.end(), is_uniform))
-      return text + "; uniform meshes do not reach it.";
-    if (other != best.end())
-      text += "; " + name_of(other->curve->strategy) + ", " +
-        in_words(*other->mesh) + ", " +
-        rounded(other->mesh->cumulative_seconds /
-                  best.front().mesh->cumulative_seconds,
-                2) +
-        " times as long";
-    return text + '.';
+    std::vector<ThresholdRow> rows;
+    for (const double threshold : {0.05, 0.02, 0.01, 0.005, 0.003, 0.001})
+      rows.push_back(
+        {false, threshold, threshold > reference.uncertainty, {}, {}});
+    for (const double threshold : {0.1, 0.05, 0.02, 0.01})
+      rows.push_back({true, threshold, true, {}, {}});
+    for (ThresholdRow &row : rows)
+      {
+        if (row.is_comparable)
+          row.achievements = achievements(curves, row.is_of_eta, row.threshold);
+        row.in_words = in_words(row, curves);
+      }
+    return rows;
   }
 
 
@@ -210,7 +268,7 @@ namespace PlateImpact
           json["curves"].back()["meshes"].push_back(to_json(mesh));
       }
     for (const ThresholdRow &row : comparison.thresholds())
-      json["thresholds"].push_back(to_json(row, comparison.curves));
+      json["thresholds"].push_back(to_json(row));
     return json;
   }
 

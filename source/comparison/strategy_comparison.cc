@@ -166,38 +166,6 @@ namespace PlateImpact
           reference.field_error->of(cycle.discretization(), result.snapshots);
       return mesh;
     }
-
-
-
-    /// Of curves that reach a threshold and stay below, the fastest first.
-    std::vector<Achievement>
-    achievements(const std::vector<ComparisonCurve> &curves,
-                 const bool                          is_of_eta,
-                 const double                        threshold)
-    {
-      std::vector<Achievement> result;
-      for (const ComparisonCurve &curve : curves)
-        {
-          if (is_of_eta && curve.strategy.goal == AdaptationGoal::peak_force)
-            continue;
-          const auto is_reached = [&](const ComparedMesh &mesh) {
-            return (is_of_eta ? mesh.eta : mesh.peak_force_error) <= threshold;
-          };
-          auto mesh = curve.meshes.end();
-          while (mesh != curve.meshes.begin() && is_reached(mesh[-1]))
-            --mesh;
-          if (mesh == curve.meshes.end())
-            continue;
-          // errors of the force change their sign, and may be small by chance
-          if (is_of_eta || mesh + 1 != curve.meshes.end() ||
-              (mesh->peak_force_bar && *mesh->peak_force_bar <= threshold))
-            result.push_back({&curve, &*mesh});
-        }
-      std::stable_sort(result.begin(), result.end(), [](auto &a, auto &b) {
-        return a.mesh->cumulative_seconds < b.mesh->cumulative_seconds;
-      });
-      return result;
-    }
   } // namespace
 
 
@@ -345,21 +313,5 @@ namespace PlateImpact
                           end,
                           curve.strategy.is_outside ? marking : nullptr);
     curve.end = word_for(analysis.run(control, teller));
-  }
-
-
-
-  std::vector<ThresholdRow>
-  StrategyComparison::thresholds() const
-  {
-    std::vector<ThresholdRow> rows;
-    for (const double threshold : {0.05, 0.02, 0.01, 0.005, 0.003, 0.001})
-      rows.push_back({false, threshold, threshold > reference.uncertainty, {}});
-    for (const double threshold : {0.1, 0.05, 0.02, 0.01})
-      rows.push_back({true, threshold, true, {}});
-    for (ThresholdRow &row : rows)
-      if (row.is_comparable)
-        row.achievements = achievements(curves, row.is_of_eta, row.threshold);
-    return rows;
   }
 } // namespace PlateImpact

@@ -95,6 +95,9 @@ namespace PlateImpact
     /// The fastest first; none where it is not comparable. Of eta, those whose
     /// meshes are made for it: by force, a plate is watched up to its peak.
     std::vector<Achievement> achievements;
+    /// Which strategy is first, each with its fastest element, and by how much:
+    /// against uniform meshes, or the next.
+    std::string in_words;
   };
 
 
@@ -165,11 +168,6 @@ namespace PlateImpact
   comparison_results(const Scene                    &scene,
                      const StrategyComparison       &comparison,
                      const std::vector<std::string> &warnings);
-
-  /// Which strategy reaches a threshold first, each with its fastest element,
-  /// and by how much: against uniform meshes, or the next.
-  std::string
-  in_words(const ThresholdRow &row, const std::vector<ComparisonCurve> &curves);
 
   /// comparison.csv: the meshes of all curves, a row each.
   void
