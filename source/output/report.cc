@@ -41,6 +41,27 @@ namespace PlateImpact
 
 
 
+    /// How the contact force is spread, and what that means for its limit.
+    std::string
+    load_in_words(const Parameters &parameters)
+    {
+      const ContactParameters &contact = parameters.contact;
+      const std::string        load    = word_for(contact.load_distribution);
+      if (contact.load_is_singular())
+        return load +
+          (parameters.plate.shear_correction_factor > 10. ?
+             "; the peak force converges, since the plate has no shear "
+             "deformation" :
+             ": the peak force does not converge under refinement");
+      if (!contact.has_patch())
+        return load;
+      return load +
+        (contact.load_has_length() ? " of half-width " : " of radius ") +
+        number(contact.patch_radius, "m");
+    }
+
+
+
     /// Of a line of stresses.
     constexpr unsigned int points_per_cell = 9;
 

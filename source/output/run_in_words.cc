@@ -196,26 +196,6 @@ namespace PlateImpact
 
 
 
-  std::string
-  load_in_words(const Parameters &parameters)
-  {
-    const ContactParameters &contact = parameters.contact;
-    const std::string        load    = word_for(contact.load_distribution);
-    if (contact.load_is_singular())
-      return load +
-        (parameters.plate.shear_correction_factor > 10. ?
-           "; the peak force converges, since the plate has no shear "
-           "deformation" :
-           ": the peak force does not converge under refinement");
-    if (!contact.has_patch())
-      return load;
-    return load +
-      (contact.load_has_length() ? " of half-width " : " of radius ") +
-      number(contact.patch_radius, "m");
-  }
-
-
-
   Verdict
   verdict_of(const Parameters  &parameters,
              const Outcome      outcome,

@@ -181,9 +181,8 @@ namespace PlateImpact
         SweepRow row;
         for (std::size_t i = 0; i < n_quantities; ++i)
           {
-            row.quantities.push_back(std::nan(""));
-            if (const std::string &field = fields[n_values + i]; !field.empty())
-              any_number().read(field, row.quantities.back());
+            row.quantities.push_back(std::nan("")); // stays that of no number
+            any_number().read(fields[n_values + i], row.quantities.back());
           }
         row.warnings =
           dealii::Utilities::split_string_list(fields[n_values + n_quantities],
