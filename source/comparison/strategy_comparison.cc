@@ -42,18 +42,13 @@ namespace PlateImpact
     class HalvedTargets : public AdaptationControl
     {
     public:
-      using End = std::function<std::optional<Outcome>(const CycleResult &)>;
+      using AdaptationControl::AdaptationControl;
 
-      /// @param end      why the analysis ends with a cycle; empty when it goes
-      ///                 on
-      /// @param marking  marks the cells in place of the target; null: none
-      HalvedTargets(const AdaptivityParameters &adaptivity,
-                    const End                  &end,
-                    const AdaptationControl    *marking = nullptr)
-        : AdaptationControl(adaptivity)
-        , end(end)
-        , marking(marking)
-      {}
+      /// Why the analysis ends with a cycle; empty when it goes on.
+      std::function<std::optional<Outcome>(const CycleResult &)> end;
+
+      /// Marks the cells in place of the target; null: none.
+      const AdaptationControl *marking = nullptr;
 
       ErrorRatios
       error_ratios(const Cycle &cycle) const override
@@ -89,10 +84,8 @@ namespace PlateImpact
       }
 
     private:
-      const End                end;
-      const AdaptationControl *marking;
-      unsigned int             n_halvings = 0; ///< since the last cycle
-      double error_before = std::numeric_limits<double>::infinity();
+      unsigned int n_halvings   = 0; ///< since the last cycle
+      double       error_before = std::numeric_limits<double>::infinity();
     };
 
 
@@ -186,17 +179,15 @@ namespace PlateImpact
                      AdaptationGoal::energy_norm},
                     ElementType::MITC9);
     ImpactAnalysis analysis(parameters);
-    HalvedTargets  until_fine(
-      parameters.adaptivity,
-      [&parameters](const CycleResult &result) -> std::optional<Outcome> {
-        if (result.error->eta <= 0.1 * parameters.adaptivity.target_error ||
-            result.cells >= enough_reference_cells)
-          return Outcome::target_reached;
-        return {};
-      });
-    HalvedTargets    once(parameters.adaptivity, [](const CycleResult &) {
-      return Outcome::single_mesh;
-    });
+    HalvedTargets  until_fine(parameters.adaptivity),
+      once(parameters.adaptivity);
+    until_fine.end = [&](const CycleResult &result) -> std::optional<Outcome> {
+      if (result.error->eta <= 0.1 * parameters.adaptivity.target_error ||
+          result.cells >= enough_reference_cells)
+        return Outcome::target_reached;
+      return {};
+    };
+    once.end = [](const auto &) { return Outcome::single_mesh; };
     AnalysisListener listener;
     listener.step = progress;
     analysis.run(until_fine, listener);
@@ -272,7 +263,10 @@ namespace PlateImpact
       return !curve.meshes.empty() &&
         seconds + timer.wall_time() > parameters.comparison.time_budget;
     };
-    const auto end = [&](const CycleResult &result) -> std::optional<Outcome> {
+    HalvedTargets control(parameters.adaptivity);
+    if (curve.strategy.is_outside)
+      control.marking = marking;
+    control.end = [&](const CycleResult &result) -> std::optional<Outcome> {
       if (is_spent())
         return Outcome::time_budget;
       // there is nothing to learn from a comparison
@@ -309,9 +303,6 @@ namespace PlateImpact
       listener(curve);
       timer.restart();
     };
-    HalvedTargets control(parameters.adaptivity,
-                          end,
-                          curve.strategy.is_outside ? marking : nullptr);
     curve.end = word_for(analysis.run(control, teller));
   }
 } // namespace PlateImpact
