@@ -107,13 +107,13 @@ namespace PlateImpact
             Console                 &console,
             const AdaptationControl *marking)
     {
-      StrategyComparison comparison(
+      StrategyComparison comparison{
         scene,
         [&console](const auto cycle, const auto step, const auto n_steps) {
           throw_if_interrupted();
           console.show(column(5, "{:.0f}", cycle) + "  step ", step, n_steps);
         },
-        marking);
+        marking};
       const auto write_table = [&] {
         directory.write_file("comparison.csv", [&](std::ostream &out) {
           write_comparison_table(out, comparison.curves);

@@ -114,19 +114,15 @@ namespace PlateImpact
   class StrategyComparison
   {
   public:
-    /// Told after every step: the cycle, the step and the number of steps.
-    using Progress = decltype(AnalysisListener::step);
+    const Scene &scene; ///< must outlive the comparison
 
-    /// @param scene    must outlive the comparison
-    /// @param marking  of strategies that are outside; outlives it as well
-    explicit StrategyComparison(
-      const Scene             &scene,
-      const Progress          &progress = AnalysisListener().step,
-      const AdaptationControl *marking  = nullptr)
-      : scene(scene)
-      , progress(progress)
-      , marking(marking)
-    {}
+    /// Told after every step: the cycle, the step and the number of steps.
+    decltype(AnalysisListener::step) progress = AnalysisListener().step;
+
+    const AdaptationControl *marking = nullptr; ///< of strategies outside
+
+    Reference                    reference = {};
+    std::vector<ComparisonCurve> curves    = {};
 
     /// The given peak force, or that of a mesh far finer than any compared:
     /// MITC9 and hanging nodes down to a tenth of the target error, then every
@@ -148,17 +144,10 @@ namespace PlateImpact
     std::vector<ThresholdRow>
     thresholds() const;
 
-    Reference                    reference;
-    std::vector<ComparisonCurve> curves;
-
   private:
     void
     add_meshes(ComparisonCurve                                    &curve,
                const std::function<void(const ComparisonCurve &)> &listener);
-
-    const Scene             &scene;
-    const Progress           progress;
-    const AdaptationControl *marking;
   };
 
 
