@@ -315,7 +315,7 @@ namespace PlateImpact
     {
       const Scene        scene = read_scene(SCENES "/" + scene_name + ".prm",
                                      {"Comparison/Time budget=1000"});
-      StrategyComparison comparison(scene);
+      StrategyComparison comparison{scene};
       const Reference   &reference = comparison.compute_reference();
       EXPECT_NEAR(reference.peak_force / peak_force, 1., 3e-4);
       EXPECT_LT(reference.uncertainty, error);
@@ -385,7 +385,7 @@ namespace PlateImpact
     {
       const Scene        scene = read_scene(SCENES "/compare-sphere.prm",
                                      {"Comparison/Time budget=1000"});
-      StrategyComparison comparison(scene);
+      StrategyComparison comparison{scene};
       comparison.compute_reference();
       const auto adapted =
         meshes_of(comparison, AdaptationStrategy::hanging_nodes);
@@ -401,7 +401,7 @@ namespace PlateImpact
       const Scene        limited = read_scene(SCENES "/compare-sphere.prm",
                                        {"Comparison/Time budget=1000",
                                                "Adaptivity/Minimum cell size=1.3e-3"});
-      StrategyComparison coarse(limited);
+      StrategyComparison coarse{limited};
       coarse.compute_reference();
       coarse.compute_curve({AdaptationStrategy::hanging_nodes,
                             AdaptationGoal::energy_norm},

@@ -101,13 +101,13 @@ namespace PlateImpact
             Console                 &console,
             const AdaptationControl *marking)
     {
-      StrategyComparison comparison(
+      StrategyComparison comparison{
         scene,
         [&console](const auto cycle, const auto step, const auto n_steps) {
           throw_if_interrupted();
           console.show(column(5, "{:.0f}", cycle) + "  step ", step, n_steps);
         },
-        marking);
+        marking};
       const auto write_table = [&] {
         directory.write_file("comparison.csv", [&](std::ostream &out) {
           write_comparison_table(out, comparison.curves);
@@ -162,9 +162,9 @@ namespace PlateImpact
                                comparison.curves.front().end);
       console.print("\n");
       for (const ThresholdRow &row : comparison.thresholds())
-        for (const std::string &line : dealii::Utilities::break_text_into_lines(
-               in_words(row, comparison.curves),
-               /*width=*/78))
+        for (const std::string &line :
+             dealii::Utilities::break_text_into_lines(row.in_words,
+                                                      /*width=*/78))
           console.print(line + '\n');
       console.print("\nResults     " + directory.main_files() + '\n');
       print_warnings(warnings_of(scene, comparison));

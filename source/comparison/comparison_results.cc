@@ -1,4 +1,4 @@
-#include "plate_impact/base/text.h"
+#include "plate_impact/base/entries.h"
 #include "plate_impact/base/version.h"
 #include "plate_impact/comparison/strategy_comparison.h"
 #include "plate_impact/output/report.h"
@@ -10,22 +10,11 @@ namespace PlateImpact
 {
   namespace
   {
-    /// A history has as many steps as a scene asks for; a plot shows that many.
-    constexpr std::size_t most_plotted_states = 600;
-
     /// Columns of comparison.csv after strategy and element.
-    const std::vector<std::string> columns_of_meshes = {
-      "cycle",
-      "cells",
-      "degrees_of_freedom",
-      "discretization_error",
-      "peak_force",
-      "peak_force_error",
-      "peak_force_error_bar",
-      "contact_end_error",
-      "seconds",
-      "cumulative_seconds",
-      "cells_at_minimum_size"};
+    const std::string columns_of_meshes =
+      "cycle,cells,degrees_of_freedom,discretization_error,peak_force,"
+      "peak_force_error,peak_force_error_bar,contact_end_error,seconds,"
+      "cumulative_seconds,cells_at_minimum_size";
 
 
 
@@ -82,9 +71,8 @@ namespace PlateImpact
     /// Whether neither is ahead: identical meshes, or times that differ by less
     /// than a tenth, as they do from run to run.
     bool
-    are_tied(const Achievement &a, const Achievement &b)
+    are_tied(const ComparedMesh &one, const ComparedMesh &other)
     {
-      const ComparedMesh &one = *a.mesh, &other = *b.mesh;
       const double ratio = one.cumulative_seconds / other.cumulative_seconds;
       return (one.cycle == other.cycle && one.cells == other.cells &&
               one.peak_force == other.peak_force) ||
@@ -94,30 +82,31 @@ namespace PlateImpact
 
 
     Json
-    to_json(const ThresholdRow &row, const std::vector<ComparisonCurve> &curves)
+    to_json(const ThresholdRow &row)
     {
       Json json = {{"quantity", row.is_of_eta ? "eta" : "peak force error"},
                    {"threshold", row.threshold},
                    {"comparable", row.is_comparable},
-                   {"in_words", in_words(row, curves)},
+                   {"in_words", row.in_words},
                    {"reached", Json::array()}};
-      for (const Achievement &achievement : row.achievements)
+      for (const auto &[curve, mesh] : row.achievements)
         {
-          const Achievement  &first = row.achievements.front();
-          const ComparedMesh &mesh  = *achievement.mesh;
+          const ComparedMesh &first = *row.achievements.front().mesh;
           json["reached"].push_back(
-            {{"strategy", achievement.curve->strategy_name()},
-             {"element", word_for(achievement.curve->element)},
-             {"cycle", mesh.cycle},
-             {"cells", mesh.cells},
-             {"degrees_of_freedom", mesh.degrees_of_freedom},
-             {"cumulative_seconds", mesh.cumulative_seconds},
+            {{"strategy", name_of(curve->strategy)},
+             {"element", word_for(curve->element)},
+             {"cycle", mesh->cycle},
+             {"cells", mesh->cells},
+             {"degrees_of_freedom", mesh->degrees_of_freedom},
+             {"cumulative_seconds", mesh->cumulative_seconds},
              {"times_the_fastest",
-              mesh.cumulative_seconds / first.mesh->cumulative_seconds},
-             {"as_fast_as_the_first", are_tied(achievement, first)}});
+              mesh->cumulative_seconds / first.cumulative_seconds},
+             {"as_fast_as_the_first", are_tied(*mesh, first)}});
         }
       return json;
     }
+
+
 
     /// "105 cells after 0.06 s"
     std::string
@@ -141,63 +130,119 @@ namespace PlateImpact
       for (std::size_t i = 0; i < first.size(); ++i)
         {
           text += i == 0 ? "" : i + 1 == first.size() ? " and " : ", ";
-          text += first[i].curve->strategy_name();
+          text += name_of(first[i].curve->strategy);
           if (!is_alike)
             text += " (" + in_words(*first[i].mesh) + ')';
         }
       text += first.size() > 1 ? " tie" : "";
       return is_alike ? text + ", " + in_words(*first.front().mesh) : text;
     }
+
+
+
+    /// Which strategy reaches a threshold first, each with its fastest element,
+    /// and by how much: against uniform meshes, or the next.
+    std::string
+    in_words(const ThresholdRow                 &row,
+             const std::vector<ComparisonCurve> &curves)
+    {
+      const std::string what = row.is_of_eta ?
+        "Eta of " + percentage(row.threshold) :
+        percentage(row.threshold) + " of the peak force";
+      if (!row.is_comparable)
+        return what +
+          ": not compared, because the reference is not that "
+          "accurate.";
+      // the fastest curve of every strategy
+      std::vector<Achievement> best;
+      for (const Achievement &achievement : row.achievements)
+        if (std::none_of(best.begin(), best.end(), [&](const Achievement &one) {
+              return name_of(one.curve->strategy) ==
+                name_of(achievement.curve->strategy);
+            }))
+          best.push_back(achievement);
+      if (best.empty())
+        return what + ": not reached.";
+      const auto next =
+        std::find_if(best.begin() + 1, best.end(), [&](auto &one) {
+          return !are_tied(*one.mesh, *best.front().mesh);
+        });
+      std::string text =
+        what + ": " + in_words(std::vector<Achievement>(best.begin(), next));
+      const auto is_uniform = [](const ComparisonCurve &curve) {
+        return curve.strategy.strategy == AdaptationStrategy::uniform;
+      };
+      const auto uniform =
+        std::find_if(best.begin(), best.end(), [&](auto &one) {
+          return is_uniform(*one.curve);
+        });
+      // uniform meshes are what all are measured by, unless they are first
+      const auto other =
+        uniform >= next && uniform != best.end() ? uniform : next;
+      if (uniform == best.end() &&
+          std::any_of(curves.begin(), curves.end(), is_uniform))
+        return text + "; uniform meshes do not reach it.";
+      if (other != best.end())
+        text += "; " + name_of(other->curve->strategy) + ", " +
+          in_words(*other->mesh) + ", " +
+          rounded(other->mesh->cumulative_seconds /
+                    best.front().mesh->cumulative_seconds,
+                  2) +
+          " times as long";
+      return text + '.';
+    }
+
+
+
+    /// Of curves that reach a threshold and stay below, the fastest first.
+    std::vector<Achievement>
+    achievements(const std::vector<ComparisonCurve> &curves,
+                 const bool                          is_of_eta,
+                 const double                        threshold)
+    {
+      std::vector<Achievement> result;
+      for (const ComparisonCurve &curve : curves)
+        {
+          if (is_of_eta && curve.strategy.goal == AdaptationGoal::peak_force)
+            continue;
+          const auto is_reached = [&](const ComparedMesh &mesh) {
+            return (is_of_eta ? mesh.eta : mesh.peak_force_error) <= threshold;
+          };
+          auto mesh = curve.meshes.end();
+          while (mesh != curve.meshes.begin() && is_reached(mesh[-1]))
+            --mesh;
+          if (mesh == curve.meshes.end())
+            continue;
+          // errors of the force change their sign, and may be small by chance
+          if (is_of_eta || mesh + 1 != curve.meshes.end() ||
+              (mesh->peak_force_bar && *mesh->peak_force_bar <= threshold))
+            result.push_back({&curve, &*mesh});
+        }
+      std::stable_sort(result.begin(), result.end(), [](auto &a, auto &b) {
+        return a.mesh->cumulative_seconds < b.mesh->cumulative_seconds;
+      });
+      return result;
+    }
   } // namespace
 
 
 
-  std::string
-  in_words(const ThresholdRow &row, const std::vector<ComparisonCurve> &curves)
+  std::vector<ThresholdRow>
+  StrategyComparison::thresholds() const
   {
-    const std::string what = row.is_of_eta ?
-      "Eta of " + percentage(row.threshold) :
-      percentage(row.threshold) + " of the peak force";
-    if (!row.is_comparable)
-      return what +
-        ": not compared, because the reference is not that "
-        "accurate.";
-    // the fastest curve of every strategy
-    std::vector<Achievement> best;
-    for (const Achievement &achievement : row.achievements)
-      if (std::none_of(best.begin(), best.end(), [&](const Achievement &one) {
-            return one.curve->strategy_name() ==
-              achievement.curve->strategy_name();
-          }))
-        best.push_back(achievement);
-    if (best.empty())
-      return what + ": not reached.";
-    const auto next =
-      std::find_if(best.begin() + 1, best.end(), [&](auto &one) {
-        return !are_tied(one, best.front());
-      });
-    std::string text =
-      what + ": " + in_words(std::vector<Achievement>(best.begin(), next));
-    const auto is_uniform = [](const ComparisonCurve &curve) {
-      return curve.strategy.strategy == AdaptationStrategy::uniform;
-    };
-    const auto uniform = std::find_if(best.begin(), best.end(), [&](auto &one) {
-      return is_uniform(*one.curve);
-    });
-    // uniform meshes are what all are measured by, unless they are first
-    const auto other =
-      uniform >= next && uniform != best.end() ? uniform : next;
-    if (uniform == best.end() &&
-        std::any_of(curves.begin(), curves.end(), is_uniform))
-      return text + "; uniform meshes do not reach it.";
-    if (other != best.end())
-      text += "; " + other->curve->strategy_name() + ", " +
-        in_words(*other->mesh) + ", " +
-        rounded(other->mesh->cumulative_seconds /
-                  best.front().mesh->cumulative_seconds,
-                2) +
-        " times as long";
-    return text + '.';
+    std::vector<ThresholdRow> rows;
+    for (const double threshold : {0.05, 0.02, 0.01, 0.005, 0.003, 0.001})
+      rows.push_back(
+        {false, threshold, threshold > reference.uncertainty, {}, {}});
+    for (const double threshold : {0.1, 0.05, 0.02, 0.01})
+      rows.push_back({true, threshold, true, {}, {}});
+    for (ThresholdRow &row : rows)
+      {
+        if (row.is_comparable)
+          row.achievements = achievements(curves, row.is_of_eta, row.threshold);
+        row.in_words = in_words(row, curves);
+      }
+    return rows;
   }
 
 
@@ -215,7 +260,7 @@ namespace PlateImpact
                  {"thresholds", Json::array()}};
     for (const ComparisonCurve &curve : comparison.curves)
       {
-        json["curves"].push_back({{"strategy", curve.strategy_name()},
+        json["curves"].push_back({{"strategy", name_of(curve.strategy)},
                                   {"element", word_for(curve.element)},
                                   {"end", curve.end},
                                   {"meshes", Json::array()}});
@@ -223,7 +268,7 @@ namespace PlateImpact
           json["curves"].back()["meshes"].push_back(to_json(mesh));
       }
     for (const ThresholdRow &row : comparison.thresholds())
-      json["thresholds"].push_back(to_json(row, comparison.curves));
+      json["thresholds"].push_back(to_json(row));
     return json;
   }
 
@@ -233,21 +278,14 @@ namespace PlateImpact
   write_comparison_table(std::ostream                       &out,
                          const std::vector<ComparisonCurve> &curves)
   {
-    out << "strategy,element";
-    for (const std::string &column : columns_of_meshes)
-      out << ',' << column;
-    out << '\n';
+    out << "strategy,element," << columns_of_meshes << '\n';
     for (const ComparisonCurve &curve : curves)
       for (const ComparedMesh &mesh : curve.meshes)
         {
           const Json json = to_json(mesh);
-          out << curve.strategy_name() << ',' << word_for(curve.element);
-          for (const std::string &column : columns_of_meshes)
-            {
-              out << ',';
-              if (json.contains(column))
-                out << json[column];
-            }
+          out << name_of(curve.strategy) << ',' << word_for(curve.element);
+          for (const std::string &column : split_list(columns_of_meshes))
+            out << ',' << (json.contains(column) ? json[column].dump() : "");
           out << '\n';
         }
   }
@@ -260,18 +298,16 @@ namespace PlateImpact
                         const StrategyComparison &comparison,
                         const Json               &results)
   {
-    const Parameters &parameters = scene.parameters;
-    const Reference  &reference  = comparison.reference;
-    const auto forces = [](const std::optional<ContactHistory> &history) {
-      return history ?
-        history_on_page(*history, most_plotted_states, {"time", "force"}) :
-        Json();
+    const Reference &reference = comparison.reference;
+    const auto       forces = [](const std::optional<ContactHistory> &history) {
+      return history ? history_on_page(*history) : Json();
     };
-    Json study          = {{"study", "comparison"}, {"text", scene.text}};
-    study["comparison"] = results;
-    study["target"]     = parameters.adaptivity.target_error;
-    study.update(plate_on_page(parameters));
-    study["meshes"] = Json::array();
+    Json study = {{"study", "comparison"},
+                  {"text", scene.text},
+                  {"comparison", results},
+                  {"target", scene.parameters.adaptivity.target_error},
+                  {"meshes", Json::array()}};
+    study.update(plate_on_page(scene.parameters));
     for (const ComparisonCurve &curve : comparison.curves)
       {
         study["histories"].push_back(forces(curve.history));

@@ -42,18 +42,13 @@ namespace PlateImpact
     class HalvedTargets : public AdaptationControl
     {
     public:
-      using End = std::function<std::optional<Outcome>(const CycleResult &)>;
+      using AdaptationControl::AdaptationControl;
 
-      /// @param end      why the analysis ends with a cycle; empty when it goes
-      ///                 on
-      /// @param marking  marks the cells in place of the target; null: none
-      HalvedTargets(const AdaptivityParameters &adaptivity,
-                    const End                  &end,
-                    const AdaptationControl    *marking = nullptr)
-        : AdaptationControl(adaptivity)
-        , end(end)
-        , marking(marking)
-      {}
+      /// Why the analysis ends with a cycle; empty when it goes on.
+      std::function<std::optional<Outcome>(const CycleResult &)> end;
+
+      /// Marks the cells in place of the target; null: none.
+      const AdaptationControl *marking = nullptr;
 
       ErrorRatios
       error_ratios(const Cycle &cycle) const override
@@ -67,14 +62,13 @@ namespace PlateImpact
       {
         if (const auto outcome = end(result))
           return outcome;
-        const double error      = goal.error(result);
-        const bool   is_in_vain = result.cells_at_minimum_size > 0 &&
-          error > least_progress * error_before;
-        if (is_in_vain)
+        const double error = goal.error(result);
+        if (result.cells_at_minimum_size > 0 &&
+            error > least_progress * error_before)
           return Outcome::minimum_cell_size;
         error_before = error;
         n_halvings   = 0;
-        while (goal.error(result) <= target && tighten())
+        while (error <= target && tighten())
           ;
         return {};
       }
@@ -90,10 +84,8 @@ namespace PlateImpact
       }
 
     private:
-      const End                end;
-      const AdaptationControl *marking;
-      unsigned int             n_halvings = 0; ///< since the last cycle
-      double error_before = std::numeric_limits<double>::infinity();
+      unsigned int n_halvings   = 0; ///< since the last cycle
+      double       error_before = std::numeric_limits<double>::infinity();
     };
 
 
@@ -103,31 +95,71 @@ namespace PlateImpact
     /// at the edge of a load patch eta falls more slowly than the size.
     constexpr double size_at_smaller_targets = 8.;
 
+    Parameters
+    parameters_of(const Scene            &scene,
+                  const ComparedStrategy &strategy,
+                  const ElementType       element)
+    {
+      Parameters parameters             = scene.parameters;
+      parameters.adaptivity.strategy    = strategy.strategy;
+      parameters.adaptivity.goal        = strategy.goal;
+      parameters.time.step_is_chosen    = false; // all take the same
+      parameters.discretization.element = element;
+      parameters.output.field_samples   = n_compared_states;
+      parameters.output.write_report    = false;
+      // meshes graded to the load take the size that they end with from it
+      if (scene.given.adaptivity.minimum_cell_size == 0. &&
+          !parameters.contact.load_is_singular() &&
+          strategy.strategy != AdaptationStrategy::graded)
+        parameters.adaptivity.minimum_cell_size /= size_at_smaller_targets;
+      return parameters;
+    }
+
+
+
     /// Thrown out of a cycle that would exceed the time budget.
     struct BudgetSpent
     {};
+
+
+
+    ComparedMesh
+    compared(const Cycle     &cycle,
+             const Reference &reference,
+             const double     seconds_before)
+    {
+      const CycleResult    &result  = cycle.result;
+      const ContactHistory &history = *result.history;
+      ComparedMesh          mesh;
+      mesh.cycle                 = result.cycle;
+      mesh.cells                 = result.cells;
+      mesh.degrees_of_freedom    = result.degrees_of_freedom;
+      mesh.cells_at_minimum_size = result.cells_at_minimum_size;
+      mesh.eta                   = result.error->eta;
+      mesh.peak_force            = history.peak().force;
+      mesh.peak_force_error =
+        std::abs(mesh.peak_force / reference.peak_force - 1.);
+      mesh.is_comparable      = mesh.peak_force_error > reference.uncertainty;
+      mesh.seconds            = result.seconds.total();
+      mesh.cumulative_seconds = seconds_before + mesh.seconds;
+      if (result.peak_force_bar)
+        mesh.peak_force_bar = result.peak_force_bar->total();
+      if (!reference.computed)
+        return mesh;
+      const ContactHistory &fine = *reference.computed->history;
+      const auto            end  = history.first_contact_end(),
+                 true_end        = fine.first_contact_end();
+      if (end && true_end)
+        mesh.contact_end_error = std::abs(*end / *true_end - 1.);
+      const bool is_whole =
+        history.states().back().time == fine.states().back().time;
+      if (reference.field_error && is_whole &&
+          !(mesh.eta < 3. * reference.computed->error->eta))
+        mesh.effectivity = mesh.eta /
+          reference.field_error->of(cycle.discretization(), result.snapshots);
+      return mesh;
+    }
   } // namespace
-
-
-
-  Parameters
-  StrategyComparison::parameters_of(const ComparedStrategy &strategy,
-                                    const ElementType       element) const
-  {
-    Parameters parameters             = scene.parameters;
-    parameters.adaptivity.strategy    = strategy.strategy;
-    parameters.adaptivity.goal        = strategy.goal;
-    parameters.time.step_is_chosen    = false; // all take the same
-    parameters.discretization.element = element;
-    parameters.output.field_samples   = n_compared_states;
-    parameters.output.write_report    = false;
-    // meshes graded to the load take the size that they end with from it
-    if (scene.given.adaptivity.minimum_cell_size == 0. &&
-        !parameters.contact.load_is_singular() &&
-        strategy.strategy != AdaptationStrategy::graded)
-      parameters.adaptivity.minimum_cell_size /= size_at_smaller_targets;
-    return parameters;
-  }
 
 
 
@@ -142,21 +174,20 @@ namespace PlateImpact
       }
     const Timer      timer;
     const Parameters parameters =
-      parameters_of({AdaptationStrategy::hanging_nodes,
+      parameters_of(scene,
+                    {AdaptationStrategy::hanging_nodes,
                      AdaptationGoal::energy_norm},
                     ElementType::MITC9);
     ImpactAnalysis analysis(parameters);
-    HalvedTargets  until_fine(
-      parameters.adaptivity,
-      [&parameters](const CycleResult &result) -> std::optional<Outcome> {
-        if (result.error->eta <= 0.1 * parameters.adaptivity.target_error ||
-            result.cells >= enough_reference_cells)
-          return Outcome::target_reached;
-        return {};
-      });
-    HalvedTargets    once(parameters.adaptivity, [](const CycleResult &) {
-      return Outcome::single_mesh;
-    });
+    HalvedTargets  until_fine(parameters.adaptivity),
+      once(parameters.adaptivity);
+    until_fine.end = [&](const CycleResult &result) -> std::optional<Outcome> {
+      if (result.error->eta <= 0.1 * parameters.adaptivity.target_error ||
+          result.cells >= enough_reference_cells)
+        return Outcome::target_reached;
+      return {};
+    };
+    once.end = [](const auto &) { return Outcome::single_mesh; };
     AnalysisListener listener;
     listener.step = progress;
     analysis.run(until_fine, listener);
@@ -194,8 +225,7 @@ namespace PlateImpact
     const ElementType                                   element,
     const std::function<void(const ComparisonCurve &)> &listener)
   {
-    curves.emplace_back();
-    ComparisonCurve &curve = curves.back();
+    ComparisonCurve &curve = curves.emplace_back();
     curve.strategy         = strategy;
     curve.element          = element;
     try
@@ -224,15 +254,19 @@ namespace PlateImpact
     ComparisonCurve                                    &curve,
     const std::function<void(const ComparisonCurve &)> &listener)
   {
-    const Parameters parameters = parameters_of(curve.strategy, curve.element);
-    const Goal       goal(parameters.adaptivity);
-    double           seconds = 0.; // of the meshes so far
-    Timer            timer;        // of the next one
-    const auto       is_spent = [&] {
+    const Parameters parameters =
+      parameters_of(scene, curve.strategy, curve.element);
+    const Goal goal(parameters.adaptivity);
+    double     seconds = 0.; // of the meshes so far
+    Timer      timer;        // of the next one
+    const auto is_spent = [&] {
       return !curve.meshes.empty() &&
         seconds + timer.wall_time() > parameters.comparison.time_budget;
     };
-    const auto end = [&](const CycleResult &result) -> std::optional<Outcome> {
+    HalvedTargets control(parameters.adaptivity);
+    if (curve.strategy.is_outside)
+      control.marking = marking;
+    control.end = [&](const CycleResult &result) -> std::optional<Outcome> {
       if (is_spent())
         return Outcome::time_budget;
       // there is nothing to learn from a comparison
@@ -262,113 +296,13 @@ namespace PlateImpact
                                      curve.name() + ": " +
                                        std::to_string(result.cells) + " cells",
                                      result.element_errors());
-      curve.meshes.push_back(compared(cycle, seconds));
+      curve.meshes.push_back(compared(cycle, reference, seconds));
       seconds        = curve.meshes.back().cumulative_seconds;
       curve.history  = result.history;
       curve.warnings = analysis.warnings;
       listener(curve);
       timer.restart();
     };
-    HalvedTargets control(parameters.adaptivity,
-                          end,
-                          curve.strategy.is_outside ? marking : nullptr);
     curve.end = word_for(analysis.run(control, teller));
-  }
-
-
-
-  ComparedMesh
-  StrategyComparison::compared(const Cycle &cycle,
-                               const double seconds_before) const
-  {
-    const CycleResult &result     = cycle.result;
-    const double       peak_force = result.history->peak().force;
-    const double       error = std::abs(peak_force / reference.peak_force - 1.);
-    ComparedMesh       mesh{result.cycle,
-                      result.cells,
-                      result.degrees_of_freedom,
-                      result.cells_at_minimum_size,
-                      result.error->eta,
-                      peak_force,
-                      error,
-                      {},
-                      error > reference.uncertainty,
-                      {},
-                      result.seconds.total(),
-                      seconds_before + result.seconds.total(),
-                      {}};
-    if (result.peak_force_bar)
-      mesh.peak_force_bar = result.peak_force_bar->total();
-    if (!reference.computed)
-      return mesh;
-    const ContactHistory &fine = *reference.computed->history;
-    const auto            end  = result.history->first_contact_end(),
-               true_end        = fine.first_contact_end();
-    if (end && true_end)
-      mesh.contact_end_error = std::abs(*end / *true_end - 1.);
-    const bool is_whole =
-      result.history->states().back().time == fine.states().back().time;
-    if (reference.field_error && is_whole &&
-        !(mesh.eta < 3. * reference.computed->error->eta))
-      mesh.effectivity = mesh.eta /
-        reference.field_error->of(cycle.discretization(), result.snapshots);
-    return mesh;
-  }
-
-
-
-  namespace
-  {
-    /// Of curves that reach a threshold and stay below, the fastest first.
-    std::vector<Achievement>
-    achievements(const std::vector<ComparisonCurve> &curves,
-                 const bool                          is_of_eta,
-                 const double                        threshold)
-    {
-      std::vector<Achievement> result;
-      for (const ComparisonCurve &curve : curves)
-        {
-          if (is_of_eta && curve.strategy.goal == AdaptationGoal::peak_force)
-            continue;
-          const auto mesh =
-            std::find_if(curve.meshes.rbegin(),
-                         curve.meshes.rend(),
-                         [&](const ComparedMesh &mesh) {
-                           return !(
-                             (is_of_eta ? mesh.eta : mesh.peak_force_error) <=
-                             threshold);
-                         })
-              .base();
-          if (mesh == curve.meshes.end())
-            continue;
-          // errors of the force change their sign, and may be small by chance
-          if (is_of_eta || mesh + 1 != curve.meshes.end() ||
-              (mesh->peak_force_bar && *mesh->peak_force_bar <= threshold))
-            result.push_back({&curve, &*mesh});
-        }
-      std::stable_sort(result.begin(),
-                       result.end(),
-                       [](const Achievement &a, const Achievement &b) {
-                         return a.mesh->cumulative_seconds <
-                           b.mesh->cumulative_seconds;
-                       });
-      return result;
-    }
-  } // namespace
-
-
-
-  std::vector<ThresholdRow>
-  StrategyComparison::thresholds() const
-  {
-    std::vector<ThresholdRow> rows;
-    for (const double threshold : {0.05, 0.02, 0.01, 0.005, 0.003, 0.001})
-      rows.push_back({false, threshold, threshold > reference.uncertainty, {}});
-    for (const double threshold : {0.1, 0.05, 0.02, 0.01})
-      rows.push_back({true, threshold, true, {}});
-    for (ThresholdRow &row : rows)
-      if (row.is_comparable)
-        row.achievements = achievements(curves, row.is_of_eta, row.threshold);
-    return rows;
   }
 } // namespace PlateImpact

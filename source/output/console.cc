@@ -27,6 +27,11 @@ namespace PlateImpact
       return isatty(stream) != 0 && environment("TERM") != "" &&
         environment("TERM") != "dumb";
     }
+
+
+
+    /// Of an empty line: what is there is removed.
+    constexpr const char *begin_of_line = "\r\033[K";
   } // namespace
 
 
@@ -69,10 +74,8 @@ namespace PlateImpact
   void
   Console::print(const std::string &text)
   {
-    if (quiet)
-      return;
-    clear();
-    std::cout << text << std::flush;
+    if (!quiet)
+      std::cout << (overwrites ? begin_of_line : "") << text << std::flush;
   }
 
 
@@ -80,10 +83,8 @@ namespace PlateImpact
   void
   Console::show(const std::string &stage)
   {
-    if (!overwrites)
-      return;
-    std::cout << "\r\033[K" << stage << std::flush;
-    has_text = true;
+    if (overwrites)
+      std::cout << begin_of_line << stage << std::flush;
   }
 
 
@@ -106,15 +107,5 @@ namespace PlateImpact
     const std::chrono::duration<double> elapsed = now - begin_of_count;
     show(what + std::to_string(n_done) + " of " + std::to_string(n) + ", " +
          waiting_time(elapsed.count() * (n - n_done) / n_done) + " left");
-  }
-
-
-
-  void
-  Console::clear()
-  {
-    if (has_text)
-      std::cout << "\r\033[K";
-    has_text = false;
   }
 } // namespace PlateImpact

@@ -25,15 +25,15 @@ namespace PlateImpact
   namespace
   {
     void
-    write_element_errors(std::ostream               &out,
-                         const Triangulation<2>     &mesh,
-                         const ErrorRatios          &error,
-                         const AdaptivityParameters &adaptivity)
+    write_element_errors(std::ostream &out, const Cycle &cycle)
     {
-      const std::vector<double> sizes = target_sizes(mesh, error, adaptivity);
+      const AdaptivityParameters &adaptivity = cycle.parameters.adaptivity;
+      const ErrorRatios          &error      = *cycle.result.error_ratios;
+      const std::vector<double>   sizes =
+        target_sizes(cycle.mesh(), error, adaptivity);
       out.precision(17);
       out << "cell,center_x,center_y,size,element_error,target_size\n";
-      for (const auto &cell : mesh.active_cell_iterators())
+      for (const auto &cell : cycle.mesh().active_cell_iterators())
         {
           const unsigned int c = cell->active_cell_index();
           out << c << ',' << cell->center()[0] << ',' << cell->center()[1]
@@ -54,13 +54,12 @@ namespace PlateImpact
     {
       const double s =
         std::log(std::clamp(xi, lowest, highest)) / std::log(highest);
-      const Point<3> white(247., 247., 247.),
-        end = s < 0. ? Point<3>(33., 102., 172.) : Point<3>(178., 24., 43.);
-      const Point<3> mixed = white + std::abs(s) * (end - white);
-      return fmt::format("rgb({:.0f},{:.0f},{:.0f})",
-                         mixed[0],
-                         mixed[1],
-                         mixed[2]);
+      const Eigen::Vector3d white(247., 247., 247.), blue(33., 102., 172.),
+        red(178., 24., 43.);
+      const Eigen::Vector3d mixed =
+        white + std::abs(s) * ((s < 0. ? blue : red) - white);
+      return fmt::format("rgb({:.0f})",
+                         fmt::join(mixed.data(), mixed.data() + 3, ","));
     }
 
 
@@ -158,10 +157,10 @@ namespace PlateImpact
 
     /// The largest of all plies by their names, and those of every ply.
     void
-    add_stresses(const Eigen::MatrixXd &stresses,
-                 const PlateParameters &plate,
-                 Json                  &cycle)
+    add_stresses(const ComputedImpact &impact, Json &cycle)
     {
+      const PlateParameters &plate    = impact.plate;
+      const Eigen::MatrixXd &stresses = impact.result.error->max_stresses;
       if (stresses.size() == 0)
         return;
       if (!plate.is_laminate())
@@ -186,19 +185,16 @@ namespace PlateImpact
 
 
     void
-    add_quantities(const CycleResult &result,
-                   const Parameters  &parameters,
-                   const ZenerImpact &expected,
-                   Json              &cycle)
+    add_quantities(const ComputedImpact &impact, Json &cycle)
     {
-      const ComputedImpact impact{parameters, expected, result};
-      const double         end_time = impact.last.time;
+      const CycleResult &result   = impact.result;
+      const double       end_time = impact.last.time;
       for (const ImpactQuantity &quantity : impact_quantities)
         if (const auto value = quantity.value(impact))
           cycle[quantity.name] = *value;
       cycle["number_of_contacts"] = impact.history.n_contacts();
-      if (!parameters.impactor.is_cylinder())
-        cycle["zener_peak_force"] = expected.peak.force;
+      if (!impact.impactor.is_cylinder())
+        cycle["zener_peak_force"] = impact.expected.peak.force;
       if (result.damping > 0. && impact.peak.force > 0.)
         cycle["loss_factor_of_contact"] = result.loss_factor_of_contact();
       if (result.time_error)
@@ -220,7 +216,7 @@ namespace PlateImpact
         cycle["no_contact_after"] = *result.separation_time;
       cycle["plate_displacement_at_peak"] = impact.peak.plate_displacement;
       if (result.error)
-        add_stresses(result.error->max_stresses, parameters.plate, cycle);
+        add_stresses(impact, cycle);
       cycle.update({{"steps", result.steps},
                     {"end_time", end_time},
                     {"time_step", end_time / result.steps},
@@ -236,11 +232,8 @@ namespace PlateImpact
 
 
     /// What summary.json says of a cycle (doc/results.md has every key).
-    /// @param expected  empty without an impactor
     Json
-    summary_of(const CycleResult                &result,
-               const Parameters                 &parameters,
-               const std::optional<ZenerImpact> &expected)
+    summary_of(const CycleResult &result, const Scene &scene)
     {
       Json cycle = {{"cycle", result.cycle},
                     {"cells", result.cells},
@@ -261,7 +254,7 @@ namespace PlateImpact
              {"cells_at_minimum_size", result.cells_at_minimum_size}});
         }
       if (result.history)
-        add_quantities(result, parameters, *expected, cycle);
+        add_quantities({scene.parameters, *scene.expected, result}, cycle);
       if (!result.natural_frequencies.empty())
         cycle["natural_frequencies"] = result.natural_frequencies;
       const Seconds &s            = result.seconds;
@@ -283,6 +276,8 @@ namespace PlateImpact
     : directory(scene.parameters.output.directory)
     , scene(scene)
   {
+    for (const char *list : {"histories", "errors", "meshes", "stresses"})
+      study[list] = Json::array();
     directory.clear();
     directory.write_scene(scene.name, scene.text);
   }
@@ -292,22 +287,20 @@ namespace PlateImpact
   void
   Output::write_cycle(Cycle &cycle)
   {
-    const Timer             timer;
-    CycleResult            &result = cycle.result;
-    const Triangulation<2> &mesh   = cycle.mesh();
-    const std::string       suffix = "_cycle_" + std::to_string(result.cycle);
+    const Timer       timer;
+    CycleResult      &result = cycle.result;
+    const std::string suffix = "_cycle_" + std::to_string(result.cycle);
     if (result.history)
       {
         if (result.cycle > 1)
           {
-            const std::string earlier = "contact_history_cycle_" +
-              std::to_string(result.cycle - 1) + ".csv";
+            const fs::path earlier = directory /
+              ("contact_history_cycle_" + std::to_string(result.cycle - 1) +
+               ".csv");
             std::error_code error;
-            fs::rename(directory / "contact_history.csv",
-                       directory / earlier,
-                       error);
+            fs::rename(directory / "contact_history.csv", earlier, error);
             if (error)
-              throw ComputationError((directory / earlier).string() +
+              throw ComputationError(earlier.string() +
                                      " cannot be written: " + error.message());
           }
         directory.write_file("contact_history.csv", [&](std::ostream &out) {
@@ -317,10 +310,7 @@ namespace PlateImpact
     if (result.error)
       directory.write_file("element_errors" + suffix + ".csv",
                            [&](std::ostream &out) {
-                             write_element_errors(out,
-                                                  mesh,
-                                                  *result.error_ratios,
-                                                  cycle.parameters.adaptivity);
+                             write_element_errors(out, cycle);
                            });
     if (scene.parameters.output.write_meshes)
       directory.write_file("mesh" + suffix + ".svg", [&](std::ostream &out) {
@@ -329,7 +319,7 @@ namespace PlateImpact
     if (scene.parameters.output.write_report)
       add_to_report(cycle, study);
     result.seconds.output += timer.wall_time();
-    cycles.push_back(summary_of(result, scene.parameters, scene.expected));
+    cycles.push_back(summary_of(result, scene));
   }
 
 
@@ -385,7 +375,7 @@ namespace PlateImpact
     if (!last.result.snapshots.empty())
       write_fields(directory, last);
     last.result.seconds.output += timer.wall_time();
-    cycles.back() = summary_of(last.result, scene.parameters, scene.expected);
+    cycles.back()      = summary_of(last.result, scene);
     const Json summary = write_summary(word_for(outcome), warnings, verdict);
     if (scene.parameters.output.write_report)
       directory.write_file("report.html", [&](std::ostream &out) {

@@ -94,18 +94,16 @@ namespace PlateImpact
       Eigen::MatrixXd errors(unit_points.size(), cycle.result.cells), x(errors),
         y(errors);
       for (const auto &cell : cycle.mesh().active_cell_iterators())
-        {
-          const unsigned int c = cell->active_cell_index();
-          errors.col(c).setConstant(cycle.result.error_ratios->elements[c]);
-          for (std::size_t p = 0; p < unit_points.size(); ++p)
-            {
-              const Point<2> place =
-                mapping_of(cell).transform_unit_to_real_cell(cell,
-                                                             unit_points[p]);
-              x(p, c) = place[0];
-              y(p, c) = place[1];
-            }
-        }
+        for (std::size_t p = 0; p < unit_points.size(); ++p)
+          {
+            const unsigned int c = cell->active_cell_index();
+            const Point<2>     place =
+              mapping_of(cell).transform_unit_to_real_cell(cell,
+                                                           unit_points[p]);
+            errors(p, c) = cycle.result.error_ratios->elements[c];
+            x(p, c)      = place[0];
+            y(p, c)      = place[1];
+          }
       add("element_error", false, false, errors);
       add("x", true, false, x);
       add("y", false, true, y);
@@ -318,33 +316,27 @@ namespace PlateImpact
     for (std::size_t i = 0; i < frames.size(); ++i)
       {
         const double time = frames[i]->time;
+        const auto   state =
+          std::partition_point(states.begin(), states.end() - 1, [=](auto &s) {
+            return s.time < time;
+          });
+        const auto sample =
+          std::lower_bound(samples.begin(), samples.end() - 1, time);
         times.push_back(time);
-        forces.push_back(
-          std::lower_bound(states.begin(),
-                           states.end() - 1,
-                           time,
-                           [](const ContactState &state, const double t) {
-                             return state.time < t;
-                           })
-            ->force);
-        errors.push_back(
-          result.error->sample_errors[std::lower_bound(samples.begin(),
-                                                       samples.end() - 1,
-                                                       time) -
-                                      samples.begin()]);
+        forces.push_back(state->force);
+        errors.push_back(result.error->sample_errors[sample - samples.begin()]);
         w.col(i + 1) =
           displacements(plate, frames[i]->unknowns, deflection, unit_points)
             .reshaped();
-        const Eigen::VectorXf &of_cells =
-          result.error->kept_element_errors[sample_of_frame[i]];
-        for (std::size_t cell = 0; cell < n_cells; ++cell)
-          if (of_cells[cell] > 0.f)
-            xi(cell, i + 1) =
-              std::clamp(1e4 *
-                           std::log10(of_cells[cell] /
-                                      result.error_ratios->element_limit),
-                         -32767.,
-                         32767.);
+        const Eigen::ArrayXd ratios =
+          result.error->kept_element_errors[sample_of_frame[i]]
+            .array()
+            .cast<double>() /
+          result.error_ratios->element_limit;
+        xi.col(i + 1) =
+          (ratios > 0.)
+            .select((1e4 * ratios.log10()).max(-32767.).min(32767.),
+                    xi.col(i + 1));
       }
     const double unit =
       std::max(w.abs().maxCoeff() / 32767., std::numeric_limits<double>::min());

@@ -6,16 +6,13 @@
 #include "plate_impact/estimator/peak_force_error.h"
 #include "plate_impact/estimator/recovered_field.h"
 #include "plate_impact/output/plate_fields.h"
-#include "plate_impact/output/run_in_words.h"
 #include "plate_impact/plate/plate_mesh.h"
 #include "plate_impact/plate/plate_section.h"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <map>
-#include <utility>
 
 namespace PlateImpact
 {
@@ -23,29 +20,45 @@ namespace PlateImpact
 
   namespace
   {
-    /// More points than these do not show on a screen.
-    constexpr std::size_t max_plotted_states = 1200;
-
     /// Cells of all meshes together that a page shows; a browser is slow with
     /// more.
     constexpr std::size_t max_pictured_cells = 15000;
 
 
 
-    const std::vector<
-      std::pair<std::string, std::function<double(const ContactState &)>>>
-      columns_of_histories = {
-        {"time", &ContactState::time},
-        {"force", &ContactState::force},
-        {"indentation", &ContactState::indentation},
-        {"plate_displacement", &ContactState::plate_displacement},
-        {"impactor_displacement", &ContactState::impactor_displacement},
-        {"plate_energy", &ContactState::plate_energy},
-        {"contact_energy", &ContactState::contact_energy},
-        {"impactor_energy", &ContactState::impactor_energy},
-        {"dissipated_energy", &ContactState::dissipated_energy},
-        {"plate_dissipated_energy", &ContactState::plate_dissipated_energy},
-        {"total_energy", &ContactState::total_energy}};
+    const HistoryColumns columns_of_histories = {
+      {"time", &ContactState::time},
+      {"force", &ContactState::force},
+      {"indentation", &ContactState::indentation},
+      {"plate_displacement", &ContactState::plate_displacement},
+      {"impactor_displacement", &ContactState::impactor_displacement},
+      {"plate_energy", &ContactState::plate_energy},
+      {"contact_energy", &ContactState::contact_energy},
+      {"impactor_energy", &ContactState::impactor_energy},
+      {"dissipated_energy", &ContactState::dissipated_energy},
+      {"plate_dissipated_energy", &ContactState::plate_dissipated_energy},
+      {"total_energy", &ContactState::total_energy}};
+
+
+
+    /// How the contact force is spread, and what that means for its limit.
+    std::string
+    load_in_words(const Parameters &parameters)
+    {
+      const ContactParameters &contact = parameters.contact;
+      const std::string        load    = word_for(contact.load_distribution);
+      if (contact.load_is_singular())
+        return load +
+          (parameters.plate.shear_correction_factor > 10. ?
+             "; the peak force converges, since the plate has no shear "
+             "deformation" :
+             ": the peak force does not converge under refinement");
+      if (!contact.has_patch())
+        return load;
+      return load +
+        (contact.load_has_length() ? " of half-width " : " of radius ") +
+        number(contact.patch_radius, "m");
+    }
 
 
 
@@ -69,11 +82,10 @@ namespace PlateImpact
         {
           double enters = 0., leaves = std::numeric_limits<double>::max();
           // counter-clockwise: the cell is to the left of its edges
-          for (const auto &[a, b] : {std::pair(0, 1),
-                                     std::pair(1, 3),
-                                     std::pair(3, 2),
-                                     std::pair(2, 0)})
+          const unsigned int corners[] = {0, 1, 3, 2, 0};
+          for (unsigned int i = 0; i < 4; ++i)
             {
+              const unsigned int a = corners[i], b = corners[i + 1];
               const Tensor<1, 2> out =
                 cross_product_2d(cell->vertex(b) - cell->vertex(a));
               const double inside   = out * (cell->vertex(a) - ray.origin),
@@ -180,19 +192,15 @@ namespace PlateImpact
 
 
   Json
-  history_on_page(const ContactHistory           &history,
-                  const std::size_t               most_states,
-                  const std::vector<std::string> &columns)
+  history_on_page(const ContactHistory &history, const HistoryColumns &columns)
   {
-    const std::vector<ContactState> &states = history.states();
+    const std::vector<ContactState> &states      = history.states();
+    constexpr std::size_t            most_states = 1200; // more do not show
     const std::size_t         stride = 1 + (states.size() - 1) / most_states;
     const ContactState *const peak   = &history.peak();
     Json                      result;
-    for (const auto &[name, value] : columns_of_histories)
+    for (const auto &[name, value] : columns)
       {
-        if (!columns.empty() &&
-            std::find(columns.begin(), columns.end(), name) == columns.end())
-          continue;
         std::vector<double> values;
         for (std::size_t i = 0; i < states.size(); ++i)
           if (i % stride == 0 || i + 1 == states.size() || &states[i] == peak)
@@ -210,7 +218,7 @@ namespace PlateImpact
     const CycleResult &result = cycle.result;
     if (result.history)
       study["histories"].push_back(
-        history_on_page(*result.history, max_plotted_states));
+        history_on_page(*result.history, columns_of_histories));
     if (result.error)
       study["errors"].push_back(
         {{"time", numbers_on_page(result.error->sample_times)},

@@ -5,7 +5,6 @@
 #include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_section.h"
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -53,20 +52,6 @@ namespace PlateImpact
         text +=
           (text.empty() ? "" : ", ") + word_for(support) + " (" + edge + ")";
       return text;
-    }
-
-
-
-    /// Whether the run has met what the scene asks for, in words.
-    std::string
-    result_in_words(const Parameters &parameters, const Outcome outcome)
-    {
-      if (outcome == Outcome::target_reached)
-        return "target met";
-      if (outcome == Outcome::single_mesh)
-        return parameters.adaptivity.is_adaptive() ? "one mesh" :
-                                                     "one mesh, no target";
-      return "target missed (" + word_for(outcome) + ")";
     }
 
 
@@ -211,26 +196,6 @@ namespace PlateImpact
 
 
 
-  std::string
-  load_in_words(const Parameters &parameters)
-  {
-    const ContactParameters &contact = parameters.contact;
-    const std::string        load    = word_for(contact.load_distribution);
-    if (contact.load_is_singular())
-      return load +
-        (parameters.plate.shear_correction_factor > 10. ?
-           "; the peak force converges, since the plate has no shear "
-           "deformation" :
-           ": the peak force does not converge under refinement");
-    if (!contact.has_patch())
-      return load;
-    return load +
-      (contact.load_has_length() ? " of half-width " : " of radius ") +
-      number(contact.patch_radius, "m");
-  }
-
-
-
   Verdict
   verdict_of(const Parameters  &parameters,
              const Outcome      outcome,
@@ -245,7 +210,12 @@ namespace PlateImpact
       }
     verdict.warnings = warnings;
     verdict.force    = force_in_words(last, warnings.model_error());
-    verdict.text = verdict.force + ": " + result_in_words(parameters, outcome);
+    verdict.text     = verdict.force + ": " +
+      (outcome == Outcome::target_reached ? "target met" :
+         outcome != Outcome::single_mesh  ? "target missed (" +
+           word_for(outcome) + ")" :
+         parameters.adaptivity.is_adaptive() ? "one mesh" :
+                                               "one mesh, no target");
     verdict.convergence =
       convergence_of(parameters, outcome, last, warnings.numerical);
     if (warnings.assumes_elastic_contact)
@@ -265,14 +235,13 @@ namespace PlateImpact
   std::string
   model_in_words(const Verdict &verdict)
   {
-    if (verdict.warnings.model.empty())
-      return std::string("Within the limits of the model") +
-        (verdict.warnings.assumes_elastic_contact ?
-           ", elastic contact assumed" :
-           "");
-    return verdict.model.trust == Trust::doubtful ? "Outside the limits of the "
-                                                    "model" :
-                                                    "Far outside the limits of "
-                                                    "the model";
+    const std::string limits = " the limits of the model";
+    if (!verdict.warnings.model.empty())
+      return (verdict.model.trust == Trust::doubtful ? "Outside" :
+                                                       "Far outside") +
+        limits;
+    return "Within" + limits +
+      (verdict.warnings.assumes_elastic_contact ? ", elastic contact assumed" :
+                                                  "");
   }
 } // namespace PlateImpact

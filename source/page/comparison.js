@@ -60,17 +60,18 @@ function showCosts(comparison, colourOf) {
   const { curves, reference } = comparison, best = bestOfStrategies(comparison);
   const costs = [['seconds, start-up not included [s]', 'cumulative_seconds'], ['unknowns', 'degrees_of_freedom'], ['cells', 'cells']];
   const column = (curve, key, factor = 1) => curve.meshes.map((mesh) => factor * mesh[key]);
+  const pointsOf = (curve, key) => ({ curve, marker: curve.element, x: column(curve, costs[0][1]),
+    moreX: costs.slice(1).map(([, cost]) => column(curve, cost)), y: column(curve, key, 100) });
   const [x, ...moreX] = costs.map(([title]) => ({ title, logarithmic: true }));
   const list = [['error of the peak force [%]', 'peak_force_error'], ['η [%]', 'discretization_error']].map(([title, key]) => ({
     title, x, moreX, y: { title, logarithmic: true }, views: viewsOf(curves, best),
-    series: curves.filter(({ strategy }) => key === 'peak_force_error' || !strategy.endsWith('by force')).map((curve) => ({ curve, name: curve.strategy, marker: curve.element, colour: colourOf(curve), style: 'line and points',
-      x: column(curve, costs[0][1]), moreX: costs.slice(1).map(([, cost]) => column(curve, cost)), y: column(curve, key, 100) })) }));
+    series: curves.filter(({ strategy }) => key === 'peak_force_error' || !strategy.endsWith('by force'))
+      .map((curve) => ({ ...pointsOf(curve, key), name: curve.strategy, colour: colourOf(curve), style: 'line and points' })) }));
   for (const curve of curves) {
     const limited = { ...curve, meshes: curve.meshes.filter((mesh) => mesh.cells_at_minimum_size > 0) };
     if (limited.meshes.length > 0)
-      [['peak_force_error', 0], ['discretization_error', 1]].forEach(([key, i]) => list[i].series.unshift({ curve,
-        name: 'cells at the minimum size', marker: curve.element, colour: colourOf({}), style: 'points',
-        x: column(limited, costs[0][1]), moreX: costs.slice(1).map(([, cost]) => column(limited, cost)), y: column(limited, key, 100) }));
+      ['peak_force_error', 'discretization_error'].forEach((key, i) => list[i].series.unshift({ ...pointsOf(limited, key), curve,
+        name: 'cells at the minimum size', colour: colourOf({}), style: 'points' }));
   }
   if (reference.uncertainty > 0) {
     const [first, ...others] = costs.map(([, cost]) => rangeOf(curves.flatMap((curve) => column(curve, cost))));

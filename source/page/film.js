@@ -151,11 +151,9 @@ class Film {
   }
 
   toggle() {
-    if (this.timer) {
-      clearInterval(this.timer);
-      this.timer = null;
-    } else {
-      const last = this.film.times.length - 1;
+    const last = this.film.times.length - 1;
+    if (this.timer) this.timer = clearInterval(this.timer); // none
+    else {
       if (this.frame === last) this.show(0);
       this.timer = setInterval(() => { if (this.frame === last) this.toggle(); else this.show(this.frame + 1); }, 90);
     }
@@ -166,12 +164,6 @@ class Film {
     this.frame = frame;
     this.slider.value = frame;
     this.draw();
-  }
-
-  /** Of a cell, where the field is one of cells. */
-  colourOfCell(cell) {
-    const value = this.cellErrors[this.frame * this.film.cells + cell];
-    return value === -32768 ? 'rgb(255,255,255)' : colourAt(ratioScale.palette, ratioScale.place(10 ** (value / 1e4)));
   }
 
   draw() {
@@ -218,7 +210,10 @@ class Film {
         const sign = (field.isOdd[0] ? patch.mirrorX : 1) * (field.isOdd[1] ? patch.mirrorY : 1);
         fillBands(points, patch.nodes.map((node) => field.place(offset + node, sign)), nBands,
           (polygon, band) => fill(polygon, bandColour(field.palette, band)));
-      } else fill(points, this.colourOfCell(patch.cell));
+      } else {
+        const error = this.cellErrors[this.frame * film.cells + patch.cell];
+        fill(points, error === -32768 ? 'rgb(255,255,255)' : colourAt(field.palette, ratioScale.place(10 ** (error / 1e4))));
+      }
       context.strokeStyle = 'rgba(0,0,0,0.25)';
       for (const edge of patch.border) {
         context.beginPath();

@@ -6,7 +6,6 @@
 
 #include <cstdlib>
 #include <fmt/format.h>
-#include <map>
 #include <ostream>
 #include <string_view>
 #include <utility>
@@ -44,24 +43,16 @@ namespace PlateImpact
     using namespace PageAssets;
     const std::string data =
       study.dump(-1, ' ', false, Json::error_handler_t::replace);
-    const std::map<std::string_view, std::string> values = {
-      {"TITLE", as_html(text.title)},
-      {"LEAD", as_html(text.lead)},
-      {"WORDS", as_html(text.words)},
-      {"STYLE", std::string(style)},
-      // nothing within a script element may look like its end
-      {"DATA", replace_in_string(data, "<", "\\u003c")},
-      {"LIBRARY", std::string(library)},
-      {"SCRIPT", std::string(script)}};
-    std::string_view rest = page;
-    for (std::size_t begin; (begin = rest.find('%')) != rest.npos;)
-      {
-        const std::size_t end = rest.find('%', begin + 1);
-        out << rest.substr(0, begin)
-            << values.at(rest.substr(begin + 1, end - begin - 1));
-        rest.remove_prefix(end + 1);
-      }
-    out << rest;
+    out << fmt::format(fmt::runtime(page),
+                       fmt::arg("title", as_html(text.title)),
+                       fmt::arg("lead", as_html(text.lead)),
+                       fmt::arg("words", as_html(text.words)),
+                       fmt::arg("style", style),
+                       // nothing in a script element may look like its end
+                       fmt::arg("data",
+                                replace_in_string(data, "<", "\\u003c")),
+                       fmt::arg("library", library),
+                       fmt::arg("script", script));
   }
 
 

@@ -115,20 +115,19 @@ function table(columns, rows, className = '') {
   return element('div', { className: 'wide', tabIndex: 0 }, made);
 }
 
-/** A number in a cell, in parentheses or not; text sorts behind. */
-function sortKey(text) {
-  const number = parseFloat(text.replace('(', ''));
-  return Number.isNaN(number) ? Infinity : number;
-}
-
 function makeSortable({ tHead, tBodies: [body] }) {
   const heads = [...tHead.rows[0].cells];
+  // a number may be in parentheses; text sorts behind
+  const numberIn = (text) => {
+    const number = parseFloat(text.replace('(', ''));
+    return Number.isNaN(number) ? Infinity : number;
+  };
   heads.forEach((head, column) => head.replaceChildren(button(head.textContent, () => {
     const sign = head.getAttribute('aria-sort') === 'ascending' ? -1 : 1;
     heads.forEach((other) => other.removeAttribute('aria-sort'));
     head.setAttribute('aria-sort', sign > 0 ? 'ascending' : 'descending');
     body.append(...[...body.rows].sort((...rows) => {
-      const texts = rows.map(({ cells }) => cells[column].textContent), [x, y] = texts.map(sortKey);
+      const texts = rows.map(({ cells }) => cells[column].textContent), [x, y] = texts.map(numberIn);
       return sign * (column === 0 || x === y ? texts[0].localeCompare(texts[1]) : x - y);
     }));
   }, { title: 'Sort' })));

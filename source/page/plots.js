@@ -29,10 +29,7 @@ Chart.register({
     ctx.save();
     ctx.strokeStyle = cssColour('faint');
     ctx.setLineDash([3, 3]);
-    ctx.beginPath();
-    ctx.moveTo(active[0].element.x, chartArea.top);
-    ctx.lineTo(active[0].element.x, chartArea.bottom);
-    ctx.stroke();
+    ctx.stroke(new Path2D(`M${active[0].element.x} ${chartArea.top}V${chartArea.bottom}`));
     ctx.restore();
   }
 });
@@ -166,16 +163,10 @@ function makePlot(canvas, entry) {
 
 /** Series of a plot that are shown, a row a point. */
 function csvOf(chart, plot) {
-  const quoted = (text) => `"${String(text).replaceAll('"', '""')}"`;
-  const rows = [['series', plot.x.title || 'x', plot.y.title || 'y']];
-  chart.data.datasets.forEach((dataset, i) => {
-    if (!chart.isDatasetVisible(i)) return;
-    dataset.data.forEach((point, k) => {
-      rows.push(plot.categories ? [dataset.label, point, plot.categories[k]] :
-        [dataset.label, point.x, point.y]);
-    });
-  });
-  return rows.map((row) => row.map((value) => typeof value === 'number' ? value : quoted(value ?? '')).join()).join('\n') + '\n';
+  const rows = chart.data.datasets.filter((_, i) => chart.isDatasetVisible(i)).flatMap(({ label, data }) =>
+    data.map((point, k) => plot.categories ? [label, point, plot.categories[k]] : [label, point.x, point.y]));
+  const field = (value) => typeof value === 'number' ? value : `"${String(value ?? '').replaceAll('"', '""')}"`;
+  return [['series', plot.x.title || 'x', plot.y.title || 'y'], ...rows].map((row) => `${row.map(field).join()}\n`).join('');
 }
 
 /** A point of a plot as SVG. */

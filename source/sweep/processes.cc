@@ -1,7 +1,5 @@
 #include "plate_impact/sweep/processes.h"
 
-#include <deal.II/base/mpi.h>
-
 #include "plate_impact/base/exceptions.h"
 
 #include <boost/serialization/is_bitwise_serializable.hpp>
@@ -32,29 +30,12 @@ namespace PlateImpact
     }
 
 
-    /// What a process sends: a point, or at last its work.
-    struct Message
-    {
-      template <typename Archive>
-      void
-      serialize(Archive &archive, const unsigned int)
-      {
-        archive &row &is_work &work.meshes &work.plates &work.loads;
-      }
 
-      SweepRow  row;
-      bool      is_work = false;
-      SweepWork work    = {};
-    };
-
-
-
-    /// To the first process, without waiting for it as long as the message is
-    /// small.
+    /// To the first process, without waiting for it as long as they are few.
+    /// @param bytes  of a point; none: no other follows
     void
-    send(const Message &message)
+    send(const std::vector<char> &bytes)
     {
-      const std::vector<char> bytes = Utilities::pack(message, false);
       MPI_Send(bytes.data(), bytes.size(), MPI_CHAR, 0, 0, MPI_COMM_WORLD);
     }
 
@@ -62,7 +43,7 @@ namespace PlateImpact
 
     /// What another process has sent.
     /// @param wait  for something
-    std::optional<Message>
+    std::optional<std::vector<char>>
     received(const bool wait)
     {
       int        has_come = 1;
@@ -83,7 +64,7 @@ namespace PlateImpact
                0,
                MPI_COMM_WORLD,
                MPI_STATUS_IGNORE);
-      return Utilities::unpack<Message>(bytes, false);
+      return bytes;
     }
   } // namespace
 
@@ -145,24 +126,23 @@ namespace PlateImpact
                      const std::function<void(SweepRow &&)> &take)
   {
     SweepWork  all;
-    const auto add_work = [&all](const SweepWork &work) {
-      all.meshes += work.meshes;
-      all.plates += work.plates;
-      all.loads += work.loads;
+    const auto add = [&](SweepRow &&row) {
+      all.meshes += row.work.meshes;
+      all.plates += row.work.plates;
+      all.loads += row.work.loads;
+      take(std::move(row));
     };
-    unsigned int n_others =
-      rank == 0 ? size - 1 : 0; // that have not sent their work
+    int        n_others    = rank == 0 ? size - 1 : 0; // that go on
     const auto take_others = [&](const bool wait, const auto &take) {
       while (n_others > 0)
         {
-          std::optional<Message> message = received(wait);
-          if (!message)
+          const auto bytes = received(wait);
+          if (!bytes)
             return;
-          if (!message->is_work)
-            take(std::move(message->row));
-          else
+          if (bytes->empty())
             --n_others;
-          add_work(message->work);
+          else
+            take(Utilities::unpack<SweepRow>(*bytes, false));
         }
     };
     try
@@ -173,16 +153,16 @@ namespace PlateImpact
               SweepRow row = computation.compute(tasks[task].group, index);
               if (rank == 0)
                 {
-                  take(std::move(row));
+                  add(std::move(row));
                   throw_if_interrupted();
-                  take_others(/*wait=*/false, take);
+                  take_others(/*wait=*/false, add);
                 }
               else
-                send({std::move(row)});
+                send(Utilities::pack(row, false));
             }
         if (rank != 0)
-          send({{}, true, computation.work});
-        take_others(/*wait=*/true, take);
+          send({});
+        take_others(/*wait=*/true, add);
       }
     catch (const ComputationError &)
       {
@@ -192,7 +172,6 @@ namespace PlateImpact
         take_others(/*wait=*/true, [](SweepRow &&) {});
         throw;
       }
-    add_work(computation.work);
     return all;
   }
 } // namespace PlateImpact

@@ -8,14 +8,12 @@
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
-#include "plate_impact/transient/plate_model.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <new>
 #include <tuple>
-#include <utility>
 
 namespace PlateImpact
 {
@@ -107,11 +105,9 @@ namespace PlateImpact
       }
     n_loads = number_of_load.size();
     for (auto &group : groups)
-      std::stable_sort(group.begin(),
-                       group.end(),
-                       [&load_of](const std::size_t p, const std::size_t q) {
-                         return load_of[p] < load_of[q];
-                       });
+      std::stable_sort(group.begin(), group.end(), [&](auto p, auto q) {
+        return load_of[p] < load_of[q];
+      });
   }
 
 
@@ -156,6 +152,7 @@ namespace PlateImpact
       if (valid.parameters.sweep.write_histories)
         row.history = std::move(*result.history);
     });
+    row.work    = std::exchange(work, {});
     return row;
   }
 

@@ -72,6 +72,34 @@ namespace PlateImpact
 
 
 
+    std::string
+    header(const SweepPlan &plan)
+    {
+      std::vector<std::string> names;
+      for (const SweptEntry &entry : plan.entries)
+        names.push_back(entry.path);
+      for (const ImpactQuantity &quantity : impact_quantities)
+        names.push_back(quantity.name);
+      return joined(names) + "warnings,status";
+    }
+
+
+
+    std::string
+    line(const SweepPlan &plan, const SweepRow &row)
+    {
+      const bool               is_ok  = row.failure.empty();
+      std::vector<std::string> fields = plan.values(row.point);
+      for (std::size_t i = 0; i < impact_quantities.size(); ++i)
+        fields.push_back(is_ok && !std::isnan(row.quantities[i]) ?
+                           shortest(row.quantities[i]) :
+                           "");
+      fields.push_back(fmt::format("{}", fmt::join(row.warnings, separator)));
+      return joined(fields) + as_field(is_ok ? "ok" : row.failure);
+    }
+
+
+
     /// A sentence without its numbers and the prefixes of their units.
     std::string
     kind_of(const std::string &sentence)
@@ -88,11 +116,6 @@ namespace PlateImpact
     /// Numbers of all quantities together, so that a page stays below some
     /// megabytes. Of very large sweeps it has the first quantities only.
     constexpr std::size_t most_numbers = 500000;
-
-    /// States of a history; more do not show.
-    constexpr std::size_t most_states = 1000;
-
-
 
     /// Figures of the impacts as columns.
     Json
@@ -135,36 +158,6 @@ namespace PlateImpact
 
 
 
-  std::string
-  SweepTable::header() const
-  {
-    std::vector<std::string> names;
-    for (const SweptEntry &entry : plan.entries)
-      names.push_back(entry.path);
-    for (const ImpactQuantity &quantity : impact_quantities)
-      names.push_back(quantity.name);
-    return joined(names) + "warnings,status";
-  }
-
-
-
-  std::string
-  SweepTable::line(const SweepRow &row) const
-  {
-    std::string text = joined(plan.values(row.point));
-    for (std::size_t i = 0; i < impact_quantities.size(); ++i)
-      {
-        if (row.failure.empty() && !std::isnan(row.quantities[i]))
-          text += shortest(row.quantities[i]);
-        text += ',';
-      }
-    return text +
-      as_field(fmt::format("{}", fmt::join(row.warnings, separator))) + ',' +
-      as_field(row.failure.empty() ? "ok" : row.failure);
-  }
-
-
-
   void
   SweepTable::read()
   {
@@ -177,7 +170,7 @@ namespace PlateImpact
     const std::size_t n_values     = plan.entries.size(),
                       n_quantities = impact_quantities.size();
     // a line without its end was being written when the sweep was interrupted
-    if (!std::getline(in, text) || text != header())
+    if (!std::getline(in, text) || text != header(plan))
       return;
     while (std::getline(in, text) && !in.eof())
       {
@@ -188,9 +181,8 @@ namespace PlateImpact
         SweepRow row;
         for (std::size_t i = 0; i < n_quantities; ++i)
           {
-            row.quantities.push_back(std::nan(""));
-            if (const std::string &field = fields[n_values + i]; !field.empty())
-              any_number().read(field, row.quantities.back());
+            row.quantities.push_back(std::nan("")); // stays that of no number
+            any_number().read(fields[n_values + i], row.quantities.back());
           }
         row.warnings =
           dealii::Utilities::split_string_list(fields[n_values + n_quantities],
@@ -211,10 +203,10 @@ namespace PlateImpact
   SweepTable::write() const
   {
     directory.write_file(file_name, [this](std::ostream &file) {
-      file << header() << '\n';
+      file << header(plan) << '\n';
       for (const std::optional<SweepRow> &row : rows)
         if (row)
-          file << line(*row) << '\n';
+          file << line(plan, *row) << '\n';
     });
   }
 
@@ -223,7 +215,7 @@ namespace PlateImpact
   void
   SweepTable::add(const SweepRow &row)
   {
-    out << line(row) << '\n' << std::flush;
+    out << line(plan, row) << '\n' << std::flush;
     if (!out)
       throw ComputationError(
         (directory / file_name).string() +
@@ -236,31 +228,28 @@ namespace PlateImpact
   std::vector<std::string>
   sweep_warnings(const std::vector<std::optional<SweepRow>> &rows)
   {
-    std::size_t n_failed = 0;
-    std::string first_failure;
     // by sentences without numbers: the first one, and how many points have it
     nlohmann::ordered_map<std::string, std::pair<std::string, std::size_t>>
-      kinds;
+               kinds;
+    const auto count = [&](const std::string &kind, const std::string &text) {
+      auto &[first, n_points] = kinds[kind];
+      if (n_points++ == 0)
+        first = text;
+    };
     for (const auto &row : rows)
-      {
-        if (!row->failure.empty() && ++n_failed == 1)
-          first_failure = row->failure;
-        for (const std::string &warning : row->warnings)
-          {
-            auto &[first, n_points] = kinds[kind_of(warning)];
-            if (n_points++ == 0)
-              first = warning;
-          }
-      }
+      if (!row->failure.empty())
+        count(" failed", row->failure);
+    for (const auto &row : rows)
+      for (const std::string &warning : row->warnings)
+        count(kind_of(warning), warning);
 
-    const std::string        of_all = " of " + std::to_string(rows.size());
     std::vector<std::string> warnings;
-    if (n_failed > 0)
-      warnings.push_back(std::to_string(n_failed) + of_all +
-                         " points failed; the first: " + first_failure);
     for (const auto &[name, kind] : kinds)
-      warnings.push_back(std::to_string(kind.second) + of_all +
-                         " points; the first: " + kind.first);
+      warnings.push_back(fmt::format("{} of {} points{}; the first: {}",
+                                     kind.second,
+                                     rows.size(),
+                                     name == " failed" ? name : "",
+                                     kind.first));
     return warnings;
   }
 
@@ -297,8 +286,7 @@ namespace PlateImpact
       }
     for (const auto &[point, history] : histories)
       {
-        study["histories"].push_back(
-          history_on_page(history, most_states, {"time", "force"}));
+        study["histories"].push_back(history_on_page(history));
         study["histories"].back()["point"] = point;
       }
     study["words"].push_back("The scene, except for the swept entries: " +

@@ -21,17 +21,13 @@ namespace PlateImpact
     double peak_force = 0.; ///< [N]
 
     /// Of the peak force, a fraction: its change by halving every cell once
-    /// more, which bounds the error that the mesh leaves, and no less than the
-    /// tolerance of Ritz vectors. 0 where the scene gives the peak force.
+    /// more, no less than the tolerance of Ritz vectors. 0 of a given force.
     double uncertainty = 0.;
 
-    /// None where the scene gives the peak force. The time step, which all
-    /// meshes share, leaves its `time_error`.
-    std::optional<CycleResult> computed;
+    std::optional<CycleResult> computed;     ///< none of a given force
     double                     seconds = 0.; ///< that it has taken
 
-    /// Where a field is to compare with: not under a point load, whose energy
-    /// has no limit.
+    /// None under a point load, whose energy has no limit.
     std::shared_ptr<const ReferenceError> field_error;
   };
 
@@ -72,24 +68,17 @@ namespace PlateImpact
     std::vector<std::string>      warnings;
     Json picture; ///< of the mesh that meets eta; null: none was drawn
 
-    /// "hanging nodes"
-    std::string
-    strategy_name() const
-    {
-      return name_of(strategy);
-    }
-
     /// "hanging nodes, MITC9"
     std::string
     name() const
     {
-      return strategy_name() + ", " + word_for(element);
+      return name_of(strategy) + ", " + word_for(element);
     }
   };
 
 
-  /// A mesh from which on a curve stays below a threshold: of the force, a
-  /// later mesh or the bar of its own confirms it.
+  /// A mesh from which on a curve stays below a threshold: of the force,
+  /// confirmed by a later mesh or by its own bar.
   struct Achievement
   {
     const ComparisonCurve *curve;
@@ -103,10 +92,12 @@ namespace PlateImpact
     bool   is_of_eta; ///< or of the error of the peak force
     double threshold;
     bool   is_comparable; ///< above the reference's uncertainty
-    /// Curves that reach it and stay below, the fastest first; none where it is
-    /// not comparable. Of eta, those whose meshes are made for it: by force, a
-    /// plate is watched no longer than its peak takes.
+    /// The fastest first; none where it is not comparable. Of eta, those whose
+    /// meshes are made for it: by force, a plate is watched up to its peak.
     std::vector<Achievement> achievements;
+    /// Which strategy is first, each with its fastest element, and by how much:
+    /// against uniform meshes, or the next.
+    std::string in_words;
   };
 
 
@@ -114,29 +105,24 @@ namespace PlateImpact
   /// user waits.
   ///
   /// All share the initial mesh, step, integrator, solver, load and estimator.
-  /// Whenever eta meets the target, the target is halved, so that curves go on
-  /// to smaller errors; a mesh costs its own cycle and all before it. A curve
-  /// ends at the comparison's maximum of cycles, with an eta of less than three
-  /// times that of the reference, when its strategy keeps the mesh or gains
-  /// nothing at the minimum cell size, or when the time budget is spent, which
-  /// breaks off the cycle that spends it. A minimum cell size that the scene
-  /// leaves to the program follows the smaller targets.
+  /// Whenever eta meets the target, the target is halved; a mesh costs its own
+  /// cycle and all before it. A curve ends at the comparison's maximum of
+  /// cycles, with an eta of less than three times that of the reference, when
+  /// its strategy keeps the mesh or gains nothing at the minimum cell size, or
+  /// when the time budget is spent, which breaks off a cycle. A minimum cell
+  /// size that the scene leaves to the program follows the smaller targets.
   class StrategyComparison
   {
   public:
-    /// Told after every step: the cycle, the step and the number of steps.
-    using Progress = decltype(AnalysisListener::step);
+    const Scene &scene; ///< must outlive the comparison
 
-    /// @param scene    must outlive the comparison
-    /// @param marking  of strategies that are outside; outlives it as well
-    explicit StrategyComparison(
-      const Scene             &scene,
-      const Progress          &progress = AnalysisListener().step,
-      const AdaptationControl *marking  = nullptr)
-      : scene(scene)
-      , progress(progress)
-      , marking(marking)
-    {}
+    /// Told after every step: the cycle, the step and the number of steps.
+    decltype(AnalysisListener::step) progress = AnalysisListener().step;
+
+    const AdaptationControl *marking = nullptr; ///< of strategies outside
+
+    Reference                    reference = {};
+    std::vector<ComparisonCurve> curves    = {};
 
     /// The given peak force, or that of a mesh far finer than any compared:
     /// MITC9 and hanging nodes down to a tenth of the target error, then every
@@ -158,21 +144,10 @@ namespace PlateImpact
     std::vector<ThresholdRow>
     thresholds() const;
 
-    Reference                    reference;
-    std::vector<ComparisonCurve> curves;
-
   private:
-    Parameters
-    parameters_of(const ComparedStrategy &strategy, ElementType element) const;
     void
     add_meshes(ComparisonCurve                                    &curve,
                const std::function<void(const ComparisonCurve &)> &listener);
-    ComparedMesh
-    compared(const Cycle &cycle, double seconds_before) const;
-
-    const Scene             &scene;
-    const Progress           progress;
-    const AdaptationControl *marking;
   };
 
 
@@ -182,11 +157,6 @@ namespace PlateImpact
   comparison_results(const Scene                    &scene,
                      const StrategyComparison       &comparison,
                      const std::vector<std::string> &warnings);
-
-  /// Which strategy reaches a threshold first, each with its fastest element,
-  /// and by how much: against uniform meshes, or the next.
-  std::string
-  in_words(const ThresholdRow &row, const std::vector<ComparisonCurve> &curves);
 
   /// comparison.csv: the meshes of all curves, a row each.
   void

@@ -16,9 +16,8 @@ namespace PlateImpact
     bold
   };
 
-  /// The text in colour; as it is in pipes and files, on terminals that know no
-  /// colours, and where the environment variable NO_COLOR is set and not empty
-  /// (no-color.org).
+  /// The text in colour; as it is in pipes and files, on terminals without
+  /// colours, and where NO_COLOR is set and not empty (no-color.org).
   /// @param stream  that it goes to, by its descriptor
   std::string
   emphasized(const std::string &text,
@@ -30,9 +29,8 @@ namespace PlateImpact
   print_warnings(const std::vector<std::string> &warnings);
 
 
-  /// What a user sees while something is computed. Results count more than
-  /// that: a reader who closes the pipe (`| head`) does not end the
-  /// computation.
+  /// What a user sees while something is computed. A reader who closes the pipe
+  /// (`| head`) does not end the computation.
   class Console
   {
   public:
@@ -41,7 +39,7 @@ namespace PlateImpact
 
     ~Console()
     {
-      clear();
+      print("");
     }
 
     /// A text that stays, with the ends of its lines.
@@ -62,11 +60,7 @@ namespace PlateImpact
   private:
     using Clock = std::chrono::steady_clock;
 
-    void
-    clear();
-
     const bool        quiet, overwrites;
-    bool              has_text = false;
     std::string       counted;
     Clock::time_point begin_of_count, last;
   };

@@ -54,10 +54,6 @@ namespace PlateImpact
 
     const Scene &scene;
     Json         cycles = Json::array();
-    Json         study  = {{"study", "run"},
-                           {"histories", Json::array()},
-                           {"errors", Json::array()},
-                           {"meshes", Json::array()},
-                           {"stresses", Json::array()}}; ///< for the report
+    Json         study  = {{"study", "run"}}; ///< for the report
   };
 } // namespace PlateImpact

@@ -21,15 +21,14 @@ namespace PlateImpact
   ///  - `deflections`: int16 in units of `deflectionUnit` [m], frame after
   ///    frame;
   ///  - `fields`: resultants and stresses, recovered, each with `name`, `unit`,
-  ///    `isOdd` across x = 0 and y = 0, `largest`, and `values`, int8: with its
-  ///    sign, the root of the value over the largest, in units of 1/127. None
+  ///    `isOdd` across x = 0 and y = 0, `largest`, and `values`, int8: the
+  ///    signed root of the value over the largest, in units of 1/127. None
   ///    where they would leave too few frames;
   ///  - `cellErrors`: log10 of xi_i(t), int16 in units of 1e-4; -32768 where it
   ///    is 0.
   ///
-  /// Those arrays are base64 of little-endian numbers: a page should stay
-  /// small. On large meshes frames are left out, on very large ones all: the
-  /// result is then null.
+  /// Those arrays are base64 of little-endian numbers. On large meshes frames
+  /// are left out, on very large ones all: the result is then null.
   Json
   deflection_film(const Cycle &cycle);
 } // namespace PlateImpact

@@ -6,21 +6,25 @@
 #include "plate_impact/page/page.h"
 #include "plate_impact/scene/scene.h"
 
-#include <cstddef>
+#include <functional>
 #include <iosfwd>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace PlateImpact
 {
-  /// Columns of a history for a page, by their names in contact_history.csv:
-  /// every so many of its states, so that there are no more than a plot shows,
-  /// with the last and that of the largest force.
-  /// @param columns  all, and `total_energy`, when left out
+  /// What a history has over time, by names.
+  using HistoryColumns = std::vector<
+    std::pair<std::string, std::function<double(const ContactState &)>>>;
+
+  /// Columns of a history for a page: of every so many of its states, with the
+  /// last and that of the largest force.
   Json
-  history_on_page(const ContactHistory           &history,
-                  std::size_t                     most_states,
-                  const std::vector<std::string> &columns = {});
+  history_on_page(
+    const ContactHistory &history,
+    const HistoryColumns &columns = {{"time", &ContactState::time},
+                                     {"force", &ContactState::force}});
 
   /// Adds what report.html shows of a cycle, since the meshes do not stay, to
   /// its lists: `histories`, `errors`, `meshes`, `stresses`.

@@ -21,16 +21,12 @@ namespace PlateImpact
     ~ResultDirectory();
 
     ResultDirectory(const ResultDirectory &) = delete;
-    ResultDirectory &
-    operator=(const ResultDirectory &) = delete;
 
-    /// Removes results of earlier runs, so that they do not stay beside ours:
-    /// files that carry the names of results.
+    /// Removes results of earlier runs: files that carry the names of results.
     void
     clear() const;
 
-    /// Writes a file that appears under its name when it is complete and not
-    /// before.
+    /// Writes a file that appears under its name when it is complete.
     void
     write_file(const std::string                         &name,
                const std::function<void(std::ostream &)> &write) const;

@@ -20,10 +20,6 @@ namespace PlateImpact
   std::string
   local_response_in_words(const Parameters &parameters);
 
-  /// How the contact force is spread, and what that means for its limit.
-  std::string
-  load_in_words(const Parameters &parameters);
-
 
   /// How far a part of a result may be taken at its word.
   enum class Trust

@@ -11,9 +11,8 @@
 namespace PlateImpact
 {
   /// The processes that share a sweep: those that mpirun has started, or this
-  /// one alone. Tasks are handed out one by one by a counter that all share,
-  /// results go to the first process. MPI is started only under mpirun; its
-  /// start takes longer than a small scene.
+  /// one alone, without MPI, whose start takes longer than a small scene. A
+  /// counter that all share hands out tasks, results go to the first process.
   class Processes
   {
   public:

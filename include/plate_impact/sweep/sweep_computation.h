@@ -43,16 +43,13 @@ namespace PlateImpact
 
     std::vector<std::vector<std::size_t>> groups; ///< of points
 
-    /// Loads with time steps, as the swept entries tell them apart, in all
-    /// groups together.
-    std::size_t n_loads;
+    std::size_t n_loads; ///< with their time steps, in all groups together
   };
 
 
   /// Computes points of a sweep, those of one group after another on one struck
-  /// plate. A group of adaptive points is computed on the last mesh of its
-  /// worst point: the one that sends out the shortest waves, by the shortest
-  /// contact in Zener's equation, among equals the one with the largest force.
+  /// plate: if adaptive, on the last mesh of the worst, the one with the
+  /// shortest contact in Zener's equation, then with the largest force.
   class SweepComputation
   {
   public:
@@ -67,10 +64,8 @@ namespace PlateImpact
     SweepRow
     compute(std::size_t group, std::size_t point);
 
-    SweepWork work; ///< so far
-
   private:
-    /// The impact with its warnings, without those of a shared mesh.
+    /// With its warnings, without those of a shared mesh.
     using Computed = std::pair<CycleResult, std::vector<std::string>>;
 
     Computed
@@ -78,12 +73,10 @@ namespace PlateImpact
     /// The impact on the struck plate.
     Computed
     strike(const SweepPoint &point);
-    /// The mesh that the points of a group share, made for the valid one that
-    /// needs the finest.
+    /// The mesh of a group, made for the worst of its valid points.
     std::unique_ptr<dealii::Triangulation<2>>
     make_mesh(std::size_t group, const SweepPoint &point);
-    /// The impact on a mesh with its error, and on better ones where the
-    /// parameters say so.
+    /// With the error, and on better meshes where the parameters say so.
     Computed
     analyse(const Parameters                         &parameters,
             std::unique_ptr<dealii::Triangulation<2>> mesh);
@@ -91,6 +84,7 @@ namespace PlateImpact
     SweepScene        &scene;
     const SweepGroups &groups;
 
+    SweepWork                   work; ///< since the last point
     std::optional<std::size_t>  current_group;
     double                      min_cell_size = 0.; ///< of its mesh [m]
     std::unique_ptr<PlateModel> plate_model;        ///< of the current group

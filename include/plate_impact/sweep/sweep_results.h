@@ -13,7 +13,7 @@
 
 namespace PlateImpact
 {
-  /// What was made for the points of a sweep.
+  /// What was made for a point of a sweep, or for all.
   struct SweepWork
   {
     unsigned int meshes = 0; ///< adapted ones with those before them
@@ -30,6 +30,7 @@ namespace PlateImpact
     std::string         failure;       ///< the reason, in one line
     std::vector<std::string> warnings; ///< a sentence each, as of `run`
     ContactHistory           history;  ///< without states: not wanted
+    SweepWork                work = {};
 
     /// For the way from one process to another.
     template <typename Archive>
@@ -37,14 +38,14 @@ namespace PlateImpact
     serialize(Archive &archive, const unsigned int)
     {
       archive &point &quantities &failure &warnings &history;
+      archive &work.meshes &work.plates &work.loads;
     }
   };
 
 
   /// sweep.csv: a row per point with the swept values, the quantities of the
-  /// impact, warnings, and `ok` or the reason of the failure. While the sweep
-  /// lasts, rows are appended as they come, so that what is there is valid at
-  /// any moment; finish() puts them in the order of the points.
+  /// impact, warnings, and `ok` or the reason of the failure. Rows are appended
+  /// as they come; finish() puts them in the order of the points.
   class SweepTable
   {
   public:
@@ -70,10 +71,6 @@ namespace PlateImpact
     std::vector<std::optional<SweepRow>> rows;
 
   private:
-    std::string
-    header() const;
-    std::string
-    line(const SweepRow &row) const;
     void
     read();
     void
@@ -85,9 +82,8 @@ namespace PlateImpact
   };
 
 
-  /// What a user should know about the rows of a sweep: how many points failed,
-  /// and how many have warnings that differ in their numbers only, with the
-  /// first of each kind.
+  /// How many points of a sweep failed, and how many have warnings that differ
+  /// in their numbers only, with the first of each kind.
   std::vector<std::string>
   sweep_warnings(const std::vector<std::optional<SweepRow>> &rows);
 
