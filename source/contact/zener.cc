@@ -2,7 +2,6 @@
 
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/parameters.h"
-#include "plate_impact/contact/hertz_law.h"
 
 #include <algorithm>
 #include <cmath>
@@ -176,11 +175,11 @@ namespace PlateImpact
   std::optional<double>
   ZenerImpact::loss_factor() const
   {
-    const auto *law = dynamic_cast<const HertzLaw *>(&contact.first_loading());
-    if (law == nullptr)
+    const std::optional<double> k = contact.first_loading().hertz_coefficient();
+    if (!k)
       return {};
     const double m = impactor.mass;
-    const double T = std::pow(m / (law->k * std::sqrt(impactor.velocity)), 0.4);
+    const double T = std::pow(m / (*k * std::sqrt(impactor.velocity)), 0.4);
     return m / (impedance(section) * T);
   }
 

@@ -1,11 +1,8 @@
 #include "plate_impact/estimator/energy_norm_estimator.h"
 
-#include <deal.II/base/function.h>
 #include <deal.II/base/geometry_info.h>
-#include <deal.II/base/quadrature_lib.h>
-#include <deal.II/lac/vector.h>
-#include <deal.II/numerics/error_estimator.h>
 
+#include "plate_impact/estimator/kelly_indicator.h"
 #include "plate_impact/plate/plate_mesh.h"
 
 #include <Eigen/LU>
@@ -22,58 +19,25 @@ namespace PlateImpact
 
     /// Unknowns times fields evaluated together, which bounds the memory.
     constexpr double max_numbers = 1e8;
+
+    struct IndicatorRow
+    {
+      ErrorIndicator choice;
+      std::string    word;
+      /// Ranks the cells in place of their errors; null for the recovery.
+      decltype(&jumps_of_cells) of_cells;
+    };
+
+    const std::vector<IndicatorRow> indicators = {
+      {ErrorIndicator::SPR, "SPR", nullptr},
+      {ErrorIndicator::Kelly, "Kelly", jumps_of_cells}};
   } // namespace
 
 
 
   template <>
-  const std::vector<Word<ErrorIndicator>> Choices<ErrorIndicator>::words =
-    {{ErrorIndicator::SPR, "SPR"}, {ErrorIndicator::Kelly, "Kelly"}};
-
-
-
-  Eigen::MatrixXd
-  jumps_of_cells(const PlateDiscretization &discretization,
-                 const Eigen::MatrixXd     &states)
-  {
-    const unsigned int                  n_states = states.cols();
-    std::vector<Vector<double>>         nodal(n_states);
-    std::vector<Vector<float>>          jumps(n_states);
-    std::vector<const Vector<double> *> solutions;
-    std::vector<Vector<float> *>        errors;
-    for (unsigned int n = 0; n < n_states; ++n)
-      {
-        // deal.II has jumps as floats: states are scaled to numbers near 1
-        const double largest = states.col(n).cwiseAbs().maxCoeff();
-        nodal[n]             = discretization.nodal_values(
-          states.col(n) / (largest > 0. ? largest : 1.));
-        solutions.push_back(&nodal[n]);
-        errors.push_back(&jumps[n]);
-      }
-    // jumps of slopes and of rotations as energies
-    const PlateSection &section = discretization.section();
-    std::vector<double> roots(
-      discretization.element.finite_element.n_components(),
-      std::sqrt(section.membrane_stiffness.topLeftCorner<2, 2>().trace() / 2.));
-    roots[deflection] = std::sqrt(section.mean_shear_stiffness());
-    roots[rotation_x] = roots[rotation_y] =
-      std::sqrt(section.mean_bending_stiffness());
-    const Functions::ConstantFunction<2> coefficients(roots);
-    KellyErrorEstimator<2>::estimate(mapping_of(discretization.mesh()),
-                                     discretization.dof_handler(),
-                                     QGauss<1>(3),
-                                     {},
-                                     solutions,
-                                     errors,
-                                     {},
-                                     &coefficients);
-    Eigen::MatrixXd result(discretization.mesh().n_active_cells(), n_states);
-    for (unsigned int n = 0; n < n_states; ++n)
-      result.col(n) =
-        Eigen::Map<Eigen::VectorXf>(jumps[n].data(), jumps[n].size())
-          .cast<double>();
-    return result;
-  }
+  const std::vector<Word<ErrorIndicator>>
+    Choices<ErrorIndicator>::words = words_of(indicators);
 
 
 
@@ -91,7 +55,7 @@ namespace PlateImpact
     , is_regular(Eigen::VectorXd::Ones(discretization.mesh().n_active_cells()))
     , norms(Norms::Zero())
     , relative(Eigen::VectorXd::Zero(is_regular.size()))
-    , jumps(relative)
+    , ranks(relative)
   {
     for (const unsigned int cell : singular_cells)
       is_regular[cell] = 0.;
@@ -107,12 +71,12 @@ namespace PlateImpact
     const Eigen::Ref<const Eigen::MatrixXd> &vectors,
     const Eigen::MatrixXd                   &coordinates)
   {
-    if (indicator == ErrorIndicator::Kelly)
+    if (const auto of_cells = row_of(indicator, indicators).of_cells)
       {
-        const Eigen::MatrixXd of_cells =
-          jumps_of_cells(discretization, vectors * coordinates);
+        const Eigen::MatrixXd values =
+          of_cells(discretization, vectors * coordinates);
         for (std::size_t n = 0; n < times.size(); ++n)
-          jumps.add(times[n], of_cells.col(n).normalized());
+          ranks.add(times[n], values.col(n).normalized());
       }
     const Eigen::Index batch =
       std::max<Eigen::Index>(1, max_numbers / vectors.rows());
@@ -238,9 +202,9 @@ namespace PlateImpact
     result.eta_of_all_cells     = eta(2);
     result.eta = samples.singular_cells_count ? result.eta_of_all_cells :
                                                 result.eta_of_regular_cells;
-    const bool            is_by_jumps = indicator == ErrorIndicator::Kelly;
-    const Eigen::VectorXd errors =
-      is_by_jumps ? result.eta * jumps.integral : relative.integral;
+    const Eigen::VectorXd errors = indicator == ErrorIndicator::SPR ?
+      relative.integral :
+      result.eta * ranks.integral;
     for (const double integral : errors)
       result.element_errors.push_back(
         relative.time > 0. ? integral / relative.time : 0.);

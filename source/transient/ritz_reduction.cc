@@ -2,7 +2,6 @@
 
 #include "plate_impact/base/entries.h"
 #include "plate_impact/base/exceptions.h"
-#include "plate_impact/contact/hertz_law.h"
 #include "plate_impact/contact/make_contact.h"
 #include "plate_impact/plate/plate_geometry.h"
 
@@ -178,8 +177,7 @@ namespace PlateImpact
       if (n_unknowns < 3. * time.end_time / time.time_step)
         return false;
       const ZenerImpact expected = make_zener_impact(scene);
-      if (dynamic_cast<const HertzLaw *>(&expected.contact.first_loading()) ==
-          nullptr)
+      if (!expected.contact.first_loading().hertz_coefficient())
         return false;
       const double back = return_of_waves(scene.plate, expected);
       return time.end_time > back &&

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 namespace PlateImpact
 {
@@ -9,9 +10,10 @@ namespace PlateImpact
   zero_of(const std::function<double(double)> &increasing);
 
 
-  /// Force between two bodies as their indentation grows for the first time:
-  /// zero for negative ones; neither force nor slope ever decrease. Series and
-  /// memory belong to Contact.
+  /// Force between two bodies as a function of their indentation, as it grows
+  /// for the first time: zero for negative indentations, never decreasing, its
+  /// slope never decreasing either. What gives way in series and what the
+  /// contact remembers belong to Contact.
   class ContactLaw
   {
   public:
@@ -33,13 +35,23 @@ namespace PlateImpact
     double
     indentation(double force) const;
 
-    /// (U(b) - U(a)) / (b - a) with U the potential, without cancellation: the
-    /// discrete gradient of Gonzalez (1996), doi:10.1007/BF02440162. [N]
+    /// Mean of the force between two indentations, (U(b) - U(a)) / (b - a) with
+    /// U the potential: the discrete gradient of Gonzalez (1996),
+    /// doi:10.1007/BF02440162, in one dimension. Does not cancel when a is
+    /// close to b. [N]
     double
     mean_force(double a, double b) const;
 
-    /// (F(b) - F(a)) / (b - a), without cancellation. [N/m]
+    /// Mean of the stiffness between two indentations, (F(b) - F(a)) / (b - a),
+    /// without cancellation. [N/m]
     double
     mean_stiffness(double a, double b) const;
+
+    /// k of a law F = k alpha^{3/2}; empty for others. [N/m^{3/2}]
+    virtual std::optional<double>
+    hertz_coefficient() const
+    {
+      return {};
+    }
   };
 } // namespace PlateImpact

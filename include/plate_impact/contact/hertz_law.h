@@ -24,6 +24,7 @@ namespace PlateImpact
   class HertzLaw : public ContactLaw
   {
   public:
+    /// @param coefficient k [N/m^{3/2}]
     explicit HertzLaw(const double coefficient)
       : k(coefficient)
     {}
@@ -46,6 +47,13 @@ namespace PlateImpact
       return 0.4 * indentation * force(indentation);
     }
 
-    const double k; ///< [N/m^{3/2}]
+    std::optional<double>
+    hertz_coefficient() const override
+    {
+      return k;
+    }
+
+  private:
+    const double k;
   };
 } // namespace PlateImpact

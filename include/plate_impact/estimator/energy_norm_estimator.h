@@ -119,21 +119,6 @@ namespace PlateImpact
   }
 
 
-  /// Where the error is, by the jumps across the sides of cells instead of a
-  /// recovered field (Kelly, Gago, Zienkiewicz & Babuska 1983,
-  /// doi:10.1002/nme.1620191103; deal.II's KellyErrorEstimator):
-  ///   eta_i^2 = h_i/24 sum over sides int (kappa G t [dw/dn]^2 + D
-  ///   [dtheta/dn]^2),
-  /// with the shear and bending stiffness, so that both jumps count as
-  /// energies. The jumps only rank the cells: how large the error is together
-  /// stays what EnergyNormEstimator says. For teaching what the recovery adds.
-  /// @param states  unknowns of the plate, a column each
-  /// @return eta_i by active index, a column per state, each times some factor
-  Eigen::MatrixXd
-  jumps_of_cells(const PlateDiscretization &discretization,
-                 const Eigen::MatrixXd     &states);
-
-
   /// Zienkiewicz-Zhu error of a transient, integrated over time (Table 1 of the
   /// paper, after Dutta & Ramakrishnan, Engng Comput 14, 1997, 135-158):
   ///   ||e||_i^2 = int_i (sigma* - sigma)^T D^-1 (sigma* - sigma),
@@ -159,9 +144,9 @@ namespace PlateImpact
     /// @param singular_cells_count  in eta and n
     /// @param kept_interval   keeps the errors of the elements at one sample of
     ///                        so many; 0: at none
-    /// @param indicator       Kelly: the errors of the elements give way to
+    /// @param indicator       other than SPR: the errors of the elements are
     ///   eta 1/T int eta_i / (sum eta_j^2)^{1/2} dt
-    ///                        with eta_i of jumps_of_cells()
+    ///                        with eta_i of that indicator
     EnergyNormEstimator(const PlateDiscretization       &discretization,
                         const StressRecovery            &recovery,
                         const std::vector<unsigned int> &singular_cells = {},
@@ -211,7 +196,7 @@ namespace PlateImpact
 
     TimeIntegral<Norms>           norms;
     TimeIntegral<Eigen::VectorXd> relative; ///< ||e||_i by the norm
-    TimeIntegral<Eigen::VectorXd> jumps;    ///< eta_i by their norm
+    TimeIntegral<Eigen::VectorXd> ranks;    ///< of an indicator
     ErrorEstimate                 samples;  ///< stresses, errors over time
   };
 } // namespace PlateImpact
