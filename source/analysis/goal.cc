@@ -127,8 +127,9 @@ namespace PlateImpact
         "size or a larger target";
     if (adaptivity.is_adaptive() && !outcome(result))
       return fmt::format(
-        "eta meets Adaptivity/Target error, but xi' of {} is up to {}, wanted "
-        "below 1; choose more Maximum cycles or a smaller Minimum cell size",
+        "eta meets Adaptivity/Target error, but xi' is at least 1 in {} and "
+        "reaches {}; choose more Maximum cycles or a smaller Minimum cell "
+        "size",
         counted(result.cells_above_limit, "cell"),
         about(result.error_ratios->max_element()));
     return {};

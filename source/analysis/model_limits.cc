@@ -158,9 +158,9 @@ namespace PlateImpact
           std::max(1.5 * plate.thickness, is_layer ? 0. : 2. * radius);
         limit(contact.patch_radius / widest,
               1.,
-              "Contact/Patch radius = {} m is {} thicknesses of the plate: "
-              "beyond {} it blurs the waves that the contact sends out; "
-              "choose Contact/Patch radius = 0",
+              "Contact/Patch radius = {} m is {} thicknesses of the plate: a "
+              "patch of more than {} thicknesses smooths out the waves that "
+              "the contact sends out; choose Contact/Patch radius = 0",
               about(contact.patch_radius),
               about(contact.patch_radius / plate.thickness),
               about(widest / plate.thickness));
@@ -175,9 +175,9 @@ namespace PlateImpact
           return;
         leaves("patch radius", std::abs(change));
         warn(std::abs(change) / 0.05,
-             "Contact/Patch radius = {} m spreads the force over another "
-             "area than the contact, whose radius is {}: the peak force is "
-             "{} {} too {}; choose Contact/Patch radius = {}",
+             "Contact/Patch radius = {} m differs from the radius of the "
+             "contact, {}: the peak force is {} {} too {}; choose "
+             "Contact/Patch radius = {}",
              about(contact.patch_radius),
              about(radius, "m"),
              contact.patch_radius > plate.thickness ? "more than" : "about",
@@ -204,8 +204,8 @@ namespace PlateImpact
             limit(
               deflection / thickness,
               0.2,
-              "the plate deflects by {}, {} of its thickness: beyond 0.2 it "
-              "stiffens by membrane forces, which the linear theory leaves "
+              "the plate deflects by {}, {} of its thickness: beyond 0.2 "
+              "membrane forces stiffen it, but the linear theory leaves them "
               "out; choose Plate/Deflection = large",
               about(deflection, "m"),
               about(deflection / thickness));
@@ -214,8 +214,8 @@ namespace PlateImpact
           limit(
             2. * thickness / to_edge,
             1.,
-            "the impact is {}, {} thicknesses, from an edge: nearer than 2 the "
-            "local response, that of an infinite layer, is not valid",
+            "the impact is {} ({} thicknesses) from an edge: within 2 "
+            "thicknesses the local response of an infinite layer is not valid",
             about(to_edge, "m"),
             about(to_edge / thickness));
       }
@@ -228,14 +228,13 @@ namespace PlateImpact
         // and leave out the square of the slope beside one
         const double slope = 2. * mean_slope;
         leaves("slopes", slope * slope);
-        limit(
-          slope,
-          0.3,
-          "the plate deflects by {} of the distance to its edge, so its slopes "
-          "are about {}: beyond 0.3 von Karman's theory, which assumes "
-          "moderate rotations, is not valid",
-          about(mean_slope),
-          about(slope));
+        limit(slope,
+              0.3,
+              "the plate deflects by {} of the distance to its edge, so its "
+              "slopes are about {}: von Karman's theory assumes moderate "
+              "rotations and is valid for slopes up to 0.3",
+              about(mean_slope),
+              about(slope));
       }
 
       void
@@ -243,24 +242,23 @@ namespace PlateImpact
       {
         limit(peak.indentation / impactor.radius,
               0.1,
-              "the indentation reaches {} of the impactor's radius: the laws "
-              "of contact are for less than 0.1",
+              "the indentation reaches {} of the impactor's radius: the "
+              "contact laws are valid only below 0.1",
               about(peak.indentation / impactor.radius));
         // laminates were compared up to a third (tests/layer/laminate.py)
         const double widest = plate.is_laminate() ? 1. / 3. : 0.2;
         if (is_layer)
           limit(radius / plate.thickness,
                 widest,
-                "the contact radius is {} of the plate's thickness: from {} "
-                "on the pressure is not Hertz's, which the local response "
-                "assumes",
+                "the contact radius is {} of the plate's thickness: the local "
+                "response assumes Hertz's pressure, which holds only below {}",
                 about(radius / plate.thickness),
                 about(widest));
         if (impactor.is_cylinder())
           limit(radius,
                 0.25 * impactor.length,
-                "the contact is {} wide and {} long: the law of a line contact "
-                "is for one much longer than wide",
+                "the contact is {} wide and {} long: the law of line contact "
+                "is valid only if the contact is much longer than wide",
                 about(2. * radius, "m"),
                 about(impactor.length, "m"));
       }
@@ -284,8 +282,8 @@ namespace PlateImpact
                n_transits > 1.8 ? std::optional(0.012) : std::nullopt);
         warn(1.,
              "the contact lasts {} transits of a shear wave through the "
-             "plate: below 10 the local response, a static one, makes the "
-             "force up to a per cent too large",
+             "plate: the local response is static, and below 10 transits it "
+             "makes the force up to one per cent too large",
              about(n_transits));
       }
 
@@ -297,15 +295,14 @@ namespace PlateImpact
         if (plate.loss_factor == 0.)
           return;
         const double of_contact = result.loss_factor_of_contact();
-        limit(
-          of_contact,
-          0.3,
-          "Plate/Loss factor = {} at the first natural frequency grows with "
-          "the frequency to {} at that of the contact: beyond 0.3 the damping "
-          "stiffens the plate; choose at most {}",
-          about(plate.loss_factor),
-          about(of_contact),
-          about(0.3 * plate.loss_factor / of_contact));
+        limit(of_contact,
+              0.3,
+              "Plate/Loss factor = {} holds at the first natural frequency and "
+              "grows to {} at the frequency of the contact: beyond 0.3 the "
+              "damping stiffens the plate; choose at most {}",
+              about(plate.loss_factor),
+              about(of_contact),
+              about(0.3 * plate.loss_factor / of_contact));
       }
 
       void
@@ -382,7 +379,7 @@ namespace PlateImpact
         limit(w,
               100.,
               "the indentation is {} times that at first yield: the law of "
-              "contacts that yield was tested up to 100 only",
+              "yielding contacts was tested only up to 100",
               about(w));
       }
 

@@ -56,9 +56,9 @@ namespace PlateImpact
       // a step that was chosen keeps to the scene's own tolerance
       if (!time.step_is_chosen && time.time_step > 0.04 * rise)
         warnings.push_back(fmt::format(
-          "Time/Time step = {} s resolves only coarsely the rise to the peak "
-          "force, {}, and the waves that the contact sends out; for an error "
-          "of 0.1 % in the peak force choose at most {} s, or 0",
+          "Time/Time step = {} s resolves the rise to the peak force, {}, and "
+          "the waves that the contact sends out only coarsely; choose at most "
+          "{} s for an error of 0.1 % in the peak force, or 0",
           about(time.time_step),
           about(rise, "s"),
           about(0.04 * rise)));
@@ -77,7 +77,7 @@ namespace PlateImpact
                     "Time/End time = " + about(time.end_time) + " s" :
                     contact_end && *contact_end > 0.98 * last.time ?
                     "the end of the first contact, " + about(last.time, "s") :
-                    about(last.time, "s") + ", the latest time that is looked at";
+                    about(last.time, "s") + ", the last time computed";
       if (impact.peak.time == last.time)
         warnings.push_back("the force still grows at " + end +
                            ": the true peak force is larger; choose a later "
@@ -105,9 +105,9 @@ namespace PlateImpact
         {
           const double from = *sensitivity->unpredictable_from;
           warnings.push_back(fmt::format(
-            "from t = {} on, the force cannot be predicted: one millionth more "
-            "velocity changes it by more than 0.1 % of its peak; the peak "
-            "force {}",
+            "from t = {} on, the force cannot be predicted: a velocity "
+            "larger by one millionth changes it by more than 0.1 % of its peak; "
+            "the peak force {}",
             about(from, "s"),
             impact.peak.time < from ? "comes earlier and is not affected" :
                                       "comes later"));
@@ -141,7 +141,7 @@ namespace PlateImpact
         about(length, "m"),
         adaptivity.goal == AdaptationGoal::peak_force ||
             !adaptivity.is_adaptive() || impact.plate.has_large_deflection ?
-          "cells of at most half of it" :
+          "cells of at most half this wavelength" :
           "Adaptivity/Goal = peak force, whose first mesh has small cells at "
           "the load, and more Maximum cycles"));
     }
@@ -156,11 +156,12 @@ namespace PlateImpact
       const auto &error = impact.result.error;
       if (error && error->n_singular_cells > 0)
         warnings.push_back(fmt::format(
-          "eta {} {} nearer to the point load than half the thickness, where "
-          "the exact energy is infinite; {} it is {}",
+          "eta {} {} within half the thickness of the point load, where the "
+          "exact energy is infinite; {} eta is {}",
           error->singular_cells_count ? "counts" : "leaves out",
           counted(error->n_singular_cells, "cell"),
-          error->singular_cells_count ? "without them" : "with them",
+          error->singular_cells_count ? "without these cells" :
+                                        "with these cells",
           about_percentage(error->singular_cells_count ?
                              error->eta_of_regular_cells :
                              error->eta_of_all_cells)));

@@ -307,7 +307,7 @@ namespace PlateImpact
         if (const auto n = crossings_before_peak())
           line("peak",
                format("late: the fastest waves cross the plate {} times "
-                      "before, and a small error takes many cells",
+                      "before the peak, so a small error needs many cells",
                       rounded(std::floor(*n), 3)));
 
         // the first are those that the warnings of a run speak of

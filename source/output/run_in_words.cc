@@ -187,10 +187,10 @@ namespace PlateImpact
     std::string text = "half-space, in addition to the plate's shear: the "
                        "shortest waves count twice, so the force is too small";
     if (contact.law == ForceLaw::Sun)
-      text += "; the law Sun has no other";
+      text += "; the law Sun allows no other";
     else if (!contact.has_patch())
       text +=
-        "; a " + word_for(contact.load_distribution) + " load has no other";
+        "; a " + word_for(contact.load_distribution) + " load allows no other";
     return text;
   }
 

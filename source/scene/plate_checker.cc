@@ -215,7 +215,7 @@ namespace PlateImpact
         adaptivity.strategy == AdaptationStrategy::remeshing)
       refuse({"Adaptivity/Strategy", "Plate/Outline"},
              "makes meshes of rectangles only; expected another strategy for "
-             "another outline, as hanging nodes");
+             "this outline, for example hanging nodes");
   }
 
 
