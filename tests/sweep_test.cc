@@ -344,6 +344,29 @@ namespace PlateImpact
 
 
 
+    // the second point found what the first one had left half made
+    TEST_F(Sweep, PointsAfterOneWithoutMatricesFailAlike)
+    {
+      const std::string scene = write_scene(
+        on_one_mesh +
+        swept("set Entry 1 = Impactor/Velocity\nset Values 1 = 1, 2\n"));
+      std::string sets;
+      for (const std::string set : {"Plate/Thickness=1e-9",
+                                    "Plate/Loss factor=0.01",
+                                    "Impactor/Radius=1e-6",
+                                    "Contact/Patch radius=1e-7",
+                                    "Time/Time step=1e-10",
+                                    "Time/End time=1e-8"})
+        sets += " --set '" + set + "'";
+      EXPECT_EQ(sweep(scene, sets), 2) << out;
+      EXPECT_NE(err.find("2 of 2 points failed; the first: the effective "
+                         "stiffness matrix is not positive definite"),
+                std::string::npos)
+        << err;
+    }
+
+
+
     TEST_F(Sweep, ResumesWhereItWasInterrupted)
     {
       const std::string scene =

@@ -157,7 +157,7 @@ namespace PlateImpact
                              model.dof_handler(),
                              field,
                              values);
-    return model.of_nodal_values(values);
+    return model.unknowns_of_nodal_values(values);
   }
 
 

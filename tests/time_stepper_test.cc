@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <csignal>
 #include <limits>
 #include <memory>
 
@@ -338,6 +339,24 @@ namespace PlateImpact
           EXPECT_TRUE(had_gap);
           EXPECT_LT(*separation_time, time.end_time);
         }
+    }
+
+
+
+    // runs that only compute a force, as Verify does, have no listener
+    TEST(TimeStepper, StopsAtTheNextStepAfterASignal)
+    {
+      SpringPlate    plate(1e6, 1., 0.);
+      TimeParameters time = time_parameters(1e-3, 1e-6);
+      TimeStepper    stepper({time, conserving}, plate, contact, ball);
+      stepper.advance(3);
+      await_interrupt();
+      std::raise(SIGTERM);
+      EXPECT_THROW(stepper.advance(stepper.n_steps() - 3), Interruption);
+      EXPECT_EQ(stepper.impact().history.states().size(), 4u);
+      await_interrupt(); // forgets the signal
+      stepper.advance(1);
+      await_interrupt(/*ends_at_once=*/true);
     }
 
 

@@ -58,7 +58,8 @@ namespace PlateImpact
     for (const auto &cell : mesh.active_cell_iterators())
       {
         const unsigned int c = cell->active_cell_index();
-        sizes[c]             = cell_size(cell) /
+        // infinite without an error
+        sizes[c] = cell_size(cell) /
           std::pow(error.elements[c], size_exponent(cell, adaptivity));
       }
     return sizes;

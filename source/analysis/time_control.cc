@@ -46,11 +46,9 @@ namespace PlateImpact
 
 
   Window
-  TimeControl::on_next_mesh(const Window         &last,
-                            const ContactHistory &history) const
+  TimeControl::with_peak(const Window         &last,
+                         const ContactHistory &history) const
   {
-    if (!is_for_peak)
-      return last;
     const double peak = history.peak().time;
     Window       next{Extent::to_peak,
                 last.step,
@@ -61,6 +59,7 @@ namespace PlateImpact
     if (scene.time.end_time == 0.)
       next.extent = Extent::whole;
     else
+      // of the first contact, and of that after which the impactor leaves
       for (const bool is_held : {false, true})
         if (const auto end = history.end_of_impact(is_held))
           next.to_peak = std::max(next.to_peak, past_contact * *end);
@@ -82,7 +81,7 @@ namespace PlateImpact
           next.extent = Extent::to_peak;
         else
           {
-            next = on_next_mesh(last, *seen.history);
+            next = with_peak(last, *seen.history);
             if (scene.time.step_is_chosen)
               next.step = std::min(next.step, peak / fewest_steps_to_late_peak);
           }

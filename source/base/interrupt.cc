@@ -28,6 +28,7 @@ namespace PlateImpact
   void
   await_interrupt(const bool ends_at_once)
   {
+    signal_received = 0;
     // the shell makes programs in the background deaf to Ctrl-C
     for (const int number : {SIGINT, SIGTERM})
       if (std::signal(number, ends_at_once ? SIG_DFL : note_signal) == SIG_IGN)

@@ -102,7 +102,6 @@ namespace PlateImpact
       ImpactAnalysis    analysis(parameters, nullptr, Wanted{true, false, 0});
       AdaptationControl control(parameters.adaptivity);
       AnalysisListener  listener;
-      listener.step = [](const auto &...) { throw_if_interrupted(); };
       analysis.run(control, listener);
       const CycleResult          &result     = analysis.last_cycle().result;
       const AdaptivityParameters &adaptivity = parameters.adaptivity;

@@ -104,7 +104,6 @@ namespace PlateImpact
       StrategyComparison comparison{
         scene,
         [&console](const auto cycle, const auto step, const auto n_steps) {
-          throw_if_interrupted();
           console.show(column(5, "{:.0f}", cycle) + "  step ", step, n_steps);
         },
         marking};

@@ -219,7 +219,6 @@ namespace PlateImpact
       };
       listener.step =
         [&](const auto cycle, const auto step, const auto n_steps) {
-          throw_if_interrupted();
           console.show(column(5, "{:.0f}", cycle) + "  step ", step, n_steps);
         };
       listener.cycle = [&](Cycle &cycle) {

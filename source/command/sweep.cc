@@ -194,6 +194,15 @@ namespace PlateImpact
         print_warnings(warnings);
       }
 
+      /// What Ctrl-C leaves.
+      std::string
+      kept() const
+      {
+        return std::to_string(scene.plan.n_points - points_to_do().size()) +
+          " of " + counted(scene.plan.n_points, "point") + " are in " +
+          (directory / "sweep.csv").string() + "; --resume goes on from there";
+      }
+
     private:
       /// A line per point of a small sweep; of a large one, on a terminal, the
       /// number of points done so far and the time that the others take.
@@ -231,6 +240,21 @@ namespace PlateImpact
 
       std::map<std::size_t, ContactHistory> histories; ///< for the page
     };
+
+
+
+    /// Cleared for another sweep, or with the rows of the one to resume.
+    void
+    prepare(const ResultDirectory &directory,
+            const SweepScene      &scene,
+            const bool             resume)
+    {
+      if (resume)
+        check_scene_to_resume(directory, scene);
+      else
+        directory.clear();
+      directory.write_scene(scene.name, scene.text);
+    }
   } // namespace
 
 
@@ -254,11 +278,7 @@ namespace PlateImpact
       try
         {
           directory.emplace(scene.parameters.output.directory);
-          if (resume)
-            check_scene_to_resume(*directory, scene);
-          else
-            directory->clear();
-          directory->write_scene(scene.name, scene.text);
+          prepare(*directory, scene, resume);
           record.emplace(scene, *directory, resume, quiet);
           to_do = record->points_to_do();
         }
@@ -293,12 +313,7 @@ namespace PlateImpact
       }
     catch (const Interruption &interruption)
       {
-        const std::size_t n = scene.plan.n_points;
-        throw interruption.with(
-          std::to_string(n - record->points_to_do().size()) + " of " +
-          counted(n, "point") + " are in " +
-          (*directory / "sweep.csv").string() +
-          "; --resume goes on from there");
+        throw interruption.with(record->kept());
       }
   }
 } // namespace PlateImpact

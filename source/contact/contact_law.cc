@@ -13,13 +13,10 @@ namespace PlateImpact
     using Curve = double (ContactLaw::*)(double) const;
 
     /// Mean of a curve between a and b, which is 0 below 0, where its integral
-    /// begins.
+    /// begins. Template arguments: calls in the contact solve are many.
+    template <Curve curve, Curve integral>
     double
-    mean(const ContactLaw &law,
-         const Curve       curve,
-         const Curve       integral,
-         const double      a,
-         const double      b)
+    mean(const ContactLaw &law, const double a, const double b)
     {
       const auto f = [&](const double alpha) { return (law.*curve)(alpha); };
       const auto F = [&](const double alpha) { return (law.*integral)(alpha); };
@@ -71,7 +68,7 @@ namespace PlateImpact
   double
   ContactLaw::mean_force(const double a, const double b) const
   {
-    return mean(*this, &ContactLaw::force, &ContactLaw::potential, a, b);
+    return mean<&ContactLaw::force, &ContactLaw::potential>(*this, a, b);
   }
 
 
@@ -79,6 +76,6 @@ namespace PlateImpact
   double
   ContactLaw::mean_stiffness(const double a, const double b) const
   {
-    return mean(*this, &ContactLaw::stiffness, &ContactLaw::force, a, b);
+    return mean<&ContactLaw::stiffness, &ContactLaw::force>(*this, a, b);
   }
 } // namespace PlateImpact

@@ -202,7 +202,8 @@ namespace PlateImpact
     result.eta_of_all_cells     = eta(2);
     result.eta = samples.singular_cells_count ? result.eta_of_all_cells :
                                                 result.eta_of_regular_cells;
-    const Eigen::VectorXd errors = indicator == ErrorIndicator::SPR ?
+    const Eigen::VectorXd errors =
+      row_of(indicator, indicators).of_cells == nullptr ?
       relative.integral :
       result.eta * ranks.integral;
     for (const double integral : errors)

@@ -29,7 +29,8 @@ namespace PlateImpact
 
 
     /// Whether a resultant (M_x, M_y, M_xy, Q_x, Q_y, N_x, N_y, N_xy) changes
-    /// its sign in a mirror image.
+    /// its sign in a mirror image: M_xy and N_xy are odd across both planes,
+    /// Q_x across x = 0, Q_y across y = 0, the others even.
     bool
     changes_sign(const unsigned int           resultant,
                  const StressRecovery::Image &image)
@@ -153,8 +154,9 @@ namespace PlateImpact
       auto &[fit, is_determined] = known->second;
       if (is_new)
         {
-          // the normal matrix of eq. 15 is close to singular; rank tells
-          // that points of two cells side by side determine six terms only
+          // By an orthogonal decomposition, not eq. 14, which is close to
+          // singular. Its rank decides: 2x2 points in two cells side by side
+          // are eight and determine six terms.
           Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
           decomposition.setThreshold(1e-6);
           decomposition.compute(P);

@@ -152,8 +152,10 @@ class Film {
 
   toggle() {
     const last = this.film.times.length - 1;
-    if (this.timer) this.timer = clearInterval(this.timer); // none
-    else {
+    if (this.timer) {
+      clearInterval(this.timer);
+      this.timer = null;
+    } else {
       if (this.frame === last) this.show(0);
       this.timer = setInterval(() => { if (this.frame === last) this.toggle(); else this.show(this.frame + 1); }, 90);
     }

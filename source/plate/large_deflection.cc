@@ -96,7 +96,7 @@ namespace PlateImpact
         of_cells(deflections, cell) =
           SlopeSquares::derivative(slopes.col(cell)).transpose() * of_squares;
       }
-    return plate.n_parts * plate.forces(of_cells);
+    return plate.n_parts * plate.forces_on_unknowns(of_cells);
   }
 
 

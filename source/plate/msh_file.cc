@@ -76,6 +76,7 @@ namespace PlateImpact
         if (!in.is_open())
           refuse_file(
             "cannot be read; expected rectangle, circle or a mesh of Gmsh");
+        // the first word tells other files apart; then from the beginning
         in >> section;
         if (section != "$MeshFormat" && section != "$Comments" &&
             section != "$PhysicalNames")

@@ -13,6 +13,7 @@
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
+#include "plate_impact/plate/support.h"
 
 #include <Eigen/SVD>
 #include <Epetra_CrsGraph.h>
@@ -142,7 +143,7 @@ namespace PlateImpact
     dofs.distribute_dofs(element.finite_element);
     DoFTools::make_hanging_node_constraints(dofs, constraints);
     element.add_internal_constraints(dofs, constraints);
-    holds_deflection = hold_edges(plate);
+    holds_deflection = hold_edges(dofs, plate, constraints);
     constraints.close();
     number_unknowns();
 
@@ -337,7 +338,7 @@ namespace PlateImpact
                   values.shape_grad(i, p)[d];
             }
       });
-    return forces(on_cells);
+    return forces_on_unknowns(on_cells);
   }
 
 

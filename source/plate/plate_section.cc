@@ -217,6 +217,15 @@ namespace PlateImpact
 
 
 
+  double
+  PlateSection::squared_energy_norm(
+    const Eigen::Ref<const Eigen::VectorXd> &resultants) const
+  {
+    return resultants.dot(compliance * resultants);
+  }
+
+
+
   Eigen::MatrixXd
   PlateSection::stiffness() const
   {

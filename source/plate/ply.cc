@@ -124,6 +124,9 @@ namespace PlateImpact
     const std::size_t       n_plies      = plane_stiffness.size();
     Eigen::Matrix<double, -1, 3> products(n_directions, 3);
     Eigen::VectorXd              energies = Eigen::VectorXd::Zero(n_directions);
+    std::vector<Eigen::Matrix2d> shear_compliances;
+    for (const Eigen::Matrix2d &moduli : shear_moduli)
+      shear_compliances.push_back(moduli.inverse());
     for (unsigned int i = 0; i < n_directions; ++i)
       {
         const double angle = std::acos(-1.) * i / n_directions,
@@ -147,7 +150,7 @@ namespace PlateImpact
                   tau(near + gauss.point(q)[0] * t);
                 force += gauss.weight(q) * t * stress;
                 energies(i) += gauss.weight(q) * t *
-                  stress.dot(shear_moduli[k].inverse() * stress);
+                  stress.dot(shear_compliances[k] * stress);
               }
             at_far_face = tau(near);
           }

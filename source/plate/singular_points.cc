@@ -28,11 +28,12 @@ namespace PlateImpact
                    std::array<EdgeSupport, 2> sides,
                    const double               poissons_ratio)
     {
-      // rotations are free there
-      std::replace(sides.begin(),
-                   sides.end(),
-                   EdgeSupport::soft_simply_supported,
-                   EdgeSupport::free);
+      // on all others rotations are free
+      for (EdgeSupport &side : sides)
+        if (side != EdgeSupport::clamped &&
+            side != EdgeSupport::simply_supported)
+          side = EdgeSupport::free;
+      // in the order of EdgeSupport: clamped, simply supported, free
       std::sort(sides.begin(), sides.end());
       const bool     is_alike = sides[0] == sides[1];
       const double   kappa    = (3. - poissons_ratio) / (1. + poissons_ratio);

@@ -1,4 +1,5 @@
-// Supports of the edges of a plate.
+#include "plate_impact/plate/support.h"
+
 #include <deal.II/base/numbers.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_values_extractors.h>
@@ -6,7 +7,7 @@
 #include <deal.II/numerics/vector_tools_constraints.h>
 
 #include "plate_impact/base/entries.h"
-#include "plate_impact/plate/plate_discretization.h"
+#include "plate_impact/plate/plate_element.h"
 #include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
 
@@ -148,7 +149,9 @@ namespace PlateImpact
 
 
   bool
-  PlateDiscretization::hold_edges(const PlateParameters &plate)
+  hold_edges(const DoFHandler<2>       &dofs,
+             const PlateParameters     &plate,
+             AffineConstraints<double> &constraints)
   {
     const PlateGeometry geometry = geometry_of(plate);
     const auto          in_plane = geometry.by_edge(plate.in_plane_supports);
@@ -172,7 +175,7 @@ namespace PlateImpact
         displacements[edge] = row_of(in_plane.at(edge), in_plane_rows).held;
       }
     hold_vector(dofs, rotations, rotation_x, constraints);
-    if (plate_section.stretching != Stretching::none)
+    if (dofs.get_fe().n_components() > displacement_x)
       hold_vector(dofs, displacements, displacement_x, constraints);
     return is_held;
   }

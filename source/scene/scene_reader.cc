@@ -253,7 +253,8 @@ namespace PlateImpact
 
 
 
-  // Output and Comparison are declared here: their rooms come after this one.
+  // The entries of Output and Comparison. They are not declared in output/ and
+  // comparison/, because those folders read scenes and so come after this one.
 
   void
   OutputParameters::declare_entries(Entries &entries)

@@ -14,6 +14,7 @@
 #include <map>
 #include <new>
 #include <tuple>
+#include <utility>
 
 namespace PlateImpact
 {

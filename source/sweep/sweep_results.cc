@@ -181,7 +181,8 @@ namespace PlateImpact
         SweepRow row;
         for (std::size_t i = 0; i < n_quantities; ++i)
           {
-            row.quantities.push_back(std::nan("")); // stays that of no number
+            row.quantities.push_back(
+              std::nan("")); // stays where the field is empty
             any_number().read(fields[n_values + i], row.quantities.back());
           }
         row.warnings =
@@ -236,9 +237,11 @@ namespace PlateImpact
       if (n_points++ == 0)
         first = text;
     };
+    // first, and no sentence of a warning: none begins with a blank
+    const std::string failed = " failed";
     for (const auto &row : rows)
       if (!row->failure.empty())
-        count(" failed", row->failure);
+        count(failed, row->failure);
     for (const auto &row : rows)
       for (const std::string &warning : row->warnings)
         count(kind_of(warning), warning);
@@ -248,7 +251,7 @@ namespace PlateImpact
       warnings.push_back(fmt::format("{} of {} points{}; the first: {}",
                                      kind.second,
                                      rows.size(),
-                                     name == " failed" ? name : "",
+                                     name == failed ? failed : "",
                                      kind.first));
     return warnings;
   }

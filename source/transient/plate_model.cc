@@ -147,9 +147,10 @@ namespace PlateImpact
   const std::shared_ptr<LoadedMesh> &
   PlateModel::loaded_mesh(const Parameters &impact)
   {
-    std::shared_ptr<LoadedMesh> &result = loaded_meshes[mesh_key(impact)];
-    if (result != nullptr)
-      return result;
+    const MeshKey key = mesh_key(impact);
+    if (const auto known = loaded_meshes.find(key);
+        known != loaded_meshes.end())
+      return known->second;
     assembled();
     const dealii::Timer      timer;
     const ContactParameters &contact = impact.contact;
@@ -161,12 +162,12 @@ namespace PlateImpact
     const auto points = on_meshed_part(
       make_load_distribution(contact, impact.impactor.length, finest_cell),
       impact.plate);
-    result = std::make_shared<LoadedMesh>(LoadedMesh{
+    auto loaded = std::make_shared<LoadedMesh>(LoadedMesh{
       {matrices,
        plate.load(points, load_rotation_factor(impact.plate, contact))},
       {}});
     assembly_seconds += timer.wall_time();
-    return result;
+    return loaded_meshes[key] = std::move(loaded);
   }
 
 
@@ -187,11 +188,13 @@ namespace PlateImpact
       {
         const dealii::Timer timer;
         plate.assemble();
-        matrices = std::make_shared<EffectiveStiffness>(plate, linear_solver);
+        // kept once it is whole: an impact that fails is not the last of a
+        // sweep
+        auto whole = std::make_shared<EffectiveStiffness>(plate, linear_solver);
         if (loss_factor > 0.)
           {
             const std::vector<double> frequencies =
-              PlateImpact::natural_frequencies(*matrices, 1);
+              PlateImpact::natural_frequencies(*whole, 1);
             if (frequencies.empty())
               throw ComputationError(
                 "the mesh has too few unknowns for the first natural "
@@ -199,8 +202,9 @@ namespace PlateImpact
                 "Discretization/Initial cells");
             // of the plate without damping [rad/s]
             const double first = 2. * std::acos(-1.) * frequencies.front();
-            matrices->damping  = loss_factor / first;
+            whole->damping     = loss_factor / first;
           }
+        matrices = std::move(whole);
         // without what the search for the frequency took to factorize
         assembly_seconds +=
           timer.wall_time() - matrices->work.factorization_seconds;

@@ -94,7 +94,10 @@ namespace PlateImpact
         subdiagonal.conservativeResize(room);
       }
     while (n < n_wanted && !complete)
-      append();
+      {
+        throw_if_interrupted();
+        append();
+      }
   }
 
 

@@ -143,8 +143,10 @@ namespace PlateImpact
     int
     half_octave(const double contact_time, const double end_time)
     {
-      // the smaller, the fewer vectors; but below this the terminator shows in
-      // the force (measured for 0.5 to 21 contact times); impactors share bases
+      // The smaller the shift, the fewer vectors it takes for waves to run
+      // along them until the end time; but below this one the terminator shows
+      // in the force. Measured for 0.5 to 21 contact times; rounded, so that
+      // impactors share bases.
       const double duration = std::pow(std::min(end_time, contact_time), 0.6) *
         std::pow(end_time, 0.4);
       return std::lround(2. * std::log2(12. * std::acos(-1.) / duration));
@@ -268,10 +270,11 @@ namespace PlateImpact
       scheme_to_judge(scheme, time, expected.contact_time());
     std::deque<Eigen::ArrayX2d> last_three;
     unsigned int                n_before = 0;
-    for (double n = n_first; n <= n_most; n *= growth)
+    for (double n = n_first; n_before < static_cast<unsigned int>(n_most);
+         n *= growth)
       {
-        const unsigned int n_wanted = static_cast<unsigned int>(n);
-        ReducedSystem     &reduced  = reduced_system(octave, n_wanted);
+        const auto n_wanted    = static_cast<unsigned int>(std::min(n, n_most));
+        ReducedSystem &reduced = reduced_system(octave, n_wanted);
         if (reduced.n_vectors < n_wanted)
           return &reduced; // there are no more
         try

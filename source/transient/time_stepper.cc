@@ -98,6 +98,7 @@ namespace PlateImpact
   {
     for (const unsigned int last = step + n_steps; step < last;)
       {
+        throw_if_interrupted();
         ++step;
         begin_force = scheme.integration.acts_at_begin ? 0. : current.force;
         double phi  = 0.;

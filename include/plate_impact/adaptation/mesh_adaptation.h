@@ -132,6 +132,13 @@ namespace PlateImpact
                       const ErrorRatios              &error,
                       const AdaptivityParameters     &adaptivity);
 
+  /// A mesh chosen before anything is known of its error: cells are at most
+  /// theta r large, r the distance of their centre from the contact, down to
+  /// the minimum cell size. The ratio theta is 1 first and halved from mesh to
+  /// mesh.
+  bool
+  refine_graded(const Adapting &adapting);
+
   /// Refines cells until those at the load are no larger than its patch, or the
   /// thickness, and others no larger than their distance from it, or 5000 cells
   /// are too few for it.

@@ -63,10 +63,12 @@ namespace PlateImpact
     }
 
     /// The first window on a finer mesh than that of the last one, which has
-    /// shown a history; on the way to its peak, to the end of the contact where
-    /// that is late.
+    /// shown a history.
     Window
-    on_next_mesh(const Window &last, const ContactHistory &history) const;
+    on_next_mesh(const Window &last, const ContactHistory &history) const
+    {
+      return is_for_peak ? with_peak(last, history) : last;
+    }
 
     /// The next window on the same mesh, after what the last one has shown;
     /// empty where that is enough to judge the mesh.
@@ -105,6 +107,11 @@ namespace PlateImpact
     const ZenerImpact expected; ///< of the scene
 
   private:
+    /// A window on the way to a peak that is known about; to the end of the
+    /// contact where it is late.
+    Window
+    with_peak(const Window &last, const ContactHistory &history) const;
+
     /// The step for a share of the target; that of the window where it keeps
     /// to it.
     double

@@ -70,9 +70,9 @@ namespace PlateImpact
   };
 
   /// From here on Ctrl-C (SIGINT) and the end that a batch system asks for
-  /// (SIGTERM) are wishes, which throw_if_interrupted() grants where whole
-  /// files can be left. A second one ends the program at once. A file that
-  /// grows beyond its limit is a failed write.
+  /// (SIGTERM) are wishes, which throw_if_interrupted() grants between steps,
+  /// vectors and files. Those of before are forgotten. A second one ends the
+  /// program at once. A file that grows beyond its limit is a failed write.
   /// @param ends_at_once  the first one does so again
   void
   await_interrupt(bool ends_at_once = false);

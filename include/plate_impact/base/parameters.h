@@ -35,7 +35,8 @@ namespace PlateImpact
   };
 
 
-  /// A ply of a laminate, longitudinal (1) along its fibres.
+  /// A ply of a laminate, longitudinal (1) along its fibres. Taken apart by
+  /// position in plate_entries.cc and ply.cc: mind the order.
   struct PlyParameters
   {
     double longitudinal_modulus;       ///< E_1
@@ -142,8 +143,8 @@ namespace PlateImpact
     auto
     members() const
     {
-      const auto &[a, b, c, d, e, f, g, h, i, j] = *this;
-      return std::tie(a, b, c, d, e, f, g, h, i, j);
+      const auto &[a, b, c, d, e, f, g, h, i, derived] = *this;
+      return std::tie(a, b, c, d, e, f, g, h, i);
     }
   };
 
@@ -235,7 +236,8 @@ namespace PlateImpact
     auto
     members() const
     {
-      const auto &[a, b, c, d, e, f, g, h, i, j] = *this;
+      const auto &[a, b, c, d, e, f, g, derived_1, derived_2, derived_3] =
+        *this;
       return std::tie(a, b, c, d, e, f, g);
     }
   };
@@ -347,7 +349,8 @@ namespace PlateImpact
 
   /// Sections are compared whole, so that a new entry is never forgotten where
   /// something is kept for the next impact: members() binds all of them, which
-  /// does not compile with another number, and ties those that count.
+  /// does not compile with another number, and ties the entries, which are
+  /// declared first.
   template <typename Section>
   auto
   operator<(const Section &a, const Section &b)

@@ -22,12 +22,13 @@ namespace PlateImpact
   /// the plate is thick, the force goes on along its tangent. Energies are
   /// those of the approach.
   ///
-  /// **Memory.** With an Unloading the contact unloads to its dent from where
-  /// loading has ended, both ways while the bodies touch; once they have
-  /// parted, it reloads up to the largest indentation. Within a step the force
-  /// is one function of the indentation, continuous and never decreasing. What
-  /// unloading gives back is stored, F (alpha - alpha_0) / (n + 1); the rest of
-  /// the work is dissipated.
+  /// **Memory.** With an Unloading the law is the curve of first loading. Below
+  /// the largest indentation the contact unloads to its dent. Unloading begins
+  /// where loading or reloading has ended, and its curve is run both ways while
+  /// the bodies touch; only after they have parted the curve of reloading is
+  /// run. Within a step the force is one function of the indentation,
+  /// continuous and never decreasing. What unloading gives back is stored,
+  /// F (alpha - alpha_0) / (n + 1); the rest of the work is dissipated.
   class Contact
   {
   public:
@@ -96,7 +97,7 @@ namespace PlateImpact
     void
     follow(double indentation);
 
-    /// Up to which the series holds; infinite unless C is negative. [N]
+    /// Force up to which the series holds; infinite unless C is negative. [N]
     double
     largest_force() const
     {
@@ -142,8 +143,9 @@ namespace PlateImpact
 
 
   /// The unknown contact force phi of a time step. By collocation it is that of
-  /// the law at the end, eqs. 28-31 of the paper; at the beginning acts the one
-  /// known there. Gains energy when the contact is stiff for the step.
+  /// the law at the end of the step and acts there (eqs. 28-31 of the paper);
+  /// at the beginning acts the force of the step before. Gains energy when the
+  /// contact is stiff for the step.
   ///
   /// The integration that conserves energy has the mean force of the law over
   /// the indentations of the step, at both ends. Under average acceleration,
@@ -172,7 +174,9 @@ namespace PlateImpact
               double         end,
               double         force) const;
 
-    bool acts_at_begin; ///< phi, in place of the law's force there
+    /// Whether phi acts at the beginning of the step as well, in place of the
+    /// law's force there.
+    bool acts_at_begin;
   };
 
 

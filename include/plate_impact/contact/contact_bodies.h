@@ -67,9 +67,10 @@ namespace PlateImpact
       return (length > 0. ? 4. / pi : 1.5) * mean_pressure(force, indentation);
     }
 
-    /// From which on the weaker body yields: its strength times
-    /// yield_pressure_ratio(), under a cylinder 1.67 (Johnson, sec. 6.1). [Pa]
-    double first_yield_pressure;
+    /// Pressure from which on the weaker body yields; set only where there is
+    /// one: its strength times yield_pressure_ratio(), under a cylinder 1.67
+    /// (Johnson, sec. 6.1). [Pa]
+    double first_yield_pressure = 0.;
 
     /// The same over the strength, of the bodies whose strength is not given.
     double pressure_over_strength;

@@ -25,7 +25,8 @@ namespace PlateImpact
   /// doi:10.1115/1.1866166). [m]
   /// @param radius          r [m]
   /// @param modulus         E* [Pa]
-  /// @param yield_strength  Y [Pa]
+  /// @param yield_strength  Y of the body that yields [Pa]
+  /// @param poissons_ratio  nu of that body
   inline double
   yield_indentation(const double radius,
                     const double modulus,

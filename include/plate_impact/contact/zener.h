@@ -22,8 +22,9 @@ namespace PlateImpact
   /// F / (8 sqrt(D rho t)),
   ///   d(alpha)/dt = v - F(alpha) / (8 sqrt(D rho t)),  dv/dt = -F(alpha) / m
   /// (Zener, Phys. Rev. 59, 1941, doi:10.1103/PhysRev.59.669), until waves
-  /// return from the edges. Integrated by the energy-conserving contact step,
-  /// for any law, to about 1e-5.
+  /// return from the edges, and for loads that spread over more than the
+  /// thickness only approximately. Integrated by the energy-conserving contact
+  /// step, for any law, to about 1e-5.
   class ZenerImpact
   {
   public:

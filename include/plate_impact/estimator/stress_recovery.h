@@ -69,7 +69,9 @@ namespace PlateImpact
       /// n_terms x number of samples; congruent patches share theirs
       std::shared_ptr<const Eigen::MatrixXd> fit;
 
-      /// P of eq. 10 in the coordinates of the patch.
+      /// P of eq. 10 in the coordinates of the patch, centred and scaled: in
+      /// metres the normal matrix of eq. 15 has a condition number of 4e13 for
+      /// cells of 1 cm.
       Terms
       polynomial(const dealii::Point<2> &point) const
       {

@@ -39,10 +39,11 @@ namespace PlateImpact
 
     ~Console()
     {
-      print("");
+      print(""); // removes what show() has left
     }
 
-    /// A text that stays, with the ends of its lines.
+    /// A text that stays. It ends with the end of a line, since the next call
+    /// begins by emptying the line that it is on.
     void
     print(const std::string &text);
 

@@ -88,27 +88,29 @@ namespace PlateImpact
     Eigen::MatrixXd
     values_of_cells(const Eigen::VectorXd &unknowns) const
     {
-      return (nodal_values_of_cells * unknowns)
-        .reshaped(element.finite_element.n_dofs_per_cell(),
-                  mesh().n_active_cells());
+      // evaluated first: a product that is reshaped divides for every index
+      const Eigen::VectorXd values = nodal_values_of_cells * unknowns;
+      return values.reshaped(element.finite_element.n_dofs_per_cell(),
+                             mesh().n_active_cells());
     }
 
     /// Forces on the unknowns from those on the nodal quantities of all cells,
     /// a column each.
     Eigen::VectorXd
-    forces(const Eigen::MatrixXd &of_cells) const
+    forces_on_unknowns(const Eigen::MatrixXd &of_cells) const
     {
       return nodal_values_of_cells.transpose() * of_cells.reshaped();
     }
 
-    /// Unknowns of values at all nodes, by degree of freedom, and the reverse.
+    /// The unknowns that give values at all nodes, by degree of freedom.
     Eigen::VectorXd
-    of_nodal_values(const dealii::Vector<double> &values) const
+    unknowns_of_nodal_values(const dealii::Vector<double> &values) const
     {
       return Eigen::Map<const Eigen::VectorXd>(values.begin(),
                                                values.size())(dof_of_unknown);
     }
 
+    /// Values at all nodes, by degree of freedom.
     dealii::Vector<double>
     nodal_values(const Eigen::VectorXd &unknowns) const;
 
@@ -169,14 +171,6 @@ namespace PlateImpact
     }
 
   private:
-    /// Adds what supports and planes of symmetry hold to the constraints. On an
-    /// edge that runs in any direction a rotation is held along its tangent, an
-    /// arc's too, and a displacement along tangent or normal; where such edges
-    /// hold two directions, both components.
-    /// @return whether any edge has its deflection held
-    bool
-    hold_edges(const PlateParameters &plate);
-
     void
     number_unknowns();
 

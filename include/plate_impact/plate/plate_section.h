@@ -117,10 +117,7 @@ namespace PlateImpact
     /// 1 of the paper per area: twice their strain energy. [J/m^2]
     double
     squared_energy_norm(
-      const Eigen::Ref<const Eigen::VectorXd> &resultants) const
-    {
-      return resultants.dot(compliance * resultants);
-    }
+      const Eigen::Ref<const Eigen::VectorXd> &resultants) const;
 
     /// Resultants per strains; its bending part is bending_stiffness.
     Eigen::MatrixXd

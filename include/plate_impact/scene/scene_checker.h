@@ -68,12 +68,15 @@ namespace PlateImpact
     check_time();
     void
     check_mesh();
+    /// Reads the plate from its file, unless it is there already, and refuses
+    /// side lengths that tell another unit than the file's.
     /// @return whether there is no file to read, or it can be read
     bool
     read_plate();
-    /// Needs the law.
+    /// Lay-up or isotropic material; needs the law.
     void
     check_section();
+    /// A ply in three dimensions.
     void
     check_ply();
     /// Outline, supports and what must lie within; needs the load's shape.

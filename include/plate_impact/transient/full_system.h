@@ -33,7 +33,9 @@ namespace PlateImpact
       matrices->solve(c, b, x);
     }
 
-    /// Infinite where K, which is factorized for it, cannot be inverted.
+    /// Infinite where K, which is factorized for it, cannot be inverted. A
+    /// bound for large deflections, too: they stretch the plate, which stiffens
+    /// it.
     double
     static_compliance() override;
 

@@ -36,9 +36,9 @@ namespace PlateImpact
     /// Ends the step.
     /// @param at_begin  further force at its beginning [N]
     /// @param at_end    force at its end [N]
-    /// @return nothing; or, without equilibrium, as begin_step() about where
-    /// the
-    ///         plate is now: the step has to be ended again
+    /// @return nothing; or, if the plate is not in equilibrium, as begin_step()
+    ///         a displacement, linearized about where it is now: the step has
+    ///         to be ended again
     /// @throws ComputationError when equilibrium is not found
     virtual std::optional<double>
     end_step(double at_begin, double at_end) = 0;
