@@ -167,7 +167,7 @@ namespace PlateImpact
                     "--set 'Plate/Loss factor=0.2' --set "
                     "Adaptivity/Strategy=none"),
                 0);
-      EXPECT_NE(err.find("Plate/Loss factor = 0.2 at the first natural"),
+      EXPECT_NE(err.find("Plate/Loss factor = 0.2 holds at the first natural"),
                 std::string::npos)
         << err;
       // a thin plate whose force rises in a tenth of its contact
@@ -177,7 +177,7 @@ namespace PlateImpact
             "Plate/Thickness=0.005 --set 'Plate/Loss factor=0.05' --set "
             "'Time/End time=0' --set Impactor/Radius=0.015"),
         0);
-      EXPECT_NE(err.find("Plate/Loss factor = 0.05 at the first natural"),
+      EXPECT_NE(err.find("Plate/Loss factor = 0.05 holds at the first natural"),
                 std::string::npos)
         << err;
       EXPECT_EQ(run(main_scene, "--set 'Plate/Loss factor=-1'"), 1);
@@ -213,12 +213,11 @@ namespace PlateImpact
         << err;
       EXPECT_GT(last_cycle()["work"]["ritz_vectors"], 16);
       EXPECT_LE(last_cycle()["work"]["ritz_vectors"], 55);
-      // 40 steps, 10 of the double length up to the peak, and three times the
-      // 16 to the peak for the estimate of its error
+      // 40 steps and 10 of the double length up to the peak; fewer vectors
+      // serve for the estimate of its error
       EXPECT_EQ(last_cycle()["work"]["linear_solves"].get<int>(),
-                40 + 10 + 3 * 16 +
-                  last_cycle()["work"]["ritz_vectors"].get<int>());
-      EXPECT_EQ(last_cycle()["work"]["factorizations"].get<int>(), 5);
+                40 + 10 + last_cycle()["work"]["ritz_vectors"].get<int>());
+      EXPECT_EQ(last_cycle()["work"]["factorizations"].get<int>(), 4);
       EXPECT_LT(last_cycle()["time_error"].get<double>(), 2e-3);
       expect_near(last_cycle()["peak_force"], elastic_peak, 2e-3);
     }
