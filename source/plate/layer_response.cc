@@ -8,6 +8,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <map>
+#include <string>
+#include <tuple>
 
 namespace PlateImpact
 {
@@ -72,6 +76,21 @@ namespace PlateImpact
         }
       return sum;
     }
+
+
+
+    /// Poisson's ratio, shear correction, radius, load, and which constant.
+    using LayerKey = std::tuple<double, double, double, LoadShape, std::string>;
+
+    /// A constant of a layer, computed once: that takes as long as an impact of
+    /// a sweep, whose impactors strike one plate.
+    double
+    remembered(const LayerKey &layer, const std::function<double()> &compute)
+    {
+      static thread_local std::map<LayerKey, double> known;
+      const auto                                     place = known.find(layer);
+      return place != known.end() ? place->second : known[layer] = compute();
+    }
   } // namespace
 
 
@@ -113,8 +132,13 @@ namespace PlateImpact
   double
   LayerResponse::sphere_constant(const double radius) const
   {
-    return integral([&](const double y) { return excess(y, radius); }, radius) /
-      (2. * constants::pi);
+    return remembered(
+      {poissons_ratio, shear_correction, radius, load, "sphere"},
+      [&] {
+        return integral([&](const double y) { return excess(y, radius); },
+                        radius) /
+          (2. * constants::pi);
+      });
   }
 
 
@@ -122,13 +146,15 @@ namespace PlateImpact
   double
   LayerResponse::line_constant(const double radius) const
   {
-    return constants::ln_two + 0.5 +
-      integral(
-        [&](const double y) {
+    return remembered(
+      {poissons_ratio, shear_correction, radius, load, "line"},
+      [&] {
+        const auto excess_of_line = [&](const double y) {
           return (excess(y, radius) + (1. - poissons_ratio) * std::exp(-y)) / y;
-        },
-        radius) /
-      (1. - poissons_ratio);
+        };
+        return constants::ln_two + 0.5 +
+          integral(excess_of_line, radius) / (1. - poissons_ratio);
+      });
   }
 
 

@@ -39,12 +39,12 @@ namespace PlateImpact
     /// U the potential: the discrete gradient of Gonzalez (1996),
     /// doi:10.1007/BF02440162, in one dimension. Does not cancel when a is
     /// close to b. [N]
-    double
+    virtual double
     mean_force(double a, double b) const;
 
     /// Mean of the stiffness between two indentations, (F(b) - F(a)) / (b - a),
     /// without cancellation. [N/m]
-    double
+    virtual double
     mean_stiffness(double a, double b) const;
 
     /// k of a law F = k alpha^{3/2}; empty for others. [N/m^{3/2}]

@@ -2,6 +2,7 @@
 
 #include "plate_impact/contact/contact_law.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace PlateImpact
@@ -45,6 +46,27 @@ namespace PlateImpact
     potential(const double indentation) const override
     {
       return 0.4 * indentation * force(indentation);
+    }
+
+    // without quadrature: a sweep takes a fifth less time
+    double
+    mean_force(const double a, const double b) const override
+    {
+      if (std::min(a, b) <= 0.)
+        return ContactLaw::mean_force(a, b);
+      // (x^5 - y^5) / (x^2 - y^2) with x^2 = a, y^2 = b, divided by x - y so
+      // that nothing cancels
+      const double x = std::sqrt(a), y = std::sqrt(b);
+      return 0.4 * k * (a * a + b * b + x * y * (a + x * y + b)) / (x + y);
+    }
+
+    double
+    mean_stiffness(const double a, const double b) const override
+    {
+      if (std::min(a, b) <= 0.)
+        return ContactLaw::mean_stiffness(a, b);
+      const double x = std::sqrt(a), y = std::sqrt(b);
+      return k * (a + x * y + b) / (x + y);
     }
 
     std::optional<double>
