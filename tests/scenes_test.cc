@@ -203,6 +203,9 @@ namespace PlateImpact
       EXPECT_NE(err.find("beyond 0.2 membrane forces stiffen it"),
                 std::string::npos)
         << err;
+      EXPECT_NE(err.find("Deflection = large and Adaptivity/Goal = energy"),
+                std::string::npos)
+        << err;
     }
 
 

@@ -1,4 +1,4 @@
-#include "plate_impact/analysis/warnings.h"
+#include "plate_impact/analysis/model_notes.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/contact/make_contact.h"
 #include "plate_impact/plate/plate_geometry.h"
@@ -15,7 +15,7 @@ namespace PlateImpact
   {
     /// The limits of the model, what an impact inside of them may leave of the
     /// peak force, and the sentences for those that it passes.
-    class ModelLimits : ComputedImpact
+    class ModelLimits : ComputedImpact, public ModelNotes
     {
     public:
       explicit ModelLimits(const ComputedImpact &impact)
@@ -29,53 +29,17 @@ namespace PlateImpact
         check_plate();
         if (peak.force > 0.)
           {
-            check_strengths();
+            check_strengths(impact, *this);
             check_contact();
             check_duration();
             check_damping();
-            check_delamination();
+            check_delamination(impact, *this);
           }
         if (is_beyond_limits)
           leaves("what is beyond a limit of the model", {});
       }
 
-      Warnings warnings;
-
     private:
-      /// Notes what a part of the model leaves of the peak force.
-      void
-      leaves(const std::string &part, const std::optional<double> &relative)
-      {
-        warnings.model_errors.push_back({part, relative});
-      }
-
-      /// Notes a sentence, with {} for each number.
-      template <typename... Numbers>
-      void
-      warn(const double over_limit,
-           const char  *sentence,
-           const Numbers &...numbers)
-      {
-        warnings.model.push_back(fmt::format(sentence, numbers...));
-        warnings.farthest_from_model =
-          std::max(warnings.farthest_from_model, over_limit);
-      }
-
-      /// The same where a quantity passes its limit, beyond which the error is
-      /// not known.
-      template <typename... Numbers>
-      void
-      limit(const double quantity,
-            const double limit,
-            const char  *sentence,
-            const Numbers &...numbers)
-      {
-        if (quantity <= limit)
-          return;
-        warn(quantity / limit, sentence, numbers...);
-        is_beyond_limits = true;
-      }
-
       /// What the contact takes for the answer of plate and ball to short
       /// waves, as far as doc/validation.md has compared it.
       void
@@ -206,9 +170,13 @@ namespace PlateImpact
               0.2,
               "the plate deflects by {}, {} of its thickness: beyond 0.2 "
               "membrane forces stiffen it, but the linear theory leaves them "
-              "out; choose Plate/Deflection = large",
+              "out; choose Plate/Deflection = large{}",
               about(deflection, "m"),
-              about(deflection / thickness));
+              about(deflection / thickness),
+              // bars of the force are those of linear plates
+              parameters.adaptivity.is_for_peak_force() ?
+                " and Adaptivity/Goal = energy norm" :
+                "");
           }
         if (is_layer)
           limit(
@@ -305,176 +273,9 @@ namespace PlateImpact
               about(0.3 * plate.loss_factor / of_contact));
       }
 
-      void
-      check_strengths()
-      {
-        // a laminate that is dented although the scene says that it is not; the
-        // critical indentations are those of hard balls
-        if (plate.is_laminate() && plate_is_softer &&
-            contact.unloading == UnloadingLaw::elastic)
-          limit(
-            peak.indentation,
-            contact.critical_indentation,
-            "the indentation reaches {}, beyond Contact/Critical indentation, "
-            "{}: the contact leaves a dent; choose Contact/Unloading = "
-            "Yang-Sun",
-            about(peak.indentation, "m"),
-            about(contact.critical_indentation, "m"));
-        warnings.contact = "pressure " + about(pressure, "Pa");
-        if (bodies.weaker)
-          check_yielding();
-        // a ball without a strength is taken for one that does not yield, but
-        // beside a laminate, which has none
-        if (plate.is_laminate() ? !plate_is_softer && !bodies.weaker :
-                                  plate.yield_strength == 0.)
-          check_unknown_strength();
-        if (plate.yield_strength == 0. || !result.error ||
-            result.error->max_stresses.size() != 1)
-          return;
-        const double largest = result.error->max_stresses(0, 0);
-        limit(
-          largest,
-          plate.yield_strength,
-          "the stress at the faces of the plate reaches {}, beyond its yield "
-          "strength, {}: the plate itself yields, which the model leaves out",
-          about(largest, "Pa"),
-          about(plate.yield_strength, "Pa"));
-      }
-
-      /// The law of a contact that yields was compared up to w = 100
-      /// (doc/validation.md).
-      void
-      check_yielding()
-      {
-        const YieldingBody &weaker = *bodies.weaker;
-        const double        first  = bodies.first_yield_pressure;
-        if (pressure <= first)
-          {
-            warnings.contact =
-              fmt::format("elastic: pressure {}, first yield at {}",
-                          about(pressure, "Pa"),
-                          about(first, "Pa"));
-            return;
-          }
-        if (impactor.is_cylinder())
-          {
-            warnings.contact = "pressure " + about(pressure, "Pa") +
-              "; it yields, but there is no yielding law for line contact";
-            return limit(
-              pressure,
-              first,
-              "the contact pressure reaches {}, and the contact yields "
-              "from {} on, but there is no yielding law for line "
-              "contact; the force is an upper bound",
-              about(pressure, "Pa"),
-              about(first, "Pa"));
-          }
-        warnings.contact = fmt::format(
-          "yields: mean pressure {} times the yield strength, dent {}",
-          about(bodies.mean_pressure(peak.force, peak.indentation) /
-                weaker.yield_strength),
-          about(last.permanent_indentation, "m"));
-        leaves("contact that yields", 0.04);
-        const double w = peak.indentation / *bodies.yield_indentation;
-        limit(w,
-              100.,
-              "the indentation is {} times that at first yield: the law of "
-              "yielding contacts was tested only up to 100",
-              about(w));
-      }
-
-      /// Of a body that may yield, but whose strength is not given.
-      void
-      check_unknown_strength()
-      {
-        // A nearly incompressible body is an elastomer, which does not yield.
-        if ((plate_is_softer ? plate.poissons_ratio :
-                               impactor.poissons_ratio) >= 0.45)
-          {
-            warnings.contact +=
-              " on a rubber-like body, which does not yield but is stiffer in "
-              "faster impacts: the force is that for the given modulus";
-            return;
-          }
-        warnings.assumes_elastic_contact = true;
-        warnings.contact +=
-          fmt::format("{} elastic as long as the yield strength{} is above {}",
-                      bodies.weaker ? "; the plate stays" : ",",
-                      bodies.weaker ? " of the plate" : "",
-                      about(pressure / bodies.pressure_over_strength, "Pa"));
-        // Full plasticity begins at three times the yield strength, which is at
-        // most a hundredth of Young's modulus (Johnson, Contact Mechanics, sec.
-        // 6.3). A law of unloading does not help: the loading is Hertz's in any
-        // case.
-        const double softer =
-          std::min(section.contact_modulus, impactor.youngs_modulus);
-        limit(
-          pressure,
-          0.03 * softer,
-          "the contact pressure reaches {}, {} of Young's modulus: no metal "
-          "stays elastic beyond 0.03; the force is an upper bound",
-          about(pressure, "Pa"),
-          about(pressure / softer));
-      }
-
-      void
-      check_delamination()
-      {
-        const auto crack = delamination(*this);
-        if (!crack)
-          return;
-        const double      ratio     = peak.force / crack->threshold;
-        const auto        of_model  = warnings.model_error();
-        const std::string threshold = " the threshold, " +
-          number(crack->threshold, "N") +
-          (crack->is_of_small_mass ?
-             ", for a small-mass impact (no wave returns before the peak)" :
-             ", for a quasi-static impact");
-        if (!result.peak_force_bar || !of_model || is_beyond_limits ||
-            peak.time == last.time)
-          warnings.damage = fmt::format(
-            "the peak force is {} of{}; the error of the force is not known, "
-            "so delamination cannot be judged",
-            about(ratio),
-            threshold);
-        else
-          {
-            const double error =
-              ratio * (result.peak_force_bar->total() + *of_model);
-            if (ratio + error < 1.)
-              warnings.damage =
-                "no delamination expected: the peak force, with its errors, "
-                "stays " +
-                percentage(1. - ratio - error) + " below" + threshold;
-            else if (ratio - error > 1.)
-              warnings.damage =
-                "delamination expected: the peak force, less its "
-                "errors, is " +
-                percentage(ratio - error - 1.) + " above" + threshold;
-            else
-              warnings.damage =
-                "delamination is possible: the peak force, within "
-                "its errors, may be below or above" +
-                threshold;
-          }
-        limit(ratio,
-              1.,
-              "the peak force is {} times the delamination threshold, {}: the "
-              "force is that of a plate without delamination",
-              about(ratio),
-              about(crack->threshold, "N"));
-      }
-
-      const bool is_layer = contact.local_response == LocalResponse::layer,
-                 plate_is_softer =
-                   section.contact_modulus < impactor.youngs_modulus;
+      const bool is_layer = contact.local_response == LocalResponse::layer;
       /// Or half-width of the contact.
       const double radius = bodies.radius(peak.force, peak.indentation);
-      /// Largest of an elastic contact.
-      const double pressure         = peak.force > 0. ?
-                bodies.elastic_pressure(peak.force, peak.indentation) :
-                0.;
-      bool         is_beyond_limits = false;
     };
   } // namespace
 
