@@ -223,6 +223,7 @@ namespace PlateImpact
         {"Plate/Thickness=8mm", "; write 0.008, in m"},
         {"Plate/Thickness=0,008", "; write 0.008, with a point"},
         {"Impactor/Mass=2000 g", "; write 2, in kg"},
+        {"Plate/Side lengths=40 cm, 250mm", "; write 0.4, 0.25, in m"},
         {"Impactor/Velocity=200 mm/s", "; write 0.2, in m/s"},
         {"Plate/Young's modulus=210 GPa", "; write 2.1e+11, in Pa"},
         {"Plate/Density=2.7 g/cm^3", "; write 2700, in kg/m^3"},
@@ -236,6 +237,9 @@ namespace PlateImpact
         {"Plate/Density=7.8",
          "7.8 kg/m^3 is lighter than any solid; did you mean 7800?"},
         {"Impactor/Density=2.7", "did you mean 2700?"},
+        {"Plate/Young's modulus=210000", "did you mean 210000e6?"},
+        {"Impactor/Diameter=0.02", "; expected Shape, Radius, Length, Mass, "},
+        {"Ball/Radius=0.02", "; expected Plate, Ply, Impactor, Contact, "},
         // not of this entry, and no unit at all
         {"Plate/Thickness=8 kg", "expected a number above 0\n"},
         {"Plate/Thickness=8 apples", "expected a number above 0\n"},

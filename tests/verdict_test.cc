@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 namespace PlateImpact
 {
   namespace
@@ -107,7 +109,7 @@ namespace PlateImpact
     TEST_F(RunVerdict, ForcesThatALayerDoesNotHoldAreRefused)
     {
       for (const std::string set :
-           {"'Contact/Patch radius=1e-4'", "\"Plate/Young's modulus=2100\""})
+           {"'Contact/Patch radius=1e-4'", "\"Plate/Young's modulus=2.1e6\""})
         {
           EXPECT_EQ(execute("check " + main_scene + " --set " + set), 1) << out;
           EXPECT_NE(err.find("local response of a layer holds up to"),
@@ -158,6 +160,38 @@ namespace PlateImpact
           state.time += 1e-6;
         }
       return result;
+    }
+
+
+
+    TEST(Warnings, DeflectionsAfterThePeakLeaveItsErrorKnown)
+    {
+      const Parameters  parameters = read_scene(main_scene, {}, {}).parameters;
+      const ZenerImpact expected   = make_zener_impact(parameters);
+      const auto        warnings   = [&](const double at_peak) {
+        CycleResult result;
+        result.history.emplace();
+        for (const auto &[time, force, deflection] :
+             {std::array<double, 3>{{0., 0., 0.}},
+              {{2e-5, expected.peak.force, at_peak}},
+              {{1e-4, 0., 0.3}}})
+          {
+            ContactState state;
+            state.time        = time;
+            state.force       = force;
+            state.indentation = force > 0. ? expected.peak.indentation : 0.;
+            state.plate_displacement = deflection * parameters.plate.thickness;
+            result.history->add(state);
+          }
+        return impact_warnings({parameters, expected, result});
+      };
+      const Warnings after = warnings(0.1), before = warnings(0.3);
+      EXPECT_TRUE(after.model_error());
+      EXPECT_NE(after.model.front().find("after the peak of the force"),
+                std::string::npos);
+      EXPECT_FALSE(before.model_error());
+      EXPECT_EQ(before.model.front().find("after the peak of the force"),
+                std::string::npos);
     }
 
 

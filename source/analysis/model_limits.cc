@@ -163,20 +163,25 @@ namespace PlateImpact
             // the static stiffness of a clamped plate grows by about 0.5
             // (w/h)^2 (Timoshenko & Woinowsky-Krieger, Theory of Plates and
             // Shells, sec. 100)
-            leaves("deflection",
-                   0.5 * std::pow(peak.plate_displacement / thickness, 2));
-            limit(
-              deflection / thickness,
-              0.2,
-              "the plate deflects by {}, {} of its thickness: beyond 0.2 "
-              "membrane forces stiffen it, but the linear theory leaves them "
-              "out; choose Plate/Deflection = large{}",
-              about(deflection, "m"),
-              about(deflection / thickness),
-              // bars of the force are those of linear plates
-              parameters.adaptivity.is_for_peak_force() ?
-                " and Adaptivity/Goal = energy norm" :
-                "");
+            const double relative = deflection / thickness,
+                         until_peak =
+                           history.max_plate_displacement(peak.time) /
+              thickness;
+            leaves("deflection", 0.5 * until_peak * until_peak);
+            if (relative > 0.2)
+              warn(relative / 0.2,
+                   "the plate deflects by {}, {} of its thickness{}: beyond "
+                   "0.2 membrane forces stiffen it, but the linear theory "
+                   "leaves them out; choose Plate/Deflection = large{}",
+                   about(deflection, "m"),
+                   about(relative),
+                   until_peak > 0.2 ? "" : ", after the peak of the force",
+                   // bars of the force are those of linear plates
+                   parameters.adaptivity.is_for_peak_force() ?
+                     " and Adaptivity/Goal = energy norm" :
+                     "");
+            // what comes later leaves the error of the peak known
+            is_beyond_limits = is_beyond_limits || until_peak > 0.2;
           }
         if (is_layer)
           limit(

@@ -119,7 +119,8 @@ namespace PlateImpact
           pressure,
           0.03 * softer,
           "the contact pressure reaches {}, {} of Young's modulus: no metal "
-          "stays elastic beyond 0.03; the force is an upper bound",
+          "stays elastic beyond 0.03, hardly a polymer beyond 0.05; the force "
+          "is an upper bound",
           about(pressure, "Pa"),
           about(pressure / softer));
       }

@@ -69,9 +69,11 @@ namespace PlateImpact
 
 
   std::string
-  error_in_words(const double error, const std::string &unit)
+  error_in_words(const double       error,
+                 const double       value,
+                 const std::string &unit)
   {
-    const PrefixedUnit prefixed(unit, error);
+    const PrefixedUnit prefixed(unit, value);
     return rounded_up(prefixed(error), prefixed.name);
   }
 

@@ -76,7 +76,7 @@ namespace PlateImpact
       double      factor;
     };
 
-    const Column columns[] = {
+    const Column shown_columns[] = {
       {"peak_force", "peak force N", "{:.6g}", 1.},
       {"time_of_peak_force", "at us", "{:.4g}", 1e6},
       {"first_contact_end", "contact end", "{:.5g}", 1e6},
@@ -142,7 +142,7 @@ namespace PlateImpact
           {
             for (const SweptEntry &entry : plan.entries)
               text += right(width_of(entry), entry.path);
-            for (const Column &column : columns)
+            for (const Column &column : shown_columns)
               text += right(14, column.title);
             text += '\n';
           }
@@ -219,7 +219,7 @@ namespace PlateImpact
         if (!row.failure.empty())
           text += "  " + row.failure;
         else
-          for (const Column &shown : columns)
+          for (const Column &shown : shown_columns)
             for (std::size_t i = 0; i < impact_quantities.size(); ++i)
               if (impact_quantities[i].name == shown.quantity)
                 text +=

@@ -129,9 +129,10 @@ namespace PlateImpact
       if (!bar)
         return text + ", error not known";
       return text + " (mesh, step)" +
-        (model_error ? " ± " + error_in_words(*model_error * force, "N") +
+        (model_error ?
+           " ± " + error_in_words(*model_error * force, force, "N") +
              " (model, from comparisons)" :
-                       ", error of the model not known");
+           ", error of the model not known");
     }
   } // namespace
 

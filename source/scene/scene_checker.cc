@@ -89,6 +89,11 @@ namespace PlateImpact
       refuse({body + "/Young's modulus"},
              "Pa is softer than any solid; did you mean " + shortest(modulus) +
                "e9?");
+    // gels are as soft, but not as heavy
+    else if (modulus >= 1e3 && modulus < 1e6 && density > 2000.)
+      refuse({body + "/Young's modulus"},
+             "Pa is softer than any solid as heavy; did you mean " +
+               shortest(modulus) + "e6?");
     if (density > 0.5 && density < 30. && modulus > 1e6)
       refuse({body + "/Density"},
              "kg/m^3 is lighter than any solid; did you mean " +

@@ -59,10 +59,21 @@ namespace PlateImpact
 
 
 
-    /// A number with a unit after it, in the unit of the entry.
+    /// A number with a unit after it, or a list of them, in the unit of the
+    /// entry.
     std::string
     converted(const std::string &value, const std::string &unit)
     {
+      if (value.find(',') != std::string::npos)
+        {
+          std::string all;
+          for (const std::string &item : split_list(value, ','))
+            if (const std::string one = converted(item, unit); one.empty())
+              return {};
+            else
+              all += (all.empty() ? "" : ", ") + one;
+          return all;
+        }
       static const std::regex number_and_unit(
         R"(([-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?)\s*([A-Za-z%][A-Za-z0-9/^]*))");
       std::smatch parts;
@@ -110,29 +121,31 @@ namespace PlateImpact
   SceneReader::unknown(const std::string &section,
                        const std::string &name) const
   {
-    const auto suggestion = [](const std::string              &misspelled,
-                               const std::vector<std::string> &candidates) {
-      const std::string closest = closest_name(misspelled, candidates);
-      return closest.empty() ? "" : "; did you mean '" + closest + "'?";
+    // the closest of the names, or all of them
+    const auto hint = [](const std::string              &misspelled,
+                         const std::vector<std::string> &names) {
+      const std::string closest = closest_name(misspelled, names);
+      return closest.empty() ?
+        fmt::format("; expected {}", fmt::join(names, ", ")) :
+        "; did you mean '" + closest + "'?";
     };
     std::vector<std::string> sections, names;
     std::string              elsewhere;
     for (const Entry &entry : entries.all)
       {
-        sections.push_back(entry.section());
+        if (sections.empty() || sections.back() != entry.section())
+          sections.push_back(entry.section());
         if (entry.section() == section)
           names.push_back(entry.name());
         else if (entry.name() == name)
           elsewhere += (elsewhere.empty() ? "" : " or ") + entry.section();
       }
     if (names.empty())
-      return "there is no section '" + section + "'" +
-        suggestion(section, sections);
-    const std::string hint = suggestion(name, names);
+      return "there is no section '" + section + "'" + hint(section, sections);
     return "there is no entry '" + name + "' in section " + section +
-      (hint.empty() && !elsewhere.empty() ?
+      (!elsewhere.empty() && closest_name(name, names).empty() ?
          "; it belongs to section " + elsewhere :
-         hint);
+         hint(name, names));
   }
 
 

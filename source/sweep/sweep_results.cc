@@ -115,16 +115,17 @@ namespace PlateImpact
 
     /// Numbers of all quantities together, so that a page stays below some
     /// megabytes. Of very large sweeps it has the first quantities only.
-    constexpr std::size_t most_numbers = 500000;
+    constexpr std::size_t most_page_numbers = 500000;
 
     /// Figures of the impacts as columns.
     Json
     quantities_on_page(const std::vector<std::optional<SweepRow>> &rows)
     {
-      const std::size_t n = std::clamp<std::size_t>(most_numbers / rows.size(),
-                                                    1,
-                                                    impact_quantities.size());
-      Json              quantities = Json::array();
+      const std::size_t n =
+        std::clamp<std::size_t>(most_page_numbers / rows.size(),
+                                1,
+                                impact_quantities.size());
+      Json quantities = Json::array();
       for (std::size_t i = 0; i < n; ++i)
         {
           const ImpactQuantity &quantity = impact_quantities[i];

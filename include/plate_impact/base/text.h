@@ -73,9 +73,9 @@ namespace PlateImpact
   std::string
   with_error(double value, double error, const std::string &unit);
 
-  /// The same of the error alone, which is above 0: "5 N".
+  /// The error alone, which is above 0, in the unit that the value has: "5 N".
   std::string
-  error_in_words(double error, const std::string &unit);
+  error_in_words(double error, double value, const std::string &unit);
 
   /// A result, a fraction, as "5 %".
   inline std::string

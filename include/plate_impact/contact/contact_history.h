@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iosfwd>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -130,13 +131,15 @@ namespace PlateImpact
       return n_contacts;
     }
 
-    /// Largest displacement of the plate under the load. [m]
+    /// Largest displacement of the plate under the load until a time. [m]
     double
-    max_plate_displacement() const
+    max_plate_displacement(
+      const double until = std::numeric_limits<double>::infinity()) const
     {
       double largest = 0.;
       for (const ContactState &state : history)
-        largest = std::max(largest, std::abs(state.plate_displacement));
+        if (state.time <= until)
+          largest = std::max(largest, std::abs(state.plate_displacement));
       return largest;
     }
 
