@@ -109,7 +109,8 @@ namespace PlateImpact
     TEST_F(RunVerdict, ForcesThatALayerDoesNotHoldAreRefused)
     {
       for (const std::string set :
-           {"'Contact/Patch radius=1e-4'", "\"Plate/Young's modulus=2.1e6\""})
+           {"'Contact/Patch radius=1e-4'",
+            "\"Plate/Young's modulus=2100\" --set Plate/Density=1900"})
         {
           EXPECT_EQ(execute("check " + main_scene + " --set " + set), 1) << out;
           EXPECT_NE(err.find("local response of a layer holds up to"),
