@@ -163,10 +163,9 @@ namespace PlateImpact
             // the static stiffness of a clamped plate grows by about 0.5
             // (w/h)^2 (Timoshenko & Woinowsky-Krieger, Theory of Plates and
             // Shells, sec. 100)
-            const double relative = deflection / thickness,
-                         until_peak =
-                           history.max_plate_displacement(peak.time) /
-              thickness;
+            const double relative = deflection / thickness;
+            const double until_peak =
+              history.max_plate_displacement(peak.time) / thickness;
             leaves("deflection", 0.5 * until_peak * until_peak);
             if (relative > 0.2)
               warn(relative / 0.2,
