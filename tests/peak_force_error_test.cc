@@ -62,11 +62,14 @@ namespace PlateImpact
       EXPECT_NEAR(bar(estimate, before, true, 2.).value(),
                   safety_of_bar * 0.007,
                   1e-12);
-      // the mean of the standard deviation and the error of the energy
+      // the mean of the standard deviation and the error of the energy, on a
+      // first mesh the larger
       EXPECT_NEAR(bar(estimate, before, true, 5.).value(),
                   std::sqrt(0.005 * 0.05 * 0.05),
                   1e-12);
       EXPECT_NEAR(bar(estimate, {}, true, 5.).value(), 0.005, 1e-12);
+      const PeakForceError less{{0.001}, {0.001}};
+      EXPECT_NEAR(bar(less, {}, true, 5.).value(), 0.0025, 1e-12);
     }
 
 

@@ -115,11 +115,9 @@ namespace PlateImpact
     double bar = estimate.bar();
     if (returns > many_returns)
       {
-        // a first mesh may not see the waves that its energy lacks
-        const double deviation = estimate.deviation();
-        bar                    = std::sqrt(deviation) * eta;
-        if (!before)
-          bar = std::max(bar, deviation);
+        const double of_waves = estimate.deviation(), of_energy = eta * eta;
+        bar = before ? std::sqrt(of_waves * of_energy) :
+                       std::max(of_waves, of_energy);
       }
     if (resolves_load)
       return bar;

@@ -93,8 +93,8 @@ namespace PlateImpact
   /// sign, and the sum of absolute values is many times the error. There it is
   /// the geometric mean of the deviation() and of the relative error of the
   /// strain energy, eta^2: both fall with the fourth power of the size of the
-  /// cells, and each is wrong by a factor that the other does not share. On a
-  /// first mesh it is no less than the deviation.
+  /// cells, and each is wrong by a factor that the other does not share. A
+  /// first mesh, which may not see waves at all, has the larger of both.
   /// @param eta            relative error in the energy norm
   /// @param peak           [N]
   /// @param resolves_load  whether cells at the load are no larger than it
