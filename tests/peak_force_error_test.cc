@@ -17,14 +17,15 @@ namespace PlateImpact
     bar(const PeakForceError            &estimate,
         const std::optional<PeakOnMesh> &before,
         const bool                       resolves_load,
-        const double                     returns = 0.)
+        const double                     returns = 0.,
+        const std::optional<double>     &change  = {})
     {
       return peak_force_error_by_mesh(estimate,
-                                      0.05,
                                       100.,
                                       before,
                                       resolves_load,
-                                      returns);
+                                      returns,
+                                      change);
     }
 
 
@@ -57,19 +58,24 @@ namespace PlateImpact
     TEST(PeakForceBar, AddsRingsThatWavesHaveCrossedManyTimesAsRandomOnes)
     {
       const PeakForceError estimate{{0.003, -0.004}, {0.003, -0.004}};
-      const PeakOnMesh     before{100., {}};
+      const PeakOnMesh     before{100., {}, 1};
       // once or twice they may all have one sign
       EXPECT_NEAR(bar(estimate, before, true, 2.).value(),
                   safety_of_bar * 0.007,
                   1e-12);
-      // the mean of the standard deviation and the error of the energy, on a
-      // first mesh the larger
-      EXPECT_NEAR(bar(estimate, before, true, 5.).value(),
-                  std::sqrt(0.005 * 0.05 * 0.05),
-                  1e-12);
-      EXPECT_NEAR(bar(estimate, {}, true, 5.).value(), 0.005, 1e-12);
-      const PeakForceError less{{0.001}, {0.001}};
-      EXPECT_NEAR(bar(less, {}, true, 5.).value(), 0.0025, 1e-12);
+      EXPECT_NEAR(bar(estimate, before, true, 5.).value(), 0.01, 1e-12);
+      // no more than the force has changed
+      EXPECT_NEAR(bar(estimate, before, true, 5., 0.006).value(), 0.006, 1e-12);
+      EXPECT_NEAR(bar(estimate, before, true, 5., 0.06).value(), 0.01, 1e-12);
+      // a third of that where every cell is halved
+      const PeakForceError halved{{0.003, -0.004, 0.003, -0.004},
+                                  {0.003, -0.004, 0.003, -0.004}};
+      EXPECT_NEAR(bar(halved, before, true, 5., 0.006).value(), 0.002, 1e-12);
+      // which tells nothing where the cells are much the same
+      EXPECT_NEAR(
+        bar(estimate, PeakOnMesh{100., {}, 2}, true, 5., 0.006).value(),
+        0.01,
+        1e-12);
     }
 
 

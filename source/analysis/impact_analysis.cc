@@ -95,8 +95,10 @@ namespace PlateImpact
         const CycleResult &last = current->result;
         seconds_before          = last.cumulative_seconds();
         if (last.peak_force_error)
-          before =
-            PeakOnMesh{last.history->peak().force, last.mesh_part_of_bar};
+          before = Struck{{last.history->peak().force,
+                           last.mesh_part_of_bar,
+                           last.cells},
+                          *last.history};
       }
     current.reset();
     current = std::make_unique<Cycle>(++n_cycles, parameters, std::move(mesh));
@@ -208,13 +210,25 @@ namespace PlateImpact
     if (result.cell_size_at_load >
         0.5 * std::max(time_control->expected.wave().length, 2. * load))
       return {};
+    const ContactState   &peak = result.history->peak();
+    std::optional<double> change;
+    if (before)
+      {
+        // two peaks may agree by accident, all ripples around them do not; 0
+        // where the mesh before was not watched until then
+        const double around =
+          result.history->difference_around(peak.time, before->history);
+        if (around != 0.)
+          change =
+            std::max(std::abs(peak.force - before->force), around) / peak.force;
+      }
     return peak_force_error_by_mesh(*result.peak_force_error,
-                                    result.error->eta_of_all_cells,
-                                    result.history->peak().force,
+                                    peak.force,
                                     before,
                                     result.cell_size_at_load <= load,
                                     time_control->returns_before_peak(
-                                      *result.history));
+                                      *result.history),
+                                    change);
   }
 
 

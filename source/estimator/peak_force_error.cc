@@ -102,11 +102,11 @@ namespace PlateImpact
 
   std::optional<double>
   peak_force_error_by_mesh(const PeakForceError            &estimate,
-                           const double                     eta,
                            const double                     peak,
                            const std::optional<PeakOnMesh> &before,
                            const bool                       resolves_load,
-                           const double                     returns)
+                           const double                     returns,
+                           const std::optional<double>     &change)
   {
     if (!before &&
         (!resolves_load ||
@@ -115,9 +115,15 @@ namespace PlateImpact
     double bar = estimate.bar();
     if (returns > many_returns)
       {
-        const double of_waves = estimate.deviation(), of_energy = eta * eta;
-        bar = before ? std::sqrt(of_waves * of_energy) :
-                       std::max(of_waves, of_energy);
+        // A third of the change where every cell is halved: errors fall at
+        // least with the square of the size. About as many cells change little,
+        // whatever their error.
+        const std::size_t n_cells = estimate.cells.size();
+        bar                       = estimate.bar_of_random_signs();
+        if (change && n_cells >= 1.5 * before->n_cells)
+          bar =
+            std::min(bar,
+                     n_cells < 4 * before->n_cells ? *change : *change / 3.);
       }
     if (resolves_load)
       return bar;

@@ -40,12 +40,13 @@ namespace PlateImpact
           .lpNorm<1>();
     }
 
-    /// Standard deviation of the sum over rings whose signs are random.
+    /// The same of rings whose signs are random: two standard deviations of
+    /// their sum.
     double
-    deviation() const
+    bar_of_random_signs() const
     {
-      return Eigen::Map<const Eigen::VectorXd>(rings.data(), rings.size())
-        .norm();
+      return 2. *
+        Eigen::Map<const Eigen::VectorXd>(rings.data(), rings.size()).norm();
     }
   };
 
@@ -82,6 +83,7 @@ namespace PlateImpact
   {
     double                force = 0.; ///< [N]
     std::optional<double> space;      ///< of the bar
+    std::size_t           n_cells = 0;
   };
 
   /// The part of a bar that is the mesh's: its bar(). Where the load is not
@@ -90,20 +92,19 @@ namespace PlateImpact
   /// estimate above a twentieth of the force there.
   ///
   /// What waves bring that have come back several times adds up with either
-  /// sign, and the sum of absolute values is many times the error. There it is
-  /// the geometric mean of the deviation() and of the relative error of the
-  /// strain energy, eta^2: both fall with the fourth power of the size of the
-  /// cells, and each is wrong by a factor that the other does not share. A
-  /// first mesh, which may not see waves at all, has the larger of both.
-  /// @param eta            relative error in the energy norm
-  /// @param peak           [N]
+  /// sign, and the sum of absolute values is many times the error: there it is
+  /// bar_of_random_signs(), and no more than the force has changed from the
+  /// mesh before if there are half as many cells again, or a third of this if
+  /// there are four times as many, as when every cell is halved.
   /// @param resolves_load  whether cells at the load are no larger than it
   /// @param returns        how often waves are back before the peak
+  /// @param change         of the force around the peak from the mesh before,
+  ///                       over the peak
   std::optional<double>
   peak_force_error_by_mesh(const PeakForceError            &estimate,
-                           double                           eta,
                            double                           peak,
                            const std::optional<PeakOnMesh> &before,
                            bool                             resolves_load,
-                           double                           returns);
+                           double                           returns = 0.,
+                           const std::optional<double>     &change  = {});
 } // namespace PlateImpact
