@@ -10,7 +10,6 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <functional>
 #include <iostream>
 #include <new>
 #include <optional>
@@ -117,55 +116,53 @@ namespace
   void
   add_commands(CLI::App &app, Arguments &arguments)
   {
-    const auto add = [&app](const char                  *name,
-                            const char                  *description,
-                            const char                  *footer,
-                            const std::function<void()> &callback) {
-      app.add_subcommand(name, description)->footer(footer)->callback(callback);
-    };
-    add(
-      "run",
-      "Compute the impact that a scene describes",
-      "Writes report.html, summary.json, contact_history.csv, scene.prm and what "
-      "the\nscene's section Output asks for. `plate-impact defaults` explains "
-      "every entry.\n\n"
-      "Example:\n"
-      "  plate-impact run my.prm --set \"Impactor/Velocity=2\" --output fast",
-      [&] {
+    app.add_subcommand("run", "Compute the impact that a scene describes")
+      ->footer(
+        "Writes report.html, summary.json, contact_history.csv, scene.prm and what "
+        "the\nscene's section Output asks for. `plate-impact defaults` explains "
+        "every entry.\n\n"
+        "Example:\n"
+        "  plate-impact run my.prm --set \"Impactor/Velocity=2\" --output fast")
+      ->callback([&] {
         run_scene(scene_of(arguments), arguments.quiet, arguments.marking);
       });
-    add(
-      "compare",
-      "Compare strategies and elements: error against run time",
-      "Reads the scene's section Comparison; writes comparison.html, "
-      "comparison.csv\nand comparison.json. Ctrl-C leaves what is done, in whole "
-      "files.",
-      [&] {
+    app
+      .add_subcommand("compare",
+                      "Compare strategies and elements: error against run time")
+      ->footer(
+        "Reads the scene's section Comparison; writes comparison.html, "
+        "comparison.csv\nand comparison.json. Ctrl-C leaves what is done, in whole "
+        "files.")
+      ->callback([&] {
         compare_scene(scene_of(arguments), arguments.quiet, arguments.marking);
       });
-    add(
-      "sweep",
-      "Compute many impacts: the entries and values of the scene's Sweep "
-      "section; under mpirun on all its processes",
-      "The section is, for example,\n"
-      "  subsection Sweep\n"
-      "    set Entry 1  = Impactor/Velocity\n"
-      "    set Values 1 = 0.5:5:20          # first:last:number, or 1, 2, 5\n"
-      "    set Entry 2  = Plate/Thickness\n"
-      "    set Values 2 = 0.004, 0.006\n"
-      "  end\n"
-      "Writes sweep.html and sweep.csv. `plate-impact check` says what it costs.",
-      [&] { sweep(arguments); });
-    add("check",
-        "Check a scene and say what to expect of it",
+    app
+      .add_subcommand(
+        "sweep",
+        "Compute many impacts: the entries and values of the scene's Sweep "
+        "section; under mpirun on all its processes")
+      ->footer(
+        "The section is, for example,\n"
+        "  subsection Sweep\n"
+        "    set Entry 1  = Impactor/Velocity\n"
+        "    set Values 1 = 0.5:5:20          # first:last:number, or 1, 2, 5\n"
+        "    set Entry 2  = Plate/Thickness\n"
+        "    set Values 2 = 0.004, 0.006\n"
+        "  end\n"
+        "Writes sweep.html and sweep.csv. `plate-impact check` says what it costs.")
+      ->callback([&] { sweep(arguments); });
+    app.add_subcommand("check", "Check a scene and say what to expect of it")
+      ->footer(
         "Takes a second or two and writes nothing. It takes longer under heavy "
-        "impactors and where the plate stretches.",
-        [&] { print(expectation_in_words(scene_of(arguments))); });
-    add(
-      "defaults",
-      "Print every entry with its meaning, unit and default, as a valid scene",
-      "Example:\n  plate-impact defaults > my.prm",
-      [] { print(SceneReader().entries.text(/*with_meanings=*/true)); });
+        "impactors and where the plate stretches.")
+      ->callback([&] { print(expectation_in_words(scene_of(arguments))); });
+    app
+      .add_subcommand(
+        "defaults",
+        "Print every entry with its meaning, unit and default, as a valid scene")
+      ->footer("Example:\n  plate-impact defaults > my.prm")
+      ->callback(
+        [] { print(SceneReader().entries.text(/*with_meanings=*/true)); });
     add_options(app, arguments);
   }
 
@@ -222,7 +219,9 @@ namespace
   {
     std::istringstream lines(message);
     for (std::string line; std::getline(lines, line);)
-      std::cerr << emphasized("plate-impact: ", Emphasis::error, STDERR_FILENO)
+      std::cerr << emphasized("plate-impact: ",
+                              fg(fmt::terminal_color::red),
+                              STDERR_FILENO)
                 << printable(line) << '\n';
   }
 } // namespace

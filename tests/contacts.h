@@ -1,10 +1,11 @@
 #pragma once
 
+#include "plate_impact/base/parameters.h"
 #include "plate_impact/contact/contact.h"
+#include "plate_impact/contact/contact_bodies.h"
 #include "plate_impact/contact/hertz_law.h"
 #include "plate_impact/contact/line_law.h"
-#include "plate_impact/contact/unloading.h"
-#include "plate_impact/contact/yielding_law.h"
+#include "plate_impact/plate/plate_section.h"
 
 #include <memory>
 #include <vector>
@@ -21,8 +22,21 @@ namespace PlateImpact
   inline const auto line_law_on_layer =
     std::make_shared<LineLaw>(0.01, 0.0333335, modulus, -0.69);
   // the main scene's ball on steel of 355 MPa
-  inline const double first_yield =
-    yield_indentation(0.01, modulus, 3.55e8, /*poissons_ratio=*/0.3);
+  inline const double first_yield = [] {
+    Parameters scene{};
+    auto      &plate              = scene.plate;
+    plate.thickness               = 0.008;
+    plate.youngs_modulus          = 2.1e11;
+    plate.poissons_ratio          = 0.3;
+    plate.density                 = 7800.;
+    plate.shear_correction_factor = 5. / 6.;
+    plate.yield_strength          = 3.55e8;
+    scene.impactor.radius         = 0.01;
+    scene.impactor.youngs_modulus = plate.youngs_modulus;
+    scene.impactor.poissons_ratio = plate.poissons_ratio;
+    const ContactBodies bodies(scene, PlateSection(plate));
+    return *bodies.yield_indentation;
+  }();
   inline const auto yielding_law =
     std::make_shared<YieldingLaw>(1.5e10, first_yield, 0.5);
 

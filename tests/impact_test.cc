@@ -35,10 +35,9 @@ namespace PlateImpact
     largest_difference(const ContactHistory &a, const ContactHistory &b)
     {
       double difference = 0.;
-      for (std::size_t n = 0; n < a.states().size(); ++n)
+      for (std::size_t n = 0; n < a.states.size(); ++n)
         difference =
-          std::max(difference,
-                   std::abs(a.states()[n].force - b.states()[n].force));
+          std::max(difference, std::abs(a.states[n].force - b.states[n].force));
       return difference / a.peak().force;
     }
 
@@ -304,9 +303,9 @@ namespace PlateImpact
       for (const double force : {0., 1., 0.})
         {
           ContactState state;
-          state.time  = seen.history->states().size() * 0.01;
+          state.time  = seen.history->states.size() * 0.01;
           state.force = force;
-          seen.history->add(state);
+          seen.history->states.push_back(state);
         }
       Window window{Extent::whole, parameters.time.time_step};
       while (const auto next = control.next(window, seen))

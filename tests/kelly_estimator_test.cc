@@ -1,5 +1,4 @@
 #include "plate_impact/estimator/energy_norm_estimator.h"
-#include "plate_impact/estimator/kelly_indicator.h"
 #include "program_fixture.h"
 #include "test_plate.h"
 

@@ -1,7 +1,6 @@
 // Von Karman's plate on one mesh: statics, locking, tangent, free vibration.
 #include "plate_impact/plate/large_deflection.h"
 #include "plate_impact/plate/plate_geometry.h"
-#include "plate_impact/transient/large_deflection_stepper.h"
 #include "plate_impact/transient/natural_frequencies.h"
 #include "test_plate.h"
 
@@ -338,8 +337,9 @@ namespace PlateImpact
       const PlateElement  element(ElementType::MITC9, Stretching::large);
       PlateDiscretization model(*mesh, element, plate);
       model.assemble();
-      EffectiveStiffness matrices(model, SolverType::CHOLMOD);
-      const double       period = 1. / natural_frequencies(matrices, 1)[0];
+      const auto matrices =
+        std::make_shared<EffectiveStiffness>(model, SolverType::CHOLMOD);
+      const double period = 1. / natural_frequencies(*matrices, 1)[0];
       // struck in the shape of its first mode, which it then keeps
       const Eigen::VectorXd load =
         model.n_parts * model.load(pressure_load(*mesh, [](const Point<2> &p) {
@@ -351,16 +351,17 @@ namespace PlateImpact
       time.newmark_gamma = 0.5;
       time.end_time      = 2. * period;
       time.time_step     = period / 400.;
-      const NewmarkScheme    scheme(time, ForceIntegration::energy_conserving);
-      LargeDeflectionStepper stepper(scheme, matrices, load);
-      double                 before = 0., amplitude = 0., first = 0., last = 0.;
+      const NewmarkScheme scheme(time, ForceIntegration::energy_conserving);
+      FullSystem          system(matrices, load);
+      const auto          motion = system.motion(scheme);
+      double              before = 0., amplitude = 0., first = 0., last = 0.;
       for (unsigned int step = 1; step <= scheme.n_steps; ++step)
         {
-          stepper.begin_step(0.);
+          motion->begin_step(0.);
           const double force = step == 1 ? impulse / scheme.dt : 0.;
-          while (stepper.end_step(force, force))
+          while (motion->end_step(force, force))
             ;
-          const double w = at_centre.dot(stepper.unknowns());
+          const double w = at_centre.dot(motion->z);
           amplitude      = std::max(amplitude, w / plate.thickness);
           if (before > 0. && w <= 0. && last == 0.)
             (first == 0. ? first : last) =

@@ -54,10 +54,8 @@ namespace PlateImpact
 
     TEST(Page, TextStaysText)
     {
-      const std::string  evil = "</script><script>alert(1)</script>&\"<b>";
-      std::ostringstream out;
-      write_page(out, {evil, evil, evil}, {{"evil", evil}});
-      const std::string html = out.str();
+      const std::string evil = "</script><script>alert(1)</script>&\"<b>";
+      const std::string html = page({evil, evil, evil}, {{"evil", evil}});
       EXPECT_EQ(html.find("alert(1)</script>"), std::string::npos);
       EXPECT_EQ(html.find("<b>"), std::string::npos);
       EXPECT_NE(html.find("\"evil\":\"\\u003c/script>"), std::string::npos);
@@ -68,9 +66,8 @@ namespace PlateImpact
 
     TEST(Page, BytesThatAreNoTextAreReplaced)
     {
-      std::ostringstream out;
-      write_page(out, {}, {{"name", "\xff"}});
-      EXPECT_NE(out.str().find("{\"name\":\"\uFFFD\"}"), std::string::npos);
+      const std::string html = page({}, {{"name", "\xff"}});
+      EXPECT_NE(html.find("{\"name\":\"\uFFFD\"}"), std::string::npos);
     }
 
 

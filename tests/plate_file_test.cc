@@ -77,6 +77,19 @@ namespace PlateImpact
     }
 
 
+    /// With the impact at a point, in the coordinates of the file.
+    PlateGeometry
+    at(const std::shared_ptr<const PlateFile> &file, const Point<2> &point)
+    {
+      PlateParameters plate;
+      plate.outline.shape            = PlateOutline::file;
+      plate.file                     = file;
+      const Tensor<1, 2> from_centre = point - file->centre;
+      plate.impact_point             = {{from_centre[0], from_centre[1]}};
+      return geometry_of(plate);
+    }
+
+
     const std::string to_the_end =
       "--set Plate/Thickness=0.004 --set 'Time/End time=3e-4' --set "
       "'Adaptivity/Target error=0.03' ";
@@ -184,8 +197,8 @@ namespace PlateImpact
       const auto plate = read_plate_file((directory / "plate.msh").string());
       ASSERT_EQ(plate->arcs.size(), 1u);
       expect_near(plate->area, 0.01 * numbers::PI, 1e-3);
-      expect_near(plate->distance_to_edge({0.03, 0.04}), 0.05, 1e-3);
-      EXPECT_LT(plate->distance_to_edge({0.08, 0.08}), 0.);
+      expect_near(at(plate, {0.03, 0.04}).distance_to_edge, 0.05, 1e-3);
+      EXPECT_LT(at(plate, {0.08, 0.08}).distance_to_edge, 0.);
       const auto last = last_with(sets + file);
       for (const std::string key :
            {"peak_force", "impulse", "final_impactor_velocity"})
@@ -238,9 +251,9 @@ namespace PlateImpact
                   plate->extent[0] * plate->extent[1] -
                     numbers::PI * 0.02 * 0.02,
                   1e-5);
-      EXPECT_LT(plate->distance_to_edge({0., 0.}), 0.);
-      EXPECT_NEAR(plate->distance_to_edge({0.03, 0.}), 0.01, 1e-4);
-      EXPECT_NEAR(plate->distance_to_edge({0.03, 0.}, 0), 0.01, 1e-4);
+      EXPECT_LT(at(plate, {0., 0.}).distance_to_edge, 0.);
+      EXPECT_NEAR(at(plate, {0.03, 0.}).distance_to_edge, 0.01, 1e-4);
+      EXPECT_NEAR(at(plate, {0.03, 0.}).distance_along[0], 0.01, 1e-4);
     }
 
 

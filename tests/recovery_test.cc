@@ -3,7 +3,7 @@
 #include <deal.II/grid/grid_tools.h>
 
 #include "plate_impact/estimator/energy_norm_estimator.h"
-#include "plate_impact/estimator/recovered_field.h"
+#include "plate_impact/estimator/stress_recovery.h"
 #include "test_plate.h"
 
 #include <gtest/gtest.h>

@@ -22,7 +22,7 @@ ROOMS = {
     "estimator": "base plate transient",
     "adaptation": "base plate estimator",
     "analysis": "base plate contact transient estimator adaptation",
-    "scene": "base contact plate/plate_section plate/ply plate/layer_response plate/plate_geometry plate/plate_mesh plate/plate_file",
+    "scene": "base contact plate/plate_section plate/layer_response plate/plate_geometry plate/plate_mesh plate/plate_file",
     "page": "base plate",
     "output": "base plate contact estimator adaptation analysis scene page",
     "marking": "base plate estimator adaptation analysis page output/result_directory",
@@ -34,7 +34,7 @@ ROOMS = {
 
 # a law's name in the sources, and its own pair of files
 LAWS = {
-    r"(?i)yang[_-]sun": "contact/unloading",
+    r"(?i)yang[_-]sun": "contact/contact_law",
     r"ForceLaw::line\b|enum class ForceLaw\s*{[^}]*\bline\b": "contact/line_law",
 }
 

@@ -2,8 +2,8 @@
 #include <deal.II/grid/grid_generator.h>
 
 #include "plate_impact/adaptation/mesh_adaptation.h"
+#include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
-#include "plate_impact/plate/singular_points.h"
 #include "plate_impact/scene/scene.h"
 #include "program_fixture.h"
 

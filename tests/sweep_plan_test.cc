@@ -1,7 +1,6 @@
 // The points of a sweep and what they share, as read from a scene.
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/scene/scene.h"
-#include "plate_impact/sweep/sweep_computation.h"
 #include "program_fixture.h"
 
 #include <gtest/gtest.h>

@@ -166,7 +166,7 @@ namespace PlateImpact
   solve_static(const PlateDiscretization &model, const Eigen::VectorXd &load)
   {
     const Epetra_CrsMatrix &K = model.stiffness();
-    SolverWork              work;
+    PlateWork               work;
     const auto solver = make_linear_solver(SolverType::CHOLMOD, work);
     solver->factorize(std::make_unique<Epetra_CrsMatrix>(K));
     Eigen::VectorXd z, correction, residual = load;
@@ -231,7 +231,7 @@ namespace PlateImpact
                         plate,
                         contact,
                         make_impactor(parameters.impactor));
-    stepper.advance(stepper.n_steps());
+    stepper.advance(stepper.scheme.n_steps);
     return stepper.impact().history;
   }
 

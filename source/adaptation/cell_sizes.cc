@@ -3,49 +3,44 @@
 #include "plate_impact/adaptation/mesh_adaptation.h"
 #include "plate_impact/plate/plate_mesh.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace PlateImpact
 {
   using namespace dealii;
 
-  namespace
+  CellSizing::CellSizing(const Triangulation<2>::cell_iterator &cell,
+                         const AdaptivityParameters            &adaptivity)
+    : exponent(adaptivity.size_exponent)
+    , minimum(adaptivity.minimum_cell_size)
+    , maximum(adaptivity.maximum_cell_size)
   {
-    /// Of a singularity; h_new / h is no better known than its fourth power.
-    constexpr double least_strength = 0.25;
-
-    /// Cells that touch a singular point may be smaller than the minimum size
-    /// by this, which the program has chosen for the load.
-    constexpr double share_at_singular_points = 1e-6;
-
-
-
-    /// q in h(r) ~ r^q, by which cells around a singular point have equal
-    /// errors: that of a cell at a distance r is as h^{p+1} r^{lambda-1-p}.
-    double
-    grading(const double strength)
-    {
-      const unsigned int p = 2;
-      return std::min(1.,
-                      (p + 1. - std::max(strength, least_strength)) / (p + 1.));
-    }
+    for (const SingularPoint &point : adaptivity.singular_points.points)
+      if ((singular == nullptr || point.strength < singular->strength) &&
+          touches_point(cell, point.position))
+        singular = &point;
+    if (singular == nullptr)
+      return;
+    const unsigned int p = 2;
+    // h_new / h is no better known than its fourth power
+    const double strength = std::max(singular->strength, 0.25);
+    exponent              = std::max(exponent, 1. / strength);
+    grading               = std::min(1., (p + 1. - strength) / (p + 1.));
+    if (adaptivity.minimum_cell_size_is_chosen && singular->strength > 0.)
+      minimum *= 1e-6;
+  }
 
 
 
-    /// The strongest of the singular points that a cell touches, or null.
-    const SingularPoint *
-    singular_point_of(const Triangulation<2>::cell_iterator &cell,
-                      const AdaptivityParameters            &adaptivity)
-    {
-      const SingularPoint *strongest = nullptr;
-      for (const SingularPoint &point : adaptivity.singular_points.points)
-        if ((strongest == nullptr || point.strength < strongest->strength) &&
-            touches_point(cell, point.position))
-          strongest = &point;
-      return strongest;
-    }
-  } // namespace
+  double
+  CellSizing::at(const Point<2> &position, const double size) const
+  {
+    if (singular == nullptr)
+      return size;
+    const double distance =
+      position.distance({singular->position[0], singular->position[1]});
+    return size * std::pow(std::max(1., distance / size), grading);
+  }
 
 
 
@@ -60,66 +55,9 @@ namespace PlateImpact
         const unsigned int c = cell->active_cell_index();
         // infinite without an error
         sizes[c] = cell_size(cell) /
-          std::pow(error.elements[c], size_exponent(cell, adaptivity));
+          std::pow(error.elements[c], CellSizing(cell, adaptivity).exponent);
       }
     return sizes;
-  }
-
-
-
-  double
-  size_exponent(const Triangulation<2>::cell_iterator &cell,
-                const AdaptivityParameters            &adaptivity)
-  {
-    const SingularPoint *point = singular_point_of(cell, adaptivity);
-    return point == nullptr ?
-      adaptivity.size_exponent :
-      std::max(adaptivity.size_exponent,
-               1. / std::max(point->strength, least_strength));
-  }
-
-
-
-  double
-  size_at(const Point<2>                        &position,
-          const double                           size,
-          const Triangulation<2>::cell_iterator &cell,
-          const AdaptivityParameters            &adaptivity)
-  {
-    const SingularPoint *point = singular_point_of(cell, adaptivity);
-    if (point == nullptr)
-      return size;
-    const double distance =
-      position.distance({point->position[0], point->position[1]});
-    return size *
-      std::pow(std::max(1., distance / size), grading(point->strength));
-  }
-
-
-
-  double
-  minimum_cell_size(const Triangulation<2>::cell_iterator &cell,
-                    const AdaptivityParameters            &adaptivity)
-  {
-    const SingularPoint *point = adaptivity.minimum_cell_size_is_chosen ?
-      singular_point_of(cell, adaptivity) :
-      nullptr;
-    return adaptivity.minimum_cell_size *
-      (point != nullptr && point->strength > 0. ? share_at_singular_points :
-                                                  1.);
-  }
-
-
-
-  double
-  allowed_size(const double                           size,
-               const Triangulation<2>::cell_iterator &cell,
-               const AdaptivityParameters            &adaptivity)
-  {
-    const double largest = adaptivity.maximum_cell_size;
-    return std::clamp(size,
-                      std::min(minimum_cell_size(cell, adaptivity), largest),
-                      largest);
   }
 
 
@@ -132,15 +70,15 @@ namespace PlateImpact
     double n_cells = 0.;
     for (const auto &cell : mesh.active_cell_iterators())
       {
-        const double ratio = cell_size(cell) /
-          allowed_size(sizes[cell->active_cell_index()], cell, adaptivity);
-        const SingularPoint *point = singular_point_of(cell, adaptivity);
-        if (point == nullptr || ratio <= 1.)
+        const CellSizing sizing(cell, adaptivity);
+        const double     ratio =
+          cell_size(cell) / sizing.allowed(sizes[cell->active_cell_index()]);
+        if (sizing.singular == nullptr || ratio <= 1.)
           n_cells += ratio * ratio;
         else
           {
             // int dA / h(r)^2 over a quarter of a circle
-            const double exponent = 2. - 2. * grading(point->strength);
+            const double exponent = 2. - 2. * sizing.grading;
             n_cells += 1. +
               0.5 * numbers::PI * (std::pow(ratio, exponent) - 1.) / exponent;
           }
@@ -155,6 +93,6 @@ namespace PlateImpact
               const AdaptivityParameters            &adaptivity)
   {
     return 0.5 * cell_size(cell) <
-      minimum_cell_size(cell, adaptivity) * (1. - 1e-9);
+      CellSizing(cell, adaptivity).minimum * (1. - 1e-9);
   }
 } // namespace PlateImpact

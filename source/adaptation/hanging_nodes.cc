@@ -1,7 +1,6 @@
 #include "plate_impact/adaptation/mesh_adaptation.h"
 #include "plate_impact/plate/plate_mesh.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -34,11 +33,10 @@ namespace PlateImpact
         std::max(1., std::pow(2., 3. * adaptivity.size_exponent - 1.));
       const double refinement = levels(h / target_size);
       const double coarsening = std::min(0., levels(margin * h / target_size));
-      const double most =
-        std::max(0.,
-                 std::floor(std::log2(h / minimum_cell_size(cell, adaptivity)) +
-                            rounding));
-      const double least = levels(h / adaptivity.maximum_cell_size);
+      const CellSizing sizing(cell, adaptivity);
+      const double     most =
+        std::max(0., std::floor(std::log2(h / sizing.minimum) + rounding));
+      const double least = levels(h / sizing.maximum);
       const double change =
         std::max(refinement > 0. ? std::min(refinement, most) : coarsening,
                  least);
@@ -47,9 +45,9 @@ namespace PlateImpact
 
 
 
-    /// The wanted level, kept in the user index of the cell or of the ancestor
-    /// that it was refined from; away from a singular point that the ancestor
-    /// touches cells may be larger.
+    /// The wanted level, which plus one is the user index of the cell or of the
+    /// ancestor that it was refined from; away from a singular point that the
+    /// ancestor touches cells may be larger.
     int
     inherited_level(const Triangulation<2>::cell_iterator &cell,
                     const AdaptivityParameters            &adaptivity)
@@ -62,21 +60,13 @@ namespace PlateImpact
         return wanted;
       const double size =
         cell_size(ancestor) * std::exp2(ancestor->level() - wanted);
-      double here = std::numeric_limits<double>::infinity();
+      const CellSizing sizing(ancestor, adaptivity);
+      double           here = std::numeric_limits<double>::infinity();
       for (const unsigned int v : cell->vertex_indices())
-        here =
-          std::min(here, size_at(cell->vertex(v), size, ancestor, adaptivity));
+        here = std::min(here, sizing.at(cell->vertex(v), size));
       const int larger =
         static_cast<int>(std::floor(std::log2(here / size) + rounding));
       return std::max(wanted - larger, cell->level());
-    }
-
-
-
-    void
-    set_level(const Triangulation<2>::cell_iterator &cell, const int level)
-    {
-      cell->set_user_index(level + 1);
     }
 
 
@@ -90,7 +80,7 @@ namespace PlateImpact
       for (const auto &cell : mesh.active_cell_iterators())
         {
           const int wanted = inherited_level(cell, adaptivity);
-          set_level(cell, wanted);
+          cell->set_user_index(wanted + 1);
           if (wanted > cell->level())
             cell->set_refine_flag();
           else if (wanted < cell->level())
@@ -107,7 +97,7 @@ namespace PlateImpact
               int        wanted = 0;
               for (const auto &child : parent->child_iterators())
                 wanted = std::max(wanted, inherited_level(child, adaptivity));
-              set_level(parent, wanted);
+              parent->set_user_index(wanted + 1);
             }
         }
       return is_flagged;
@@ -126,10 +116,8 @@ namespace PlateImpact
       target_sizes(mesh, adapting.error, adaptivity);
     mesh.clear_user_data();
     for (const auto &cell : mesh.active_cell_iterators())
-      set_level(cell,
-                wanted_level(cell,
-                             sizes[cell->active_cell_index()],
-                             adaptivity));
+      cell->set_user_index(
+        1 + wanted_level(cell, sizes[cell->active_cell_index()], adaptivity));
 
     // One level at a time. Cells refined for the sake of their neighbours are
     // flagged to be coarsened again; prepare_coarsening_and_refinement() takes

@@ -46,19 +46,17 @@ namespace PlateImpact
           is_smallest(cell, adaptivity);
       };
       const std::vector<CellId> before = sorted_cells(mesh);
-      Vector<double>            criteria(errors.begin(), errors.end());
+      Vector<double>            criteria(errors.size());
       // Of cells that mirror each other all or none: round-off ranks no one
       // when 16 bits are left, about five digits.
-      for (double &criterion : criteria)
-        {
-          int          exponent;
-          const double mantissa = std::frexp(criterion, &exponent);
-          criterion =
-            std::ldexp(std::round(std::ldexp(mantissa, 16)), exponent - 16);
-        }
       for (const auto &cell : mesh.active_cell_iterators())
-        if (is_settled(cell))
-          criteria[cell->active_cell_index()] = 0.;
+        if (const unsigned int c = cell->active_cell_index(); !is_settled(cell))
+          {
+            int          exponent;
+            const double mantissa = std::frexp(errors[c], &exponent);
+            criteria[c] =
+              std::ldexp(std::round(std::ldexp(mantissa, 16)), exponent - 16);
+          }
       if (adaptivity.strategy == AdaptationStrategy::fixed_fraction)
         GridRefinement::refine_and_coarsen_fixed_fraction(
           mesh,
@@ -82,6 +80,68 @@ namespace PlateImpact
         }
       mesh.execute_coarsening_and_refinement();
       return sorted_cells(mesh) != before;
+    }
+
+
+
+    /// Refines cells that are larger than theta times their distance from the
+    /// contact, again and again, as long as the maximum of cells allows it.
+    /// @return whether the mesh is refined
+    bool
+    refine_to_contact(Triangulation<2>           &mesh,
+                      const double                theta,
+                      const AdaptivityParameters &adaptivity,
+                      const double                contact_half_length)
+    {
+      for (bool is_refined = false;; is_refined = true)
+        {
+          for (const auto &cell : mesh.active_cell_iterators())
+            {
+              const Point<2> centre = cell->center();
+              const Point<2> nearest(std::clamp(centre[0],
+                                                -contact_half_length,
+                                                contact_half_length),
+                                     0.);
+              if (cell_size(cell) > theta * centre.distance(nearest) &&
+                  !is_smallest(cell, adaptivity))
+                cell->set_refine_flag();
+            }
+          // with those that hanging nodes ask for
+          mesh.prepare_coarsening_and_refinement();
+          unsigned int n_cells = mesh.n_active_cells();
+          for (const auto &cell : mesh.active_cell_iterators())
+            n_cells += cell->refine_flag_set() ? 3 : 0;
+          if (n_cells == mesh.n_active_cells() ||
+              n_cells > adaptivity.maximum_cells)
+            {
+              for (const auto &cell : mesh.active_cell_iterators())
+                cell->clear_refine_flag();
+              return is_refined;
+            }
+          mesh.execute_coarsening_and_refinement();
+        }
+    }
+
+
+
+    /// A mesh chosen before anything is known of its error: cells are at most
+    /// theta r large, r the distance of their centre from the contact, down to
+    /// the minimum cell size. The ratio theta is 1 first and halved from mesh
+    /// to mesh.
+    bool
+    refine_graded(const Adapting &adapting)
+    {
+      const AdaptivityParameters &adaptivity = adapting.adaptivity;
+      // below that, cells far from the contact are at the minimum size as well
+      const double smallest_theta = adaptivity.minimum_cell_size /
+        (2. * adapting.mesh.n_active_cells() * adaptivity.maximum_cell_size);
+      for (double theta = 1.; theta > smallest_theta; theta *= 0.5)
+        if (refine_to_contact(adapting.mesh,
+                              theta,
+                              adaptivity,
+                              adapting.contact_half_length))
+          return true;
+      return false;
     }
 
 
@@ -185,6 +245,24 @@ namespace PlateImpact
     return sizes == nullptr ?
       mesh.n_active_cells() :
       n_cells_of_sizes(mesh, sizes(mesh, error, adaptivity), adaptivity);
+  }
+
+
+
+  void
+  refine_towards_load(Triangulation<2> &mesh, const Parameters &parameters)
+  {
+    AdaptivityParameters grading = parameters.adaptivity;
+    // cells that may be halved are larger than the patch
+    grading.minimum_cell_size = 0.5 *
+      (parameters.contact.has_patch() ? parameters.contact.patch_radius :
+                                        parameters.plate.thickness);
+    // along a line that is much longer than wide they are too many
+    grading.maximum_cells = std::min(grading.maximum_cells, 5000u);
+    refine_to_contact(mesh,
+                      1.,
+                      grading,
+                      parameters.impactor.contact_half_length());
   }
 
 

@@ -6,7 +6,6 @@
 #include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -53,10 +52,9 @@ namespace PlateImpact
         for (const auto &cell : cells[vertex])
           sizes[vertex] =
             std::min(sizes[vertex],
-                     size_at(mesh.get_vertices()[vertex],
-                             cell_sizes[cell->active_cell_index()],
-                             cell,
-                             adaptivity));
+                     CellSizing(cell, adaptivity)
+                       .at(mesh.get_vertices()[vertex],
+                           cell_sizes[cell->active_cell_index()]));
 
       for (bool is_changed = true; is_changed;)
         {
@@ -94,28 +92,6 @@ namespace PlateImpact
             return side == 0. ? (d == 0 ? symmetry_x : symmetry_y) :
                                 (d == 0 ? edge_x : edge_y);
       throw std::logic_error("a face of the boundary lies on no side");
-    }
-
-
-
-    void
-    rebuild(Triangulation<2> &mesh, const QuadMesh &quads, const Corners &sides)
-    {
-      std::vector<Point<2>>    vertices = quads.vertices;
-      std::vector<CellData<2>> cells;
-      for (const auto &quad : quads.cells)
-        {
-          cells.emplace_back(4);
-          cells.back().vertices = {quad[0], quad[1], quad[3], quad[2]};
-        }
-      SubCellData faces;
-      GridTools::delete_unused_vertices(vertices, cells, faces);
-      GridTools::consistently_order_cells(cells);
-      mesh.clear();
-      mesh.create_triangulation(vertices, cells, faces);
-      for (const auto &face : mesh.active_face_iterators())
-        if (face->at_boundary())
-          face->set_boundary_id(side_of(face, sides));
     }
 
 
@@ -175,15 +151,14 @@ namespace PlateImpact
     std::vector<double> sizes = target_sizes(mesh, error, adaptivity);
     for (const auto &cell : mesh.active_cell_iterators())
       {
-        double      &size    = sizes[cell->active_cell_index()];
-        const double present = cell_size(cell);
-        size                 = size < present ?
-                          std::max(refinement_margin * size,
-                   std::min(minimum_cell_size(cell, adaptivity), present)) :
-                          std::max(size / growth_margin, present);
-        const double rounded = std::exp2(
-          std::round(sizes_per_octave * std::log2(size)) / sizes_per_octave);
-        size = allowed_size(rounded, cell, adaptivity);
+        const CellSizing sizing(cell, adaptivity);
+        double          &size    = sizes[cell->active_cell_index()];
+        const double     present = cell_size(cell);
+        size = size < present ? std::max(refinement_margin * size,
+                                         std::min(sizing.minimum, present)) :
+                                std::max(size / growth_margin, present);
+        size = sizing.allowed(std::exp2(
+          std::round(sizes_per_octave * std::log2(size)) / sizes_per_octave));
       }
     return sizes;
   }
@@ -206,13 +181,27 @@ namespace PlateImpact
       GridTools::compute_bounding_box(mesh).get_boundary_points();
     const auto [corners, inside] =
       required_vertices(sides, contact_half_length);
-    rebuild(mesh,
-            mesh_by_gmsh(corners,
-                         inside,
-                         mesh,
-                         sizes_at_vertices(mesh, sizes, adaptivity),
-                         warnings),
-            sides);
+    const QuadMesh quads =
+      mesh_by_gmsh(corners,
+                   inside,
+                   mesh,
+                   sizes_at_vertices(mesh, sizes, adaptivity),
+                   warnings);
+    std::vector<Point<2>>    vertices = quads.vertices;
+    std::vector<CellData<2>> cells;
+    for (const auto &quad : quads.cells)
+      {
+        cells.emplace_back(4);
+        cells.back().vertices = {quad[0], quad[1], quad[3], quad[2]};
+      }
+    SubCellData faces;
+    GridTools::delete_unused_vertices(vertices, cells, faces);
+    GridTools::consistently_order_cells(cells);
+    mesh.clear();
+    mesh.create_triangulation(vertices, cells, faces);
+    for (const auto &face : mesh.active_face_iterators())
+      if (face->at_boundary())
+        face->set_boundary_id(side_of(face, sides));
     return true;
   }
 } // namespace PlateImpact

@@ -36,20 +36,6 @@ namespace PlateImpact
 
 
 
-    /// Cells nearer to a point load than half the thickness.
-    std::vector<unsigned int>
-    singular_cells(const Parameters &parameters, const Triangulation<2> &mesh)
-    {
-      std::vector<unsigned int> cells;
-      if (parameters.contact.load_is_singular())
-        for (const auto &cell : mesh.active_cell_iterators())
-          if (cell->center().norm() < 0.5 * parameters.plate.thickness)
-            cells.push_back(cell->active_cell_index());
-      return cells;
-    }
-
-
-
     /// What is kept of a transient while it is stepped: samples for the
     /// estimator, states for the fields, and what the page shows, the state of
     /// the largest force and frames of a film, at most 48, fewer where they
@@ -60,15 +46,14 @@ namespace PlateImpact
       /// All must outlive the record.
       /// @param system  that is stepped
       TransientRecord(const Parameters         &impact,
-                      const Cycle              &cycle,
+                      Cycle                    &cycle,
                       const Wanted             &wanted,
-                      const SemidiscreteSystem &system,
-                      StageCharges             &charges)
+                      const SemidiscreteSystem &system)
         : n_steps(
             NewmarkScheme(impact.time, impact.contact.integration).n_steps)
         , wanted(wanted)
         , system(system)
-        , charges(charges)
+        , cycle(cycle)
         , sampling_interval(sampling_interval_of(impact, n_steps))
         , n_samples_at_once(std::min(n_steps / sampling_interval + 1,
                                      system.n_states_at_once()))
@@ -79,15 +64,21 @@ namespace PlateImpact
                                          8u,
                                          48u))
       {
-        charges.charge(&Seconds::stepping);
+        cycle.charge(&Seconds::stepping);
+        // cells nearer to a point load than half the thickness
+        std::vector<unsigned int> singular_cells;
+        if (impact.contact.load_is_singular())
+          for (const auto &cell : cycle.mesh().active_cell_iterators())
+            if (cell->center().norm() < 0.5 * impact.plate.thickness)
+              singular_cells.push_back(cell->active_cell_index());
         if (wanted.errors)
           estimator.emplace(cycle.discretization(),
                             cycle.recovery(),
-                            singular_cells(impact, cycle.mesh()),
+                            singular_cells,
                             impact.adaptivity.singular_cells_count,
                             wanted.film ? samples_per_frame : 0,
                             impact.adaptivity.indicator);
-        charges.charge(&Seconds::estimation);
+        cycle.charge(&Seconds::estimation);
       }
 
       void
@@ -114,9 +105,9 @@ namespace PlateImpact
         times.push_back(time);
         if (times.size() == n_samples_at_once)
           {
-            charges.charge(&Seconds::stepping);
+            cycle.charge(&Seconds::stepping);
             estimate();
-            charges.charge(&Seconds::estimation);
+            cycle.charge(&Seconds::estimation);
           }
       }
 
@@ -124,7 +115,7 @@ namespace PlateImpact
       Observation
       finish()
       {
-        charges.charge(&Seconds::stepping);
+        cycle.charge(&Seconds::stepping);
         seen.steps = n_steps;
         to_mesh(seen.snapshots);
         to_mesh(seen.frames);
@@ -136,7 +127,7 @@ namespace PlateImpact
             estimate();
             seen.error = estimator->estimate();
           }
-        charges.charge(&Seconds::estimation);
+        cycle.charge(&Seconds::estimation);
         return std::move(seen);
       }
 
@@ -173,7 +164,7 @@ namespace PlateImpact
 
       const Wanted             &wanted;
       const SemidiscreteSystem &system;
-      StageCharges             &charges;
+      Cycle                    &cycle;
 
       const unsigned int sampling_interval, n_samples_at_once,
         samples_per_frame;
@@ -229,21 +220,32 @@ namespace PlateImpact
 
 
 
+  void
+  Cycle::charge(double Seconds::*stage)
+  {
+    const PlateWork work     = plate.work();
+    const double    assembly = work.assembly_seconds - charged.assembly_seconds;
+    const double    factorization =
+      work.factorization_seconds - charged.factorization_seconds;
+    result.seconds.*stage += timer.wall_time() - assembly - factorization;
+    result.seconds.assembly += assembly;
+    result.seconds.factorization += factorization;
+    timer.restart();
+    charged = work;
+  }
+
+
+
   Observation
   Cycle::observe(const Parameters       &impact,
                  const Wanted           &wanted,
                  const AnalysisListener &listener)
   {
-    StageCharges           charges(plate, result.seconds);
-    const PlateModel::Work before = plate.work();
+    const PlateWork before = plate.work();
     listener.stage(result.cycle, "factors and vectors");
     const LoadedPlate loaded =
       plate.under(impact, wanted.errors || wanted.fields > 0);
-    TransientRecord record(impact,
-                           *this,
-                           wanted,
-                           loaded.stepped_system(),
-                           charges);
+    TransientRecord record(impact, *this, wanted, loaded.system);
     Impact          struck =
       loaded.strike([&](const unsigned int step, const TimeStepper &stepper) {
         record.take_step(step, stepper);
@@ -251,30 +253,27 @@ namespace PlateImpact
       });
     Observation seen = record.finish();
 
-    const PlateModel::Work work = plate.work();
-    seen.new_vectors            = work.ritz_vectors - before.ritz_vectors;
-    seen.new_solves             = work.linear_solves - before.linear_solves;
-    seen.time                   = impact.time;
-    seen.impulse                = struck.impulse;
-    seen.separation_time        = struck.separation_time;
-    seen.damping                = loaded.stepped_system().damping();
+    const PlateWork work = plate.work();
+    seen.new_vectors     = work.ritz_vectors - before.ritz_vectors;
+    seen.new_solves      = work.linear_solves - before.linear_solves;
+    seen.time            = impact.time;
+    seen.impulse         = struck.impulse;
+    seen.separation_time = struck.separation_time;
+    seen.damping         = loaded.system.damping;
     seen.vector_error =
       loaded.is_stepped_on_the_mesh() ? 0. : impact.time.ritz_tolerance;
     if (wanted.errors)
       listener.stage(result.cycle, "error of the force");
     seen.sensitivity = loaded.sensitivity(struck.history);
     seen.time_error  = loaded.time_error(struck.history);
-    charges.charge(&Seconds::stepping);
+    charge(&Seconds::stepping);
     // under a point load the exact energy is infinite
     if (wanted.errors && !impact.contact.load_is_singular())
-      if (const auto problem = loaded.peak_force_problem(struck.history))
-        seen.peak_force_error =
-          estimated_peak_force_error(discretization(),
-                                     recovery(),
-                                     *problem->system,
-                                     problem->motions,
-                                     struck.history.peak().force);
-    charges.charge(&Seconds::estimation);
+      seen.peak_force_error = estimated_peak_force_error(discretization(),
+                                                         recovery(),
+                                                         loaded,
+                                                         struck.history);
+    charge(&Seconds::estimation);
 
     seen.work          = plate.work();
     seen.contact_steps = struck.n_contact_steps;

@@ -24,63 +24,24 @@ namespace PlateImpact
 
 
 
-  namespace
-  {
-    /// Waves that have come back many times are everywhere, and what the cells
-    /// contribute adds up with either sign: every cell is halved once, and the
-    /// ripples of the force tell what that was worth.
-    /// @param halving  the ratio that halves a cell
-    void
-    halve_everywhere(ErrorRatios &error, const double halving)
-    {
-      // halfway to the ratio of halving at least, in the order of before, by
-      // which some strategies choose
-      for (double &ratio : error.elements)
-        ratio = 1. + (halving - 1.) * (0.5 + 0.5 * ratio / (1. + ratio));
-      error.overall = halving;
-    }
-
-
-
-    /// Where there is no bar the mesh hides the load, or the waves that it
-    /// sends out, from the estimate: cells are halved once, whatever that says.
-    void
-    halve_at_load(const Cycle &cycle, ErrorRatios &error, const double halving)
-    {
-      for (const auto &cell : cycle.mesh().active_cell_iterators())
-        if (is_near_load(cell, cycle.parameters.impactor.contact_half_length()))
-          {
-            double &ratio = error.elements[cell->active_cell_index()];
-            ratio         = std::max(ratio, halving);
-          }
-      error.overall = std::max(error.overall, halving);
-    }
-  } // namespace
-
-
-
   /// Of the peak force every cell may have the same share of the target. The
   /// ratio is that of the roots, which fall with the cell size as errors in the
   /// energy norm do.
   ErrorRatios
-  Goal::error_ratios(const Cycle &cycle, const double target) const
+  AdaptationControl::error_ratios(const Cycle &cycle) const
   {
     const CycleResult &result = cycle.result;
     if (!is_for_peak)
       return result.error->ratios(target);
-    const double all = error(result),
-                 bar = result.peak_force_bar ?
-      std::min(all, result.peak_force_bar->space) :
-      all;
+    const double bar = error(result);
     // What the time step leaves to the mesh, but a tenth of what there is at
     // most: estimates on coarse meshes do not tell more.
     const double for_mesh = std::max(
       {0.5 * target, target - result.time_error.value_or(0.), 0.1 * bar});
-    const std::vector<double> &cells = result.peak_force_error->cells;
+    const Eigen::VectorXd &cells = result.peak_force_error->cells;
     // waves that have come back add up to less than their contributions
-    const double share =
-      for_mesh / (safety_of_bar * cells.size()) * (all / bar);
-    ErrorRatios ratios{bar / for_mesh, std::sqrt(share), {}};
+    const double share = for_mesh / bar * cells.lpNorm<1>() / cells.size();
+    ErrorRatios  ratios{bar / for_mesh, std::sqrt(share), {}};
     // Near the target no cell grows: the estimate knows nothing of the waves
     // that a coarser mesh turns back after the window.
     const double near_target = 3.,
@@ -89,18 +50,54 @@ namespace PlateImpact
       ratios.elements.push_back(
         std::max(least, std::sqrt(std::abs(cell) / share)));
     const double halving = std::exp2(1. / adaptivity.size_exponent);
+    // Where there is no bar the mesh hides the load, or the waves that it sends
+    // out, from the estimate: cells are halved once, whatever that says.
     if (!result.peak_force_bar && result.time_error)
-      halve_at_load(cycle, ratios, halving);
+      {
+        for (const auto &cell : cycle.mesh().active_cell_iterators())
+          if (is_near_load(cell,
+                           cycle.parameters.impactor.contact_half_length()))
+            {
+              double &ratio = ratios.elements[cell->active_cell_index()];
+              ratio         = std::max(ratio, halving);
+            }
+        ratios.overall = std::max(ratios.overall, halving);
+      }
+    // Waves that have come back many times are everywhere, and what the cells
+    // contribute adds up with either sign: every cell is halved once, and the
+    // ripples of the force tell what that was worth. Halfway to the ratio of
+    // halving at least, in the order of before, by which some strategies
+    // choose.
     else if (result.peak_force_bar && result.peak_is_late &&
              result.history->peak_is_on_ripples())
-      halve_everywhere(ratios, halving);
+      {
+        for (double &ratio : ratios.elements)
+          ratio = 1. + (halving - 1.) * (0.5 + 0.5 * ratio / (1. + ratio));
+        ratios.overall = halving;
+      }
     return ratios;
   }
 
 
 
+  std::optional<Outcome>
+  AdaptationControl::outcome(const CycleResult &result) const
+  {
+    const unsigned int n_exempt =
+      adaptivity.singular_cells_count ? 0 : result.cells_at_minimum_size;
+    if (is_met(result) && (is_for_peak || result.cells_above_limit == n_exempt))
+      return Outcome::target_reached;
+    // the mesh may have half of the target in any case
+    if (is_for_peak && result.peak_force_bar &&
+        result.peak_force_bar->space <= 0.5 * adaptivity.target())
+      return Outcome::time_step_too_coarse;
+    return {};
+  }
+
+
+
   std::string
-  Goal::warning(const CycleResult &result) const
+  AdaptationControl::warning(const CycleResult &result) const
   {
     const std::string target = about_percentage(adaptivity.target());
     if (is_for_peak)

@@ -5,8 +5,6 @@
 #include "plate_impact/contact/make_contact.h"
 #include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
-#include "plate_impact/plate/singular_points.h"
-#include "plate_impact/transient/newmark_scheme.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,24 +14,10 @@ namespace PlateImpact
 {
   using namespace dealii;
 
-  namespace
-  {
-    /// The scene with the singular points of its mesh.
-    Parameters
-    with_singular_points(Parameters parameters)
-    {
-      parameters.adaptivity.singular_points.points =
-        singular_points(parameters);
-      return parameters;
-    }
-  } // namespace
-
-
-
   ImpactAnalysis::ImpactAnalysis(const Parameters                 &parameters,
                                  std::unique_ptr<Triangulation<2>> first_mesh,
                                  const std::optional<Wanted>      &wanted)
-    : parameters(with_singular_points(parameters))
+    : parameters(parameters)
     , wanted(wanted.value_or(Wanted{parameters.needs_estimator(),
                                     parameters.output.write_report,
                                     parameters.output.field_samples}))
@@ -45,6 +29,8 @@ namespace PlateImpact
     , mesh(std::move(first_mesh))
   {
     const Timer timer;
+    this->parameters.adaptivity.singular_points.points =
+      singular_points(parameters);
     if (mesh == nullptr)
       {
         mesh = make_plate_mesh(parameters.plate,
@@ -87,7 +73,6 @@ namespace PlateImpact
   ImpactAnalysis::begin_cycle(AnalysisListener &listener)
   {
     listener.stage(n_cycles + 1, "matrices");
-    const Timer timer;
     before.reset();
     double seconds_before = 0.;
     if (current != nullptr)
@@ -95,16 +80,15 @@ namespace PlateImpact
         const CycleResult &last = current->result;
         seconds_before          = last.cumulative_seconds();
         if (last.peak_force_error)
-          before = Struck{{last.history->peak().force,
-                           last.mesh_part_of_bar,
-                           last.cells},
-                          *last.history};
+          before = PeakOnMesh{last.history->peak().force,
+                              last.mesh_part_of_bar,
+                              last.cells};
       }
     current.reset();
     current = std::make_unique<Cycle>(++n_cycles, parameters, std::move(mesh));
     current->result.seconds.mesh   = seconds_for_mesh;
     current->result.seconds_before = seconds_before;
-    current->result.seconds.assembly += timer.wall_time();
+    current->charge(&Seconds::assembly);
   }
 
 
@@ -115,8 +99,8 @@ namespace PlateImpact
     // a plate at rest stays at rest
     if (!time_control)
       return;
-    observe(listener);
-    while (const auto next = time_control->next(window, current->result))
+    for (std::optional<Window> next = window; next;
+         next = time_control->next(window, current->result))
       {
         window = *next;
         observe(listener);
@@ -128,8 +112,8 @@ namespace PlateImpact
   void
   ImpactAnalysis::observe(AnalysisListener &listener)
   {
+    current->charge(&Seconds::mesh); // of a next one that was not to be
     CycleResult &result = current->result;
-    StageCharges charges(current->plate, result.seconds);
     if (parameters.time.end_time == 0.)
       listener.stage(result.cycle, "end of the contact");
     Parameters impact =
@@ -141,14 +125,13 @@ namespace PlateImpact
     if (window.extent == Extent::peak_search)
       result.history =
         current->plate.under(impact, wanted.errors).strike().history;
-    charges.charge(&Seconds::stepping);
+    current->charge(&Seconds::stepping);
     if (window.extent == Extent::peak_search)
       return;
 
-    Observation seen = current->observe(impact, wanted, listener);
-    const Timer timer;
-    static_cast<Observation &>(result) = std::move(seen);
-    static_cast<Judgement &>(result)   = judgement();
+    static_cast<Observation &>(result) =
+      current->observe(impact, wanted, listener);
+    static_cast<Judgement &>(result) = judgement();
     if (result.new_vectors > 0.7 * result.steps ||
         (result.new_vectors > 0 &&
          result.new_solves >= result.new_vectors + 0.5 * result.steps))
@@ -156,7 +139,7 @@ namespace PlateImpact
         unknowns_in_vain = result.degrees_of_freedom / 2;
         steps_in_vain    = result.steps;
       }
-    result.seconds.estimation += timer.wall_time();
+    current->charge(&Seconds::estimation);
   }
 
 
@@ -205,30 +188,15 @@ namespace PlateImpact
     const ContactParameters &contact = parameters.contact;
     const double load = contact.has_patch() ? 2. * contact.patch_radius :
                                               parameters.plate.thickness;
-    // nor does a change of the force tell anything where no mesh sees the waves
-    // that the contact sends out
+    // nothing tells an error where the mesh does not see the waves that the
+    // contact sends out
     if (result.cell_size_at_load >
         0.5 * std::max(time_control->expected.wave().length, 2. * load))
       return {};
-    const ContactState   &peak = result.history->peak();
-    std::optional<double> change;
-    if (before)
-      {
-        // two peaks may agree by accident, all ripples around them do not; 0
-        // where the mesh before was not watched until then
-        const double around =
-          result.history->difference_around(peak.time, before->history);
-        if (around != 0.)
-          change =
-            std::max(std::abs(peak.force - before->force), around) / peak.force;
-      }
     return peak_force_error_by_mesh(*result.peak_force_error,
-                                    peak.force,
+                                    result.history->peak().force,
                                     before,
-                                    result.cell_size_at_load <= load,
-                                    time_control->returns_before_peak(
-                                      *result.history),
-                                    change);
+                                    result.cell_size_at_load <= load);
   }
 
 
@@ -259,7 +227,7 @@ namespace PlateImpact
               return Outcome::maximum_cells;
             if (time_control)
               window =
-                time_control->on_next_mesh(window, *current->result.history);
+                time_control->with_peak(window, *current->result.history);
             mesh             = std::move(adapted);
             seconds_for_mesh = timer.wall_time();
             return {};
@@ -288,8 +256,7 @@ namespace PlateImpact
     if (!result.history)
       return;
     const Timer timer;
-    auto        halved = copy_of(current->mesh());
-    halved->refine_global();
+    refine_everywhere();
     // no longer than the peak takes, with nothing but the force
     Parameters          to_peak = parameters;
     const NewmarkScheme scheme(result.time, parameters.contact.integration);
@@ -300,11 +267,12 @@ namespace PlateImpact
       std::min(to_peak.time.end_time,
                scheme.dt *
                  std::ceil(1.1 * result.history->peak().time / scheme.dt));
-    PlateModel plate(to_peak.plate, to_peak.discretization, std::move(halved));
+    PlateModel   plate(to_peak.plate, to_peak.discretization, std::move(mesh));
     const Impact impact = plate.under(to_peak, false).strike();
     result.verification =
-      Verification{plate.discretization().mesh().n_active_cells(),
-                   impact.history.peak().force};
+      PeakOnMesh{impact.history.peak().force,
+                 {},
+                 plate.discretization().mesh().n_active_cells()};
     result.seconds.estimation += timer.wall_time();
   }
 

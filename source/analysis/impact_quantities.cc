@@ -11,33 +11,6 @@ namespace PlateImpact
     using Value    = std::optional<double>;
     using Computed = const ComputedImpact &;
 
-    /// Of a contact that stays elastic.
-    Value
-    contact_pressure(const ComputedImpact &impact)
-    {
-      const Value &first_yield = impact.bodies.yield_indentation;
-      if (impact.peak.force == 0. ||
-          (first_yield && impact.peak.indentation > *first_yield))
-        return {};
-      return impact.bodies.elastic_pressure(impact.peak.force,
-                                            impact.peak.indentation);
-    }
-
-
-
-    Value
-    pressure_over_strength(const ComputedImpact &impact)
-    {
-      const auto &weaker = impact.bodies.weaker;
-      if (!weaker || impact.peak.force == 0.)
-        return {};
-      return impact.bodies.mean_pressure(impact.peak.force,
-                                         impact.peak.indentation) /
-        weaker->yield_strength;
-    }
-
-
-
     /// Of a contact that leaves a dent.
     Value
     if_dented(const ComputedImpact &impact, const double value)
@@ -58,19 +31,6 @@ namespace PlateImpact
         return {};
       return -impact.last.impactor_velocity / impact.first.impactor_velocity;
     }
-
-
-
-    Value
-    restitution_over_zener(const ComputedImpact &impact)
-    {
-      const Value e = restitution(impact);
-      if (impact.impactor.is_cylinder() || !e ||
-          impact.history.n_contacts() != 1)
-        return {};
-      const double of_zener = impact.expected.restitution();
-      return of_zener > 0. ? Value(*e / of_zener) : Value();
-    }
   } // namespace
 
 
@@ -81,7 +41,7 @@ namespace PlateImpact
     {{"time_of_peak_force", "Time of the peak force", "s"},
      [](Computed i) -> Value { return i.peak.time; }},
     {{"first_contact_end", "End of the first contact", "s"},
-     [](Computed i) { return i.history.first_contact_end(); }},
+     [](Computed i) { return i.history.end_of_impact(); }},
     {{"number_of_contacts", "Number of contacts"},
      [](Computed i) -> Value { return i.history.n_contacts(); }},
     {{"impulse", "Impulse", "N s"},
@@ -113,7 +73,13 @@ namespace PlateImpact
                                          i.peak.force / i.expected.peak.force;
      }},
     {{"restitution_over_zener", "Restitution over Zener's"},
-     restitution_over_zener},
+     [](Computed i) -> Value {
+       const Value e = restitution(i);
+       if (i.impactor.is_cylinder() || !e || i.history.n_contacts() != 1)
+         return {};
+       const double of_zener = i.expected.restitution();
+       return of_zener > 0. ? *e / of_zener : Value();
+     }},
     {{"discretization_error",
       "Relative error in the energy norm eta, fraction"},
      [](Computed i) {
@@ -124,10 +90,23 @@ namespace PlateImpact
        const auto &bar = i.result.peak_force_bar;
        return bar ? Value(bar->total()) : Value();
      }},
-    {{"contact_pressure", "Largest contact pressure", "Pa"}, contact_pressure},
+    // of a contact that stays elastic
+    {{"contact_pressure", "Largest contact pressure", "Pa"},
+     [](Computed i) -> Value {
+       const Value &first_yield = i.bodies.yield_indentation;
+       if (i.peak.force == 0. ||
+           (first_yield && i.peak.indentation > *first_yield))
+         return {};
+       return i.bodies.elastic_pressure(i.peak.force, i.peak.indentation);
+     }},
     {{"mean_pressure_over_yield_strength",
       "Mean contact pressure over the yield strength"},
-     pressure_over_strength},
+     [](Computed i) -> Value {
+       if (!i.bodies.weaker || i.peak.force == 0.)
+         return {};
+       return i.bodies.mean_pressure(i.peak.force, i.peak.indentation) /
+         i.bodies.weaker->yield_strength;
+     }},
     {{"permanent_indentation", "Dent", "m"},
      [](Computed i) { return if_dented(i, i.last.permanent_indentation); }},
     {{"dissipated_energy", "Energy dissipated by the contact", "J"},

@@ -1,13 +1,9 @@
-#include "plate_impact/analysis/model_notes.h"
+#include "plate_impact/analysis/warnings.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/contact/make_contact.h"
 #include "plate_impact/plate/plate_geometry.h"
 
-#include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
-#include <optional>
-#include <string>
 
 namespace PlateImpact
 {
@@ -15,11 +11,12 @@ namespace PlateImpact
   {
     /// The limits of the model, what an impact inside of them may leave of the
     /// peak force, and the sentences for those that it passes.
-    class ModelLimits : ComputedImpact, public ModelNotes
+    class ModelLimits : ComputedImpact, public Warnings
     {
     public:
-      explicit ModelLimits(const ComputedImpact &impact)
+      ModelLimits(const ComputedImpact &impact, const Warnings &before)
         : ComputedImpact(impact)
+        , Warnings(before)
       {
         if (peak.force > 0.)
           {
@@ -29,17 +26,19 @@ namespace PlateImpact
         check_plate();
         if (peak.force > 0.)
           {
-            check_strengths(impact, *this);
+            check_strengths();
             check_contact();
             check_duration();
             check_damping();
-            check_delamination(impact, *this);
+            check_delamination();
           }
         if (is_beyond_limits)
           leaves("what is beyond a limit of the model", {});
       }
 
     private:
+      using ComputedImpact::contact;
+
       /// What the contact takes for the answer of plate and ball to short
       /// waves, as far as doc/validation.md has compared it.
       void
@@ -99,11 +98,27 @@ namespace PlateImpact
             about(radius));
         else if (!contact.load_is_singular())
           {
-            check_disc();
+            const double halvings = std::log2(contact.patch_radius / radius);
+            const double change   = drop_by(halvings);
+            if (std::abs(change) > 0.005)
+              {
+                leaves("patch radius", std::abs(change));
+                warn(std::abs(change) / 0.05,
+                     "Contact/Patch radius = {} m differs from the radius of "
+                     "the contact, {}: the peak force is {} {} too {}; choose "
+                     "Contact/Patch radius = {}",
+                     about(contact.patch_radius),
+                     about(radius, "m"),
+                     contact.patch_radius > plate.thickness ? "more than" :
+                                                              "about",
+                     about_percentage(std::abs(change)),
+                     change > 0. ? "large" : "small",
+                     about(radius));
+              }
             check_patch();
           }
         else if (const double drop = drop_by(1.); drop >= 1e-4)
-          warnings.numerical.push_back(fmt::format(
+          numerical.push_back(fmt::format(
             "the peak force under a point load does not converge: it depends "
             "on the smallest cell, {}, and drops by about {} per halving; "
             "choose Contact/Load distribution = Hertz disc",
@@ -131,33 +146,27 @@ namespace PlateImpact
       }
 
       void
-      check_disc()
-      {
-        const double halvings = std::log2(contact.patch_radius / radius);
-        const double change   = drop_by(halvings);
-        if (std::abs(change) <= 0.005)
-          return;
-        leaves("patch radius", std::abs(change));
-        warn(std::abs(change) / 0.05,
-             "Contact/Patch radius = {} m differs from the radius of the "
-             "contact, {}: the peak force is {} {} too {}; choose "
-             "Contact/Patch radius = {}",
-             about(contact.patch_radius),
-             about(radius, "m"),
-             contact.patch_radius > plate.thickness ? "more than" : "about",
-             about_percentage(std::abs(change)),
-             change > 0. ? "large" : "small",
-             about(radius));
-      }
-
-      void
       check_plate()
       {
         const double deflection = history.max_plate_displacement(),
                      to_edge    = geometry_of(plate).distance_to_edge,
                      thickness  = plate.thickness;
         if (plate.has_large_deflection)
-          check_slopes(deflection / to_edge);
+          {
+            // of a dent that grows straight to the load, and twice that in a
+            // clamped plate; von Karman's rotations are moderate, 10 to 15
+            // degrees, and leave out the square of the slope beside one
+            const double slope = 2. * deflection / to_edge;
+            leaves("slopes", slope * slope);
+            limit(
+              slope,
+              0.3,
+              "the plate deflects by {} of the distance to its edge, so its "
+              "slopes are about {}: von Karman's theory assumes moderate "
+              "rotations and is valid for slopes up to 0.3",
+              about(deflection / to_edge),
+              about(slope));
+          }
         else
           {
             // the static stiffness of a clamped plate grows by about 0.5
@@ -176,7 +185,7 @@ namespace PlateImpact
                    about(relative),
                    until_peak > 0.2 ? "" : ", after the peak of the force",
                    // bars of the force are those of linear plates
-                   parameters.adaptivity.is_for_peak_force() ?
+                   adaptivity.is_for_peak_force() ?
                      " and Adaptivity/Goal = energy norm" :
                      "");
             // what comes later leaves the error of the peak known
@@ -190,23 +199,6 @@ namespace PlateImpact
             "thicknesses the local response of an infinite layer is not valid",
             about(to_edge, "m"),
             about(to_edge / thickness));
-      }
-
-      void
-      check_slopes(const double mean_slope)
-      {
-        // of a dent that grows straight to the load, and twice that in a
-        // clamped plate; von Karman's rotations are moderate, 10 to 15 degrees,
-        // and leave out the square of the slope beside one
-        const double slope = 2. * mean_slope;
-        leaves("slopes", slope * slope);
-        limit(slope,
-              0.3,
-              "the plate deflects by {} of the distance to its edge, so its "
-              "slopes are about {}: von Karman's theory assumes moderate "
-              "rotations and is valid for slopes up to 0.3",
-              about(mean_slope),
-              about(slope));
       }
 
       void
@@ -242,7 +234,7 @@ namespace PlateImpact
       void
       check_duration()
       {
-        const auto end = history.first_contact_end();
+        const auto end = history.end_of_impact();
         if (!is_layer || (!end && peak.time == last.time))
           return;
         const double transit = std::sqrt(
@@ -277,17 +269,182 @@ namespace PlateImpact
               about(0.3 * plate.loss_factor / of_contact));
       }
 
+      /// Whether the bodies yield or the plate's faces do, by their strengths.
+      void
+      check_strengths()
+      {
+        // a laminate that is dented although the scene says that it is not; the
+        // critical indentations are those of hard balls
+        if (plate.is_laminate() && plate_is_softer &&
+            contact.unloading == UnloadingLaw::elastic)
+          limit(
+            peak.indentation,
+            contact.critical_indentation,
+            "the indentation reaches {}, beyond Contact/Critical indentation, "
+            "{}: the contact leaves a dent; choose Contact/Unloading = "
+            "Yang-Sun",
+            about(peak.indentation, "m"),
+            about(contact.critical_indentation, "m"));
+        Warnings::contact = "pressure " + about(pressure, "Pa");
+        if (bodies.weaker)
+          check_yielding();
+        // a ball without a strength is taken for one that does not yield, but
+        // beside a laminate, which has none
+        if (plate.is_laminate() ? !plate_is_softer && !bodies.weaker :
+                                  plate.yield_strength == 0.)
+          check_unknown_strength();
+        if (plate.yield_strength == 0. || !result.error ||
+            result.error->max_stresses.size() != 1)
+          return;
+        const double largest = result.error->max_stresses(0, 0);
+        limit(
+          largest,
+          plate.yield_strength,
+          "the stress at the faces of the plate reaches {}, beyond its yield "
+          "strength, {}: the plate itself yields, which the model leaves out",
+          about(largest, "Pa"),
+          about(plate.yield_strength, "Pa"));
+      }
+
+      /// The law of a contact that yields was compared up to w = 100
+      /// (doc/validation.md).
+      void
+      check_yielding()
+      {
+        const double first = bodies.weaker->first_yield_pressure;
+        if (pressure <= first)
+          {
+            Warnings::contact =
+              fmt::format("elastic: pressure {}, first yield at {}",
+                          about(pressure, "Pa"),
+                          about(first, "Pa"));
+            return;
+          }
+        if (impactor.is_cylinder())
+          {
+            Warnings::contact +=
+              "; it yields, but there is no yielding law for line contact";
+            return limit(
+              pressure,
+              first,
+              "the contact pressure reaches {}, and the contact yields "
+              "from {} on, but there is no yielding law for line "
+              "contact; the force is an upper bound",
+              about(pressure, "Pa"),
+              about(first, "Pa"));
+          }
+        Warnings::contact = fmt::format(
+          "yields: mean pressure {} times the yield strength, dent {}",
+          about(bodies.mean_pressure(peak.force, peak.indentation) /
+                bodies.weaker->yield_strength),
+          about(last.permanent_indentation, "m"));
+        leaves("contact that yields", 0.04);
+        const double w = peak.indentation / *bodies.yield_indentation;
+        limit(w,
+              100.,
+              "the indentation is {} times that at first yield: the law of "
+              "yielding contacts was tested only up to 100",
+              about(w));
+      }
+
+      /// Of a body that may yield, but whose strength is not given.
+      void
+      check_unknown_strength()
+      {
+        // A nearly incompressible body is an elastomer, which does not yield.
+        if ((plate_is_softer ? plate.poissons_ratio :
+                               impactor.poissons_ratio) >= 0.45)
+          {
+            Warnings::contact +=
+              " on a rubber-like body, which does not yield but is stiffer in "
+              "faster impacts: the force is that for the given modulus";
+            return;
+          }
+        assumes_elastic_contact = true;
+        Warnings::contact +=
+          fmt::format("{} elastic as long as the yield strength{} is above {}",
+                      bodies.weaker ? "; the plate stays" : ",",
+                      bodies.weaker ? " of the plate" : "",
+                      about(pressure / bodies.pressure_over_strength, "Pa"));
+        // Full plasticity begins at three times the yield strength, which is at
+        // most a hundredth of Young's modulus (Johnson, Contact Mechanics, sec.
+        // 6.3). A law of unloading does not help: the loading is Hertz's in any
+        // case.
+        const double softer =
+          std::min(section.contact_modulus, impactor.youngs_modulus);
+        limit(
+          pressure,
+          0.03 * softer,
+          "the contact pressure reaches {}, {} of Young's modulus: no metal "
+          "stays elastic beyond 0.03, hardly a polymer beyond 0.05; the force "
+          "is an upper bound",
+          about(pressure, "Pa"),
+          about(pressure / softer));
+      }
+
+      /// Whether a laminate delaminates; after all other limits.
+      void
+      check_delamination()
+      {
+        const auto crack = delamination(*this);
+        if (!crack)
+          return;
+        const double      ratio     = peak.force / crack->threshold;
+        const auto        of_model  = model_error();
+        const std::string threshold = " the threshold, " +
+          number(crack->threshold, "N") +
+          (crack->is_of_small_mass ?
+             ", for a small-mass impact (no wave returns before the peak)" :
+             ", for a quasi-static impact");
+        if (!result.peak_force_bar || !of_model || is_beyond_limits ||
+            peak.time == last.time)
+          damage = fmt::format(
+            "the peak force is {} of{}; the error of the force is not known, "
+            "so delamination cannot be judged",
+            about(ratio),
+            threshold);
+        else
+          {
+            const double error =
+              ratio * (result.peak_force_bar->total() + *of_model);
+            if (ratio + error < 1.)
+              damage =
+                "no delamination expected: the peak force, with its errors, "
+                "stays " +
+                percentage(1. - ratio - error) + " below" + threshold;
+            else if (ratio - error > 1.)
+              damage = "delamination expected: the peak force, less its "
+                       "errors, is " +
+                percentage(ratio - error - 1.) + " above" + threshold;
+            else
+              damage = "delamination is possible: the peak force, within "
+                       "its errors, may be below or above" +
+                threshold;
+          }
+        limit(ratio,
+              1.,
+              "the peak force is {} times the delamination threshold, {}: the "
+              "force is that of a plate without delamination",
+              about(ratio),
+              about(crack->threshold, "N"));
+      }
+
       const bool is_layer = contact.local_response == LocalResponse::layer;
       /// Or half-width of the contact.
       const double radius = bodies.radius(peak.force, peak.indentation);
+      const bool   plate_is_softer =
+        section.contact_modulus < impactor.youngs_modulus;
+      /// Largest of an elastic contact.
+      const double pressure =
+        bodies.elastic_pressure(peak.force, peak.indentation);
     };
   } // namespace
 
 
 
   Warnings
-  model_warnings(const ComputedImpact &impact)
+  model_warnings(const ComputedImpact &impact, const Warnings &before)
   {
-    return ModelLimits(impact).warnings;
+    return ModelLimits(impact, before);
   }
 } // namespace PlateImpact

@@ -2,7 +2,6 @@
 
 #include "plate_impact/analysis/goal.h"
 #include "plate_impact/plate/plate_geometry.h"
-#include "plate_impact/transient/newmark_scheme.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,10 +36,7 @@ namespace PlateImpact
   TimeControl::TimeControl(const Parameters &scene, const ZenerImpact &expected)
     : expected(expected)
     , scene(scene)
-    , is_for_peak(scene.adaptivity.is_for_peak_force())
-    , length_of_rise(2.5 * expected.peak.time)
-    , return_of_waves(2. * geometry_of(scene.plate).distance_to_edge /
-                      expected.wave().group_speed)
+    , waves_are_back(return_of_waves(scene.plate, expected))
   {}
 
 
@@ -49,6 +45,8 @@ namespace PlateImpact
   TimeControl::with_peak(const Window         &last,
                          const ContactHistory &history) const
   {
+    if (!scene.adaptivity.is_for_peak_force())
+      return last;
     const double peak = history.peak().time;
     Window       next{Extent::to_peak,
                 last.step,
@@ -71,24 +69,22 @@ namespace PlateImpact
   std::optional<Window>
   TimeControl::next(const Window &last, const CycleResult &seen) const
   {
-    if (!is_for_peak)
+    if (!scene.adaptivity.is_for_peak_force())
       return {};
     const double peak = seen.history->peak().time;
     Window       next = last;
     if (last.extent == Extent::peak_search)
       {
+        next.extent = Extent::to_peak;
         if (!is_late(*seen.history))
-          next.extent = Extent::to_peak;
-        else
-          {
-            next = with_peak(last, *seen.history);
-            if (scene.time.step_is_chosen)
-              next.step = std::min(next.step, peak / fewest_steps_to_late_peak);
-          }
+          return next;
+        next = with_peak(last, *seen.history);
+        if (scene.time.step_is_chosen)
+          next.step = std::min(next.step, peak / fewest_steps_to_late_peak);
         return next;
       }
     const bool is_end = is_whole(last, seen);
-    if (!is_end && peak > latest_peak * seen.history->states().back().time)
+    if (!is_end && peak > latest_peak * seen.history->states.back().time)
       {
         next.to_peak *= 2.;
         return next;
@@ -96,7 +92,7 @@ namespace PlateImpact
     next.step = wanted_step(last, seen);
     if (next.step < last.step)
       return next;
-    if (is_end || !Goal(scene.adaptivity).is_met(seen))
+    if (is_end || !AdaptationControl(scene.adaptivity).is_met(seen))
       return {};
     next.extent = Extent::whole;
     return next;
@@ -121,7 +117,7 @@ namespace PlateImpact
         window.step < smallest_step * scene.time.time_step)
       return window.step;
     const double halvings = std::ceil(std::log2(error / most)) /
-      NewmarkScheme(scene.time, scene.contact.integration).order();
+      NewmarkScheme(scene.time, scene.contact.integration).order;
     const double shortest = seen.history->peak().time / most_steps;
     return std::max(window.step * std::exp2(-std::min(halvings, 2.)),
                     std::min(shortest, window.step));

@@ -2,31 +2,11 @@
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <charconv>
-#include <cmath>
 #include <sstream>
 
 namespace PlateImpact
 {
   using namespace dealii;
-
-  namespace
-  {
-    /// The whole text as a finite number; no other word than a number matches.
-    template <typename T>
-    bool
-    to_number(const std::string &text, T &value)
-    {
-      const char *begin = text.data(), *end = begin + text.size();
-      if (text.size() > 1 && text[0] == '+' && text[1] != '-')
-        ++begin;
-      const auto [last, error] = std::from_chars(begin, end, value);
-      return error == std::errc() && last == end &&
-        std::isfinite(static_cast<double>(value));
-    }
-  } // namespace
-
-
 
   Allowed<double>
   number_of(const std::string &words, const std::function<bool(double)> &is_met)

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 
 namespace PlateImpact
 {
@@ -35,19 +34,6 @@ namespace PlateImpact
       const double lead  = error / std::pow(10., power);
       return std::clamp(lead < 3. ? 1 - power : -power, 0, 9);
     }
-
-
-
-    std::string
-    rounded_up(const double error, const std::string &unit)
-    {
-      const int    digits       = digits_of_error(error);
-      const double unit_of_last = std::pow(10., -digits);
-      return fmt::format("{:.{}f} {}",
-                         std::ceil(error / unit_of_last - 1e-9) * unit_of_last,
-                         digits,
-                         unit);
-    }
   } // namespace
 
 
@@ -58,12 +44,11 @@ namespace PlateImpact
     const PrefixedUnit prefixed(unit, value);
     if (!(error > 0.) || !std::isfinite(error))
       return prefixed.text(value);
-    const double shown = prefixed(error);
     return fmt::format("{:.{}f} {} ± {}",
                        prefixed(value),
-                       digits_of_error(shown),
+                       digits_of_error(prefixed(error)),
                        prefixed.name,
-                       rounded_up(shown, prefixed.name));
+                       error_in_words(error, value, unit));
   }
 
 
@@ -74,7 +59,13 @@ namespace PlateImpact
                  const std::string &unit)
   {
     const PrefixedUnit prefixed(unit, value);
-    return rounded_up(prefixed(error), prefixed.name);
+    const int          digits       = digits_of_error(prefixed(error));
+    const double       unit_of_last = std::pow(10., -digits);
+    return fmt::format("{:.{}f} {}",
+                       std::ceil(prefixed(error) / unit_of_last - 1e-9) *
+                         unit_of_last,
+                       digits,
+                       prefixed.name);
   }
 
 

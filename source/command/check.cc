@@ -1,12 +1,10 @@
 // What to expect of a scene before paying for it.
-#include "plate_impact/analysis/warnings.h"
+#include "plate_impact/analysis/impact_analysis.h"
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/command/commands.h"
-#include "plate_impact/command/expectation.h"
-#include "plate_impact/contact/make_contact.h"
+#include "plate_impact/plate/plate_file.h"
 #include "plate_impact/plate/plate_geometry.h"
-#include "plate_impact/sweep/sweep_computation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,20 +18,90 @@ namespace PlateImpact
 
 
 
-    /// Shortest way from the load to an edge. [m]
-    double
-    distance_to_edge(const Parameters &parameters)
+    /// On a uniform mesh of the best element.
+    PlateModel
+    coarse_plate(const Parameters                  &parameters,
+                 const std::array<unsigned int, 2> &n_cells)
     {
-      const auto   geometry = geometry_of(parameters.plate);
-      const double patch    = parameters.contact.patch_radius;
-      const double along_x  = parameters.contact.load_has_length() ?
-         0.5 * parameters.impactor.length :
-         patch;
-      return std::max(0.,
-                      std::min(geometry.distance_along[0] - along_x,
-                               geometry.distance_along[1] -
-                                 (parameters.contact.load_is_line() ? 0. :
-                                                                      patch)));
+      DiscretizationParameters discretization = parameters.discretization;
+      discretization.element                  = ElementType::MITC9;
+      return {parameters.plate,
+              discretization,
+              make_plate_mesh(parameters.plate, n_cells)};
+    }
+
+
+
+    /// The impact on a coarse mesh, in steps of 1/64 of the contact, up to its
+    /// end: where the contact outlasts what Zener's equation expects, end and
+    /// step are extended together.
+    CycleResult
+    coarse_impact(Parameters parameters, const ZenerImpact &expected)
+    {
+      std::array<unsigned int, 2> n_cells  = {{8, 8}};
+      const auto                  geometry = geometry_of(parameters.plate);
+      // Zener's equation, which gives short waves, is of no help for a cylinder
+      for (unsigned int d = 0; d < 2; ++d)
+        if (parameters.impactor.is_cylinder())
+          n_cells[d] = static_cast<unsigned int>(
+            std::clamp(2. * (geometry.end[d] - geometry.begin[d]) /
+                           expected.wave().length +
+                         1.,
+                       8.,
+                       32.));
+      PlateModel plate     = coarse_plate(parameters, n_cells);
+      const bool is_held   = std::isfinite(plate.static_compliance(parameters));
+      TimeParameters &time = parameters.time;
+      time.integrator      = IntegratorType::Ritz_vectors;
+      CycleResult result;
+      result.cells         = plate.discretization().mesh().n_active_cells();
+      result.min_cell_size = smallest_cell_size(plate.discretization().mesh());
+      for (time.end_time = 1.5 * expected.contact_time();; time.end_time *= 2.)
+        {
+          time.time_step = time.end_time / 96.;
+          result.history = plate.under(parameters, false).strike().history;
+          if (result.history->end_of_impact(is_held) ||
+              time.end_time > 1e6 * expected.contact_time())
+            return result;
+        }
+    }
+
+
+
+    /// Cells of the last mesh, about, of an adaptive run that reaches its
+    /// target, and steps on a mesh: by its first two meshes, which it computes.
+    /// Eta falls about as the number of cells grows, and the bar of the force
+    /// as if every cell were halved, which only late peaks need. On the scenes
+    /// of prm/ mostly right to a factor of two. Small targets are said to cost
+    /// too much, one of 0.5 % seventeen times as many cells as it did. Seconds
+    /// cannot be said as well: per unknown and cycle they differ by a hundred
+    /// between scenes.
+    std::pair<double, double>
+    cost_by_two_meshes(Parameters parameters)
+    {
+      // by which the bar falls when every cell is halved: the median of random
+      // heavy impactors, whose peaks are late (doc/make/error_bars.py)
+      constexpr double      fall_by_halved_cells = 9.;
+      AdaptivityParameters &adaptivity           = parameters.adaptivity;
+      const bool            has_more = adaptivity.maximum_cycles > 2;
+      adaptivity.maximum_cycles      = std::min(2u, adaptivity.maximum_cycles);
+      ImpactAnalysis analysis(parameters, nullptr, Wanted{true, false, 0});
+      analysis.run();
+      const CycleResult &result = analysis.last_cycle().result;
+      const auto        &bar    = result.peak_force_bar;
+      double             growth = 1.;
+      if (has_more && !adaptivity.is_for_peak_force())
+        growth = std::max(1., result.error->eta / adaptivity.target_error);
+      else if (has_more && bar && bar->total() > adaptivity.target())
+        growth =
+          std::pow(4., // once at least
+                   std::max(1.,
+                            std::log(bar->total() / adaptivity.target()) /
+                              std::log(fall_by_halved_cells)));
+      return {has_more ?
+                std::min(growth * result.cells, 1. * adaptivity.maximum_cells) :
+                result.cells,
+              result.steps};
     }
 
 
@@ -65,7 +133,7 @@ namespace PlateImpact
         : text(scene.name + " is a valid scene.\n")
         , scene(scene)
       {
-        if (parameters.has_impactor())
+        if (zener)
           expect();
         else
           text += "There is no impactor: the plate stays at rest.\n";
@@ -81,7 +149,7 @@ namespace PlateImpact
         text += "\nAdvice\n";
         add_advice();
         add_sweep();
-        for (const std::string &warning : warnings)
+        for (const std::string &warning : warnings.all())
           text += "  warning: " + in_ascii(warning) + '\n';
       }
 
@@ -99,20 +167,18 @@ namespace PlateImpact
       void
       expect()
       {
-        zener.emplace(make_zener_impact(parameters));
         const BendingWave wave   = zener->wave();
         CycleResult       impact = coarse_impact(parameters, *zener);
         const bool is_resolved   = impact.min_cell_size < 0.5 * wave.length;
-        until                    = impact.history->states().back().time;
+        until                    = impact.history->states.back().time;
         contact_end = impact.history->end_of_impact(/*is_held=*/true);
         if (!contact_end)
-          contact_end = impact.history->first_contact_end();
+          contact_end = impact.history->end_of_impact();
         source = "on a coarse mesh of " + counted(impact.cells, "cell");
         if (!is_resolved)
           {
-            // when waves are back from the edges
-            until       = 2. * distance_to_edge(parameters) / wave.group_speed;
-            contact_end = zener->history(until).first_contact_end();
+            until       = first_reflection(wave.group_speed);
+            contact_end = zener->history(until).end_of_impact();
             source =
               "for an infinite plate, since the waves are too short for a "
               "coarse mesh";
@@ -125,12 +191,7 @@ namespace PlateImpact
         history  = *impact.history;
         impact.min_cell_size = parameters.adaptivity.minimum_cell_size;
         if (!is_bound)
-          {
-            const Warnings of_model =
-              model_warnings({parameters, *zener, impact});
-            warnings = of_model.all();
-            contact  = of_model.contact;
-          }
+          warnings = model_warnings({parameters, *zener, impact});
       }
 
       void
@@ -171,33 +232,48 @@ namespace PlateImpact
                     "bound of a single contact",
                     about(rigid.force, "N"),
                     about(rigid.time, "s")));
-        if (!contact.empty())
-          line("contact", contact);
+        if (!warnings.contact.empty())
+          line("contact", warnings.contact);
         if (parameters.contact.patch_radius > 0.)
           line("load",
                word_for(parameters.contact.load_distribution) + " of " +
                  about(parameters.contact.patch_radius, "m"));
       }
 
-      /// How many times the fastest waves have come back from the nearest edge
-      /// before the peak, where that is many: the slower ones that carry the
-      /// force are then back a few times.
+      /// When waves of some speed are back from the edge that is nearest to
+      /// the load. [s]
+      double
+      first_reflection(const double speed) const
+      {
+        const ContactParameters &contact = parameters.contact;
+        const auto [x, y]        = geometry_of(parameters.plate).distance_along;
+        const double half_length = contact.load_has_length() ?
+          0.5 * parameters.impactor.length :
+          contact.patch_radius;
+        const double half_width =
+          contact.load_is_line() ? 0. : contact.patch_radius;
+        return 2. * std::max(0., std::min(x - half_length, y - half_width)) /
+          speed;
+      }
+
+      /// How many times the fastest ones have come back before the peak, where
+      /// that is many: the slower ones that carry the force are then back a few
+      /// times.
       std::optional<double>
       crossings_before_peak() const
       {
-        const double crossings = history.peak().time *
-          zener->section.fastest_wave() / (2. * distance_to_edge(parameters));
+        const double crossings =
+          history.peak().time / first_reflection(zener->section.fastest_wave());
         return crossings > 5. ? std::optional(crossings) : std::nullopt;
       }
 
       void
       add_waves()
       {
-        const double speed = zener->section.fastest_wave();
-        const double back  = 2. * distance_to_edge(parameters) / speed;
         line("first reflection",
              format("back at {}; until then the supports have no effect",
-                    about(back, "s")));
+                    about(first_reflection(zener->section.fastest_wave()),
+                          "s")));
         if (const auto n = crossings_before_peak())
           line("peak",
                format("late: the fastest waves cross the plate {} times "
@@ -253,17 +329,21 @@ namespace PlateImpact
           const TimeParameters &time = parameters.time;
           const double          end =
             time.end_time > 0. ? time.end_time : contact_end.value_or(until);
-          const Cost       cost       = parameters.adaptivity.is_adaptive() ?
-                        cost_by_two_meshes(parameters) :
-                        Cost{n_initial_cells(parameters), end / time.time_step};
+          const auto [n_x, n_y]       = parameters.discretization.initial_cells;
+          const double n_cells        = parameters.plate.is_from_file() ?
+                   parameters.plate.file->mesh.n_active_cells() :
+                   double(n_x) * n_y;
+          const auto [cells, steps]   = parameters.adaptivity.is_adaptive() ?
+              cost_by_two_meshes(parameters) :
+              std::pair(n_cells, end / time.time_step);
           const Stretching stretching = zener->section.stretching;
           const double     n_fields = stretching == Stretching::none ? 3. : 5.;
           line("cost",
                format(
                  "of the order of {} cells, {} unknowns, {} steps{} a mesh",
-                 roughly(cost.cells),
-                 roughly(4. * n_fields * cost.cells),
-                 roughly(cost.steps),
+                 roughly(cells),
+                 roughly(4. * n_fields * cells),
+                 roughly(steps),
                  stretching == Stretching::large ? " of several solves" : ""));
         }
       catch (const ComputationError &)
@@ -350,8 +430,8 @@ namespace PlateImpact
 
       const Scene      &scene;
       const Parameters &parameters = scene.parameters;
-
-      std::optional<ZenerImpact> zener; ///< on the infinite plate; of impactors
+      /// on the infinite plate
+      const std::optional<ZenerImpact> &zener = scene.expected;
 
       ContactHistory        history;          ///< up to the scene's end at most
       std::optional<double> contact_end;      ///< of the impact [s]
@@ -359,8 +439,7 @@ namespace PlateImpact
       std::string           source;           ///< where it comes from
       bool                  is_bound = false; ///< whether the force is larger
 
-      std::vector<std::string> warnings; ///< as model_warnings()
-      std::string              contact;  ///< as Warnings::contact
+      Warnings warnings; ///< of the model
     };
   } // namespace
 

@@ -10,46 +10,13 @@
 #include "plate_impact/output/result_directory.h"
 
 #include <algorithm>
-#include <memory>
-#include <optional>
+#include <cmath>
 #include <string>
-#include <vector>
 
 namespace PlateImpact
 {
   namespace
   {
-    /// What a reader should know before believing the comparison.
-    std::vector<std::string>
-    warnings_of(const Scene &scene, const StrategyComparison &comparison)
-    {
-      std::vector<std::string> warnings;
-      if (scene.parameters.contact.load_is_singular())
-        warnings.push_back(
-          "under a point load the peak force does not converge: its errors "
-          "only show how far the smallest cell is from that of the reference");
-      const Reference &reference = comparison.reference;
-      for (const ComparisonCurve &curve : comparison.curves)
-        {
-          const std::string name = curve.name();
-          for (const std::string &warning : curve.warnings)
-            warnings.push_back(name + ": " + warning);
-          if (curve.end.rfind("failed", 0) == 0)
-            warnings.push_back(name + " " + curve.end);
-          for (const ComparedMesh &mesh : curve.meshes)
-            if (reference.computed && mesh.eta < reference.computed->error->eta)
-              {
-                warnings.push_back(name + ": cycle " +
-                                   std::to_string(mesh.cycle) +
-                                   " has a smaller eta than the reference");
-                break;
-              }
-        }
-      return warnings;
-    }
-
-
-
     std::string
     text_of(const Reference &reference)
     {
@@ -61,7 +28,7 @@ namespace PlateImpact
                             about_percentage(reference.uncertainty),
                             reference.computed->cells,
                             about_percentage(reference.computed->error->eta),
-                            reference.seconds);
+                            reference.computed->cumulative_seconds());
       if (reference.computed && reference.computed->time_error)
         text += fmt::format("\nTime step   the same on all meshes, with an "
                             "error of {} of the peak force",
@@ -75,22 +42,18 @@ namespace PlateImpact
     std::string
     line_of(const ComparedMesh &mesh)
     {
-      const auto percent = [](const double fraction) {
-        return 100. * fraction;
-      };
       return column(5, "{:.0f}", mesh.cycle) + column(7, "{:.0f}", mesh.cells) +
         column(9, "{:.0f}", mesh.degrees_of_freedom) +
-        column(7, "{:.2f}", percent(mesh.eta)) +
-        column(13, "{:.6g}", mesh.peak_force) +
+        column(7, "{:.2f}", 100. * mesh.error->eta) +
+        column(13, "{:.6g}", mesh.history->peak().force) +
         column(9,
                mesh.is_comparable ? "{:.4f}" : "({:.4f})",
-               percent(mesh.peak_force_error)) +
+               100. * mesh.peak_force_error) +
         column(6,
                "{:.2g}",
-               mesh.peak_force_bar ?
-                 std::optional(percent(*mesh.peak_force_bar)) :
-                 std::nullopt) +
-        column(8, "{:.2f}", mesh.cumulative_seconds) + '\n';
+               mesh.peak_force_bar ? 100. * mesh.peak_force_bar->total() :
+                                     std::nan("")) +
+        column(8, "{:.2f}", mesh.cumulative_seconds()) + '\n';
     }
 
 
@@ -99,20 +62,23 @@ namespace PlateImpact
     compare(const Scene             &scene,
             const ResultDirectory   &directory,
             Console                 &console,
-            const AdaptationControl *marking)
+            const AdaptationControl &marking)
     {
-      StrategyComparison comparison{
-        scene,
-        [&console](const auto cycle, const auto step, const auto n_steps) {
-          console.show(column(5, "{:.0f}", cycle) + "  step ", step, n_steps);
-        },
-        marking};
+      StrategyComparison comparison{scene};
+      comparison.marking     = &marking;
       const auto write_table = [&] {
-        directory.write_file("comparison.csv", [&](std::ostream &out) {
-          write_comparison_table(out, comparison.curves);
-        });
+        directory.write_file("comparison.csv",
+                             comparison_table(comparison.curves));
       };
-      console.print(emphasized(scene.name, Emphasis::bold) +
+      comparison.listener.step =
+        [&](const auto cycle, const auto step, const auto n_steps) {
+          console.show(column(5, "{:.0f}", cycle) + "  step ", step, n_steps);
+        };
+      comparison.listener.cycle = [&](const Cycle &) {
+        write_table();
+        console.print(line_of(comparison.curves.back().meshes.back()));
+      };
+      console.print(emphasized(scene.name, fmt::emphasis::bold) +
                     "\nComputing the reference\n");
       write_table();
       console.print(text_of(comparison.compute_reference()));
@@ -120,6 +86,7 @@ namespace PlateImpact
       const std::size_t           n =
         parameters.strategies.size() * parameters.elements.size();
       const dealii::Timer timer;
+      Json                results;
       for (const ComparedStrategy &strategy : parameters.strategies)
         for (const ElementType element : parameters.elements)
           {
@@ -134,25 +101,13 @@ namespace PlateImpact
                                       name_of(strategy),
                                       word_for(element),
                                       left));
-            const ComparisonCurve &curve =
-              comparison.compute_curve(strategy,
-                                       element,
-                                       [&](const ComparisonCurve &curve) {
-                                         write_table();
-                                         console.print(
-                                           line_of(curve.meshes.back()));
-                                       });
-            console.print("       " + curve.end + '\n');
-            const Json results =
-              comparison_results(scene,
-                                 comparison,
-                                 warnings_of(scene, comparison));
-            directory.write_file("comparison.json", [&](std::ostream &out) {
-              out << results.dump(2) << '\n';
-            });
-            directory.write_file("comparison.html", [&](std::ostream &out) {
-              write_comparison_page(out, scene, comparison, results);
-            });
+            console.print("       " +
+                          comparison.compute_curve(strategy, element).end +
+                          '\n');
+            results = comparison_results(comparison);
+            directory.write_file("comparison.json", results.dump(2) + '\n');
+            directory.write_file("comparison.html",
+                                 comparison_page(comparison, results));
           }
       if (std::all_of(comparison.curves.begin(),
                       comparison.curves.end(),
@@ -160,13 +115,13 @@ namespace PlateImpact
         throw ComputationError("no strategy gave a result; " +
                                comparison.curves.front().end);
       console.print("\n");
-      for (const ThresholdRow &row : comparison.thresholds())
+      for (const Json &row : results["thresholds"])
         for (const std::string &line :
-             dealii::Utilities::break_text_into_lines(row.in_words,
+             dealii::Utilities::break_text_into_lines(row["in_words"],
                                                       /*width=*/78))
           console.print(line + '\n');
       console.print("\nResults     " + directory.main_files() + '\n');
-      print_warnings(warnings_of(scene, comparison));
+      print_warnings(results["warnings"]);
     }
   } // namespace
 
@@ -182,20 +137,17 @@ namespace PlateImpact
     const ResultDirectory directory(scene.parameters.output.directory);
     directory.clear();
     directory.write_scene(scene.name, scene.text);
-    std::unique_ptr<OutsideMarking> marking;
+    const OutsideMarking marking(command,
+                                 scene.parameters.adaptivity,
+                                 directory);
     if (!command.empty())
-      {
-        marking = std::make_unique<OutsideMarking>(command,
-                                                   scene.parameters.adaptivity,
-                                                   directory);
-        scene.parameters.comparison.strategies.push_back(
-          {AdaptationStrategy::hanging_nodes,
-           AdaptationGoal::energy_norm,
-           /*is_outside=*/true});
-      }
+      scene.parameters.comparison.strategies.push_back(
+        {AdaptationStrategy::hanging_nodes,
+         AdaptationGoal::energy_norm,
+         /*is_outside=*/true});
     try
       {
-        compare(scene, directory, console, marking.get());
+        compare(scene, directory, console, marking);
       }
     catch (const Interruption &interruption)
       {

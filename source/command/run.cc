@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <iostream>
-#include <memory>
 #include <new>
 #include <optional>
 #include <string>
@@ -21,20 +20,21 @@ namespace PlateImpact
 {
   namespace
   {
-    Emphasis
+    fmt::text_style
     emphasis_of(const Verdict::Part &part)
     {
-      return part.trust == Trust::good ? Emphasis::good :
-        part.trust == Trust::doubtful  ? Emphasis::warning :
-                                         Emphasis::error;
+      return fg(part.trust == Trust::good       ? fmt::terminal_color::green :
+                  part.trust == Trust::doubtful ? fmt::terminal_color::yellow :
+                                                  fmt::terminal_color::red);
     }
 
 
 
+    /// None of an empty text.
     std::string
     line(const std::string &name, const std::string &text)
     {
-      return fmt::format("{:<12}{}\n", name, text);
+      return text.empty() ? "" : fmt::format("{:<12}{}\n", name, text);
     }
 
 
@@ -49,7 +49,7 @@ namespace PlateImpact
              "CMAKE_BUILD_TYPE=Release for results\n";
 #endif
       const std::string unit = in_ascii(time_unit.name);
-      return text + emphasized(scene.name, Emphasis::bold) +
+      return text + emphasized(scene.name, fmt::emphasis::bold) +
         "\ncycle  cells unknowns  eta % max xi' peak force N  +- %" +
         right(8, "at " + unit) + right(9, "end " + unit) + " seconds\n";
     }
@@ -71,7 +71,7 @@ namespace PlateImpact
           if (result.peak_force_bar)
             bar = 100. * result.peak_force_bar->total();
           peak_time = time_unit(result.history->peak().time);
-          if (const auto end = result.history->first_contact_end())
+          if (const auto end = result.history->end_of_impact())
             contact_end = time_unit(*end);
         }
       return column(5, "{:.0f}", result.cycle) +
@@ -115,41 +115,35 @@ namespace PlateImpact
 
 
 
-    /// @param results  the files to look at first
     std::string
     end_in_words(const Parameters  &parameters,
                  const Outcome      outcome,
                  const CycleResult &last,
-                 const Verdict     &verdict,
-                 const std::string &results)
+                 const Verdict     &verdict)
     {
       std::string text = '\n' +
         line("Outcome",
              emphasized(word_for(outcome), emphasis_of(verdict.convergence)) +
                errors_of(last, outcome, parameters.adaptivity));
       if (!last.history)
-        return text + line("Results", results);
-      text +=
-        line("Peak force", emphasized(in_ascii(verdict.force), Emphasis::bold));
+        return text;
+      text += line("Peak force",
+                   emphasized(in_ascii(verdict.force), fmt::emphasis::bold));
       if (last.verification)
         text += line("Verified",
-                     number(last.verification->peak_force) + " N on " +
-                       counted(last.verification->cells, "cell") + ", " +
-                       deviation(last.verification->peak_force,
+                     number(last.verification->force) + " N on " +
+                       counted(last.verification->n_cells, "cell") + ", " +
+                       deviation(last.verification->force,
                                  last.history->peak().force) +
                        " away");
-      text += line("Model",
-                   emphasized(in_ascii(model_in_words(verdict)),
-                              emphasis_of(verdict.model)));
-      for (const auto &[name, sentence] :
-           {std::make_pair("Contact", verdict.warnings.contact),
-            std::make_pair("Damage", verdict.warnings.damage)})
-        if (!sentence.empty())
-          text += line(name, in_ascii(sentence));
-      text +=
+      return text +
+        line("Model",
+             emphasized(in_ascii(model_in_words(verdict)),
+                        emphasis_of(verdict.model))) +
+        line("Contact", in_ascii(verdict.warnings.contact)) +
+        line("Damage", in_ascii(verdict.warnings.damage)) +
         line("Response",
              "local, of a " + in_ascii(local_response_in_words(parameters)));
-      return text + line("Results", results);
     }
 
 
@@ -235,12 +229,9 @@ namespace PlateImpact
                       warnings.numerical);
       const Verdict verdict =
         verdict_of(parameters, outcome, last.result, warnings);
-      output.finish(outcome, warnings.all(), verdict, last);
-      console.print(end_in_words(parameters,
-                                 outcome,
-                                 last.result,
-                                 verdict,
-                                 output.directory.main_files()));
+      output.finish(outcome, verdict, last);
+      console.print(end_in_words(parameters, outcome, last.result, verdict) +
+                    line("Results", output.directory.main_files()));
       if (quiet)
         std::cout << line_for_scripts(outcome, last.result, verdict)
                   << std::flush;
@@ -260,15 +251,11 @@ namespace PlateImpact
       throw InputError({"--marking needs Adaptivity/Strategy = hanging nodes "
                         "or remeshing, which give cells the sizes that are "
                         "wanted"});
-    Output                             output(scene);
-    std::unique_ptr<AdaptationControl> control =
-      std::make_unique<AdaptationControl>(adaptivity);
-    if (!marking.empty())
-      control =
-        std::make_unique<OutsideMarking>(marking, adaptivity, output.directory);
+    Output         output(scene);
+    OutsideMarking control(marking, adaptivity, output.directory);
     try
       {
-        run(scene, output, quiet, *control);
+        run(scene, output, quiet, control);
       }
     catch (const ComputationError &error)
       {

@@ -2,15 +2,16 @@
 #include <deal.II/base/utilities.h>
 
 #include "plate_impact/analysis/impact_quantities.h"
+#include "plate_impact/base/entries.h"
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/command/commands.h"
 #include "plate_impact/output/console.h"
 #include "plate_impact/output/result_directory.h"
-#include "plate_impact/sweep/sweep_computation.h"
 #include "plate_impact/sweep/sweep_results.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <exception>
 #include <fstream>
@@ -18,6 +19,7 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -25,17 +27,16 @@ namespace PlateImpact
 {
   namespace
   {
-    /// The lines of a scene without what may differ between a sweep and its
-    /// continuation: comments and the name of the directory.
-    std::vector<std::string>
-    essence(std::istream &scene)
+    /// The next line of a scene, empty at its end, without what may differ
+    /// between a sweep and its continuation: comments and the name of the
+    /// directory.
+    std::string
+    next_line(std::istream &scene)
     {
-      std::vector<std::string> lines;
-      for (std::string line; std::getline(scene, line);)
-        if (!line.empty() && line[0] != '#' &&
-            line.find("set Directory ") == std::string::npos)
-          lines.push_back(dealii::Utilities::trim(line));
-      return lines;
+      for (std::string line; std::getline(scene >> std::ws, line);)
+        if (line[0] != '#' && line.find("set Directory ") == std::string::npos)
+          return dealii::Utilities::trim(line);
+      return {};
     }
 
 
@@ -45,19 +46,93 @@ namespace PlateImpact
     check_scene_to_resume(const ResultDirectory &directory,
                           const SweepScene      &scene)
     {
-      std::ifstream      file(directory / "scene.prm");
-      std::istringstream text(scene.text);
+      std::ifstream file(directory / "scene.prm");
       if (!file)
         return;
-      auto       before = essence(file);
-      const auto now    = essence(text);
-      before.resize(std::max(before.size(), now.size()));
-      const auto [line, line_before] =
-        std::mismatch(now.begin(), now.end(), before.begin());
-      if (line != now.end())
-        throw InputError({"--resume: " + (directory / "scene.prm").string() +
-                          " belongs to another sweep: it has '" + *line_before +
-                          "' where " + scene.name + " has '" + *line + "'"});
+      std::istringstream text(scene.text);
+      for (std::string now; !(now = next_line(text)).empty();)
+        if (const std::string before = next_line(file); before != now)
+          throw InputError({"--resume: " + (directory / "scene.prm").string() +
+                            " belongs to another sweep: it has '" + before +
+                            "' where " + scene.name + " has '" + now + "'"});
+    }
+
+
+
+    const std::string file_name = "sweep.csv";
+    const std::string separator = " | "; ///< of warnings
+
+
+
+    /// A field of a table, in quotes where it needs them (RFC 4180).
+    std::string
+    as_field(const std::string &text)
+    {
+      if (text.find_first_of(",\"\n") == std::string::npos)
+        return text;
+      return '"' + dealii::Utilities::replace_in_string(text, "\"", "\"\"") +
+        '"';
+    }
+
+
+
+    std::vector<std::string>
+    split(const std::string &line)
+    {
+      std::vector<std::string> fields(1);
+      bool                     is_quoted = false;
+      for (const char c : line)
+        if (c == '"')
+          {
+            // a doubled quote within quotes closes and opens them again
+            if (!is_quoted && !fields.back().empty())
+              fields.back() += c;
+            is_quoted = !is_quoted;
+          }
+        else if (c == ',' && !is_quoted)
+          fields.emplace_back();
+        else
+          fields.back() += c;
+      return fields;
+    }
+
+
+
+    std::string
+    joined(const std::vector<std::string> &values)
+    {
+      std::string text;
+      for (const std::string &value : values)
+        text += as_field(value) + ',';
+      return text;
+    }
+
+
+
+    std::string
+    header(const SweepPlan &plan)
+    {
+      std::vector<std::string> names;
+      for (const SweptEntry &entry : plan.entries)
+        names.push_back(entry.path);
+      for (const ImpactQuantity &quantity : impact_quantities)
+        names.push_back(quantity.name);
+      return joined(names) + "warnings,status";
+    }
+
+
+
+    std::string
+    line(const SweepPlan &plan, const SweepRow &row)
+    {
+      const bool               is_ok  = row.failure.empty();
+      std::vector<std::string> fields = plan.values(row.point);
+      for (std::size_t i = 0; i < impact_quantities.size(); ++i)
+        fields.push_back(is_ok && !std::isnan(row.quantities[i]) ?
+                           shortest(row.quantities[i]) :
+                           "");
+      fields.push_back(fmt::format("{}", fmt::join(row.warnings, separator)));
+      return joined(fields) + as_field(is_ok ? "ok" : row.failure);
     }
 
 
@@ -96,38 +171,170 @@ namespace PlateImpact
 
 
 
-    /// The first process' side of a sweep: what is written and printed.
+    /// The first process' side of a sweep: what is written and printed. Rows of
+    /// sweep.csv, with the swept values, the quantities of the impact,
+    /// warnings, and `ok` or the reason of the failure, are appended as they
+    /// come; finish() puts them in the order of the points.
     class SweepRecord
     {
     public:
-      /// @param directory  cleared, or with the sweep to resume
-      SweepRecord(SweepScene            &scene,
-                  const ResultDirectory &directory,
-                  const bool             resume,
-                  const bool             quiet)
+      /// @param n_groups  plates that the points share
+      /// @param resume    the sweep that was interrupted: its points that
+      ///                  succeeded are taken over
+      SweepRecord(SweepScene       &scene,
+                  const std::size_t n_groups,
+                  const bool        resume,
+                  const bool        quiet)
         : scene(scene)
         , console(quiet)
-        , directory(directory)
-        , table(directory, scene.plan, resume)
-      {}
+        , directory(scene.parameters.output.directory)
+        , rows(scene.plan.n_points)
+      {
+        if (resume)
+          {
+            check_scene_to_resume(directory, scene);
+            read_table();
+          }
+        else
+          directory.clear();
+        directory.write_scene(scene.name, scene.text);
+        write_table();
+        table.open(directory / file_name, std::ios::app);
+        n_points = points_to_do().size();
+        print_head(n_groups);
+      }
 
       std::vector<std::size_t>
       points_to_do() const
       {
         std::vector<std::size_t> points;
-        for (std::size_t point = 0; point < table.rows.size(); ++point)
-          if (!table.rows[point])
+        for (std::size_t point = 0; point < rows.size(); ++point)
+          if (!rows[point])
             points.push_back(point);
         return points;
       }
 
-      /// @param n_groups  plates that the points share
       void
-      begin(const std::size_t n_groups)
+      add(SweepRow &&row)
+      {
+        work.meshes += row.work.meshes;
+        work.plates += row.work.plates;
+        work.loads += row.work.loads;
+        // the table, which may have a million rows, is not to hold histories
+        const ContactHistory history = std::exchange(row.history, {});
+        if (!history.states.empty())
+          {
+            directory.write_file("contact_history_point_" +
+                                   std::to_string(row.point + 1) + ".csv",
+                                 [&](std::ostream &out) {
+                                   history.write(out);
+                                 });
+            if (histories.size() < most_plotted_histories)
+              histories[row.point] = history;
+          }
+        table << line(scene.plan, row) << '\n' << std::flush;
+        if (!table)
+          throw ComputationError(
+            (directory / file_name).string() +
+            " cannot be written: " + std::generic_category().message(errno));
+        rows[row.point] = row;
+        show(row);
+      }
+
+      void
+      finish()
+      {
+        for (const std::size_t point : points_to_do())
+          add({point, {}, "not computed: its process ended early", {}, {}});
+        table.close();
+        write_table();
+        if (scene.parameters.output.write_report)
+          directory.write_file("sweep.html",
+                               sweep_page(scene, rows, histories, work));
+        const double seconds = timer.wall_time();
+        console.print("\nComputed    " + counted(n_computed, "point") + " in " +
+                      about(seconds) + " s, " + about(n_computed / seconds) +
+                      " points/s\nMade        " + counted(work.meshes, "mesh") +
+                      ", " + counted(work.plates, "plate model") + ", " +
+                      counted(work.loads, "response") +
+                      " to a load\nResults     " + directory.main_files() +
+                      '\n');
+        const std::vector<std::string> warnings = sweep_warnings(rows);
+        if (std::none_of(rows.begin(), rows.end(), [](const auto &row) {
+              return row->failure.empty();
+            }))
+          throw ComputationError(warnings.front());
+        print_warnings(warnings);
+      }
+
+      /// What Ctrl-C leaves.
+      std::string
+      kept() const
+      {
+        return std::to_string(scene.plan.n_points - points_to_do().size()) +
+          " of " + counted(scene.plan.n_points, "point") + " are in " +
+          (directory / file_name).string() + "; --resume goes on from there";
+      }
+
+    private:
+      void
+      read_table()
+      {
+        const SweepPlan                        &plan = scene.plan;
+        std::multimap<std::string, std::size_t> points;
+        for (std::size_t point = 0; point < plan.n_points; ++point)
+          points.emplace(joined(plan.values(point)), point);
+
+        std::ifstream     in(directory / file_name);
+        std::string       text;
+        const std::size_t n_values     = plan.entries.size(),
+                          n_quantities = impact_quantities.size();
+        // a line without its end was being written when the sweep was
+        // interrupted
+        if (!std::getline(in, text) || text != header(plan))
+          return;
+        while (std::getline(in, text) && !in.eof())
+          {
+            const std::vector<std::string> fields = split(text);
+            if (fields.size() != n_values + n_quantities + 2 ||
+                fields.back() != "ok")
+              continue;
+            SweepRow row;
+            for (std::size_t i = 0; i < n_quantities; ++i)
+              {
+                row.quantities.push_back(
+                  std::nan("")); // stays where the field is empty
+                any_number().read(fields[n_values + i], row.quantities.back());
+              }
+            row.warnings = dealii::Utilities::split_string_list(
+              fields[n_values + n_quantities],
+              separator);
+            const auto [begin, end] = points.equal_range(
+              joined({fields.begin(), fields.begin() + n_values}));
+            for (auto place = begin; place != end; ++place)
+              {
+                row.point       = place->second;
+                rows[row.point] = row;
+              }
+          }
+      }
+
+      void
+      write_table() const
+      {
+        directory.write_file(file_name, [this](std::ostream &file) {
+          file << header(scene.plan) << '\n';
+          for (const std::optional<SweepRow> &row : rows)
+            if (row)
+              file << line(scene.plan, *row) << '\n';
+        });
+      }
+
+      void
+      print_head(const std::size_t n_groups)
       {
         const SweepPlan &plan = scene.plan;
-        n_points              = points_to_do().size();
-        std::string text      = emphasized(scene.name, Emphasis::bold) + ": " +
+        std::string text = emphasized(scene.name, fmt::emphasis::bold) + ": " +
           counted(plan.n_points, "point") + " of " + plan.names() + " on " +
           counted(n_groups, "plate");
         if (plan.may_adapt(scene.parameters))
@@ -149,61 +356,6 @@ namespace PlateImpact
         console.print(text);
       }
 
-      void
-      add(SweepRow &&row)
-      {
-        // the table, which may have a million rows, is not to hold histories
-        const ContactHistory history = std::exchange(row.history, {});
-        if (!history.states().empty())
-          {
-            directory.write_file("contact_history_point_" +
-                                   std::to_string(row.point + 1) + ".csv",
-                                 [&](std::ostream &out) {
-                                   history.write(out);
-                                 });
-            if (histories.size() < most_plotted_histories)
-              histories[row.point] = history;
-          }
-        table.add(row);
-        show(row);
-      }
-
-      void
-      finish(const SweepWork &work)
-      {
-        for (const std::size_t point : points_to_do())
-          add({point, {}, "not computed: its process ended early", {}, {}});
-        table.finish();
-        if (scene.parameters.output.write_report)
-          directory.write_file("sweep.html", [&](std::ostream &out) {
-            write_sweep_page(out, scene, table.rows, histories, work);
-          });
-        const double seconds = timer.wall_time();
-        console.print("\nComputed    " + counted(n_computed, "point") + " in " +
-                      about(seconds) + " s, " + about(n_computed / seconds) +
-                      " points/s\nMade        " + counted(work.meshes, "mesh") +
-                      ", " + counted(work.plates, "plate model") + ", " +
-                      counted(work.loads, "response") +
-                      " to a load\nResults     " + directory.main_files() +
-                      '\n');
-        const std::vector<std::string> warnings = sweep_warnings(table.rows);
-        if (std::none_of(table.rows.begin(),
-                         table.rows.end(),
-                         [](const auto &row) { return row->failure.empty(); }))
-          throw ComputationError(warnings.front());
-        print_warnings(warnings);
-      }
-
-      /// What Ctrl-C leaves.
-      std::string
-      kept() const
-      {
-        return std::to_string(scene.plan.n_points - points_to_do().size()) +
-          " of " + counted(scene.plan.n_points, "point") + " are in " +
-          (directory / "sweep.csv").string() + "; --resume goes on from there";
-      }
-
-    private:
       /// A line per point of a small sweep; of a large one, on a terminal, the
       /// number of points done so far and the time that the others take.
       void
@@ -223,38 +375,22 @@ namespace PlateImpact
             for (std::size_t i = 0; i < impact_quantities.size(); ++i)
               if (impact_quantities[i].name == shown.quantity)
                 text +=
-                  column(14,
-                         shown.format,
-                         std::isnan(row.quantities[i]) ?
-                           std::nullopt :
-                           std::optional(shown.factor * row.quantities[i]));
+                  column(14, shown.format, shown.factor * row.quantities[i]);
         console.print(text + '\n');
       }
 
-      SweepScene            &scene;
-      Console                console;
-      const ResultDirectory &directory;
-      SweepTable             table;
-      const dealii::Timer    timer;
-      std::size_t n_points = 0, n_computed = 0; ///< without those before
+      SweepScene           &scene;
+      Console               console;
+      const ResultDirectory directory;
+      std::ofstream         table;
+      std::size_t           n_points; ///< without those before
+      const dealii::Timer   timer;
+      std::size_t           n_computed = 0;
+      SweepWork             work; ///< for these
 
+      std::vector<std::optional<SweepRow>>  rows; ///< none of points to come
       std::map<std::size_t, ContactHistory> histories; ///< for the page
     };
-
-
-
-    /// Cleared for another sweep, or with the rows of the one to resume.
-    void
-    prepare(const ResultDirectory &directory,
-            const SweepScene      &scene,
-            const bool             resume)
-    {
-      if (resume)
-        check_scene_to_resume(directory, scene);
-      else
-        directory.clear();
-      directory.write_scene(scene.name, scene.text);
-    }
   } // namespace
 
 
@@ -270,16 +406,14 @@ namespace PlateImpact
       await_interrupt(/*ends_at_once=*/true);
     // the first process alone reads and writes results; without any it has
     // nothing to do for the others
-    std::optional<ResultDirectory> directory;
-    std::optional<SweepRecord>     record;
-    std::vector<std::size_t>       to_do;
-    std::exception_ptr             failure;
+    const SweepGroups          groups(scene.plan, scene.parameters);
+    std::optional<SweepRecord> record;
+    std::vector<std::size_t>   to_do;
+    std::exception_ptr         failure;
     if (processes.rank == 0)
       try
         {
-          directory.emplace(scene.parameters.output.directory);
-          prepare(*directory, scene, resume);
-          record.emplace(scene, *directory, resume, quiet);
+          record.emplace(scene, groups.groups.size(), resume, quiet);
           to_do = record->points_to_do();
         }
       catch (...)
@@ -290,26 +424,13 @@ namespace PlateImpact
     if (failure)
       std::rethrow_exception(failure);
 
-    const SweepGroups groups(scene.plan, scene.parameters);
-    std::vector<bool> is_to_do(scene.plan.n_points, false);
-    for (const std::size_t point : to_do)
-      is_to_do[point] = true;
-    // a few tasks for each process, so that all end at about the same time
-    const std::size_t n_parts = processes.size == 1 ? 1 : 8 * processes.size;
-    const auto        tasks =
-      groups.tasks(is_to_do, std::max<std::size_t>(1, to_do.size() / n_parts));
-
-    SweepComputation computation(scene, groups);
-    const auto       take = [&record](SweepRow &&row) {
-      record->add(std::move(row));
-    };
-    if (record)
-      record->begin(groups.groups.size());
     try
       {
-        const SweepWork work = processes.compute(tasks, computation, take);
+        processes.compute(scene, groups, to_do, [&record](SweepRow &&row) {
+          record->add(std::move(row));
+        });
         if (record)
-          record->finish(work);
+          record->finish();
       }
     catch (const Interruption &interruption)
       {

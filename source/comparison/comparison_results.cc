@@ -4,7 +4,6 @@
 #include "plate_impact/output/report.h"
 
 #include <algorithm>
-#include <ostream>
 
 namespace PlateImpact
 {
@@ -37,11 +36,11 @@ namespace PlateImpact
       const CycleResult &result = *reference.computed;
       json["uncertainty"]       = reference.uncertainty;
       add(json, "time_step_error", result.time_error);
-      add(json, "first_contact_end", result.history->first_contact_end());
+      add(json, "first_contact_end", result.history->end_of_impact());
       json["cells"]                = result.cells;
       json["degrees_of_freedom"]   = result.degrees_of_freedom;
       json["discretization_error"] = result.error->eta;
-      json["seconds"]              = reference.seconds;
+      json["seconds"]              = result.cumulative_seconds();
       return json;
     }
 
@@ -54,16 +53,72 @@ namespace PlateImpact
                    {"cells", mesh.cells},
                    {"degrees_of_freedom", mesh.degrees_of_freedom},
                    {"cells_at_minimum_size", mesh.cells_at_minimum_size},
-                   {"discretization_error", mesh.eta},
-                   {"peak_force", mesh.peak_force},
+                   {"discretization_error", mesh.error->eta},
+                   {"peak_force", mesh.history->peak().force},
                    {"peak_force_error", mesh.peak_force_error},
                    {"comparable", mesh.is_comparable},
-                   {"seconds", mesh.seconds},
-                   {"cumulative_seconds", mesh.cumulative_seconds}};
-      add(json, "peak_force_error_bar", mesh.peak_force_bar);
+                   {"seconds", mesh.seconds.total()},
+                   {"cumulative_seconds", mesh.cumulative_seconds()}};
+      if (mesh.peak_force_bar)
+        json["peak_force_error_bar"] = mesh.peak_force_bar->total();
       add(json, "contact_end_error", mesh.contact_end_error);
       add(json, "effectivity", mesh.effectivity);
       return json;
+    }
+
+
+
+    /// A mesh from which on a curve stays below a threshold: of the force,
+    /// confirmed by a later mesh or by its own bar.
+    struct Achievement
+    {
+      const ComparisonCurve *curve;
+      const ComparedMesh    *mesh;
+    };
+
+
+
+    /// Of curves that reach a threshold and stay below, the fastest first. Of
+    /// eta, those whose meshes are made for it: by force, a plate is watched up
+    /// to its peak.
+    std::vector<Achievement>
+    achievements(const std::vector<ComparisonCurve> &curves,
+                 const bool                          is_of_eta,
+                 const double                        threshold)
+    {
+      std::vector<Achievement> result;
+      for (const ComparisonCurve &curve : curves)
+        {
+          if (is_of_eta && curve.strategy.goal == AdaptationGoal::peak_force)
+            continue;
+          const auto is_reached = [&](const ComparedMesh &mesh) {
+            return (is_of_eta ? mesh.error->eta : mesh.peak_force_error) <=
+              threshold;
+          };
+          auto mesh = curve.meshes.end();
+          while (mesh != curve.meshes.begin() && is_reached(mesh[-1]))
+            --mesh;
+          if (mesh == curve.meshes.end())
+            continue;
+          // errors of the force change their sign, and may be small by chance
+          if (is_of_eta || mesh + 1 != curve.meshes.end() ||
+              (mesh->peak_force_bar &&
+               mesh->peak_force_bar->total() <= threshold))
+            result.push_back({&curve, &*mesh});
+        }
+      std::stable_sort(result.begin(), result.end(), [](auto &a, auto &b) {
+        return a.mesh->cumulative_seconds() < b.mesh->cumulative_seconds();
+      });
+      return result;
+    }
+
+
+
+    /// How many times as long the first takes as the second.
+    double
+    ratio_of_times(const ComparedMesh &one, const ComparedMesh &other)
+    {
+      return one.cumulative_seconds() / other.cumulative_seconds();
     }
 
 
@@ -73,37 +128,10 @@ namespace PlateImpact
     bool
     are_tied(const ComparedMesh &one, const ComparedMesh &other)
     {
-      const double ratio = one.cumulative_seconds / other.cumulative_seconds;
+      const double ratio = ratio_of_times(one, other);
       return (one.cycle == other.cycle && one.cells == other.cells &&
-              one.peak_force == other.peak_force) ||
+              one.history->peak().force == other.history->peak().force) ||
         (ratio > 0.9 && ratio < 1. / 0.9);
-    }
-
-
-
-    Json
-    to_json(const ThresholdRow &row)
-    {
-      Json json = {{"quantity", row.is_of_eta ? "eta" : "peak force error"},
-                   {"threshold", row.threshold},
-                   {"comparable", row.is_comparable},
-                   {"in_words", row.in_words},
-                   {"reached", Json::array()}};
-      for (const auto &[curve, mesh] : row.achievements)
-        {
-          const ComparedMesh &first = *row.achievements.front().mesh;
-          json["reached"].push_back(
-            {{"strategy", name_of(curve->strategy)},
-             {"element", word_for(curve->element)},
-             {"cycle", mesh->cycle},
-             {"cells", mesh->cells},
-             {"degrees_of_freedom", mesh->degrees_of_freedom},
-             {"cumulative_seconds", mesh->cumulative_seconds},
-             {"times_the_fastest",
-              mesh->cumulative_seconds / first.cumulative_seconds},
-             {"as_fast_as_the_first", are_tied(*mesh, first)}});
-        }
-      return json;
     }
 
 
@@ -112,8 +140,9 @@ namespace PlateImpact
     std::string
     in_words(const ComparedMesh &mesh)
     {
-      return std::to_string(mesh.cells) + " cells after " +
-        fmt::format("{:.2f} s", mesh.cumulative_seconds);
+      return fmt::format("{} cells after {:.2f} s",
+                         mesh.cells,
+                         mesh.cumulative_seconds());
     }
 
 
@@ -140,35 +169,29 @@ namespace PlateImpact
 
 
 
-    /// Which strategy reaches a threshold first, each with its fastest element,
-    /// and by how much: against uniform meshes, or the next.
+    /// Which strategy is first, each with its fastest element, and by how much:
+    /// against uniform meshes, or the next.
+    /// @param reached  the fastest first
     std::string
-    in_words(const ThresholdRow                 &row,
+    in_words(const std::vector<Achievement>     &reached,
              const std::vector<ComparisonCurve> &curves)
     {
-      const std::string what = row.is_of_eta ?
-        "Eta of " + percentage(row.threshold) :
-        percentage(row.threshold) + " of the peak force";
-      if (!row.is_comparable)
-        return what +
-          ": not compared, because the reference is not that "
-          "accurate.";
       // the fastest curve of every strategy
       std::vector<Achievement> best;
-      for (const Achievement &achievement : row.achievements)
+      for (const Achievement &achievement : reached)
         if (std::none_of(best.begin(), best.end(), [&](const Achievement &one) {
               return name_of(one.curve->strategy) ==
                 name_of(achievement.curve->strategy);
             }))
           best.push_back(achievement);
       if (best.empty())
-        return what + ": not reached.";
+        return "not reached.";
       const auto next =
         std::find_if(best.begin() + 1, best.end(), [&](auto &one) {
           return !are_tied(*one.mesh, *best.front().mesh);
         });
-      std::string text =
-        what + ": " + in_words(std::vector<Achievement>(best.begin(), next));
+      const std::string text =
+        in_words(std::vector<Achievement>(best.begin(), next));
       const auto is_uniform = [](const ComparisonCurve &curve) {
         return curve.strategy.strategy == AdaptationStrategy::uniform;
       };
@@ -176,85 +199,103 @@ namespace PlateImpact
         std::find_if(best.begin(), best.end(), [&](auto &one) {
           return is_uniform(*one.curve);
         });
-      // uniform meshes are what all are measured by, unless they are first
-      const auto other =
-        uniform >= next && uniform != best.end() ? uniform : next;
       if (uniform == best.end() &&
           std::any_of(curves.begin(), curves.end(), is_uniform))
         return text + "; uniform meshes do not reach it.";
-      if (other != best.end())
-        text += "; " + name_of(other->curve->strategy) + ", " +
-          in_words(*other->mesh) + ", " +
-          rounded(other->mesh->cumulative_seconds /
-                    best.front().mesh->cumulative_seconds,
-                  2) +
-          " times as long";
-      return text + '.';
+      // uniform meshes are what all are measured by, unless they are first
+      const auto other =
+        uniform >= next && uniform != best.end() ? uniform : next;
+      if (other == best.end())
+        return text + '.';
+      return text + "; " + name_of(other->curve->strategy) + ", " +
+        in_words(*other->mesh) + ", " +
+        rounded(ratio_of_times(*other->mesh, *best.front().mesh), 2) +
+        " times as long.";
     }
 
 
 
-    /// Of curves that reach a threshold and stay below, the fastest first.
-    std::vector<Achievement>
-    achievements(const std::vector<ComparisonCurve> &curves,
-                 const bool                          is_of_eta,
-                 const double                        threshold)
+    /// Who reaches a threshold of eta, or of the error of the peak force;
+    /// nobody where the reference is not that accurate.
+    Json
+    threshold_row(const StrategyComparison &comparison,
+                  const bool                is_of_eta,
+                  const double              threshold)
     {
-      std::vector<Achievement> result;
-      for (const ComparisonCurve &curve : curves)
+      const bool is_comparable =
+        is_of_eta || threshold > comparison.reference.uncertainty;
+      const std::vector<Achievement> reached = is_comparable ?
+        achievements(comparison.curves, is_of_eta, threshold) :
+        std::vector<Achievement>();
+      const std::string              what    = is_of_eta ?
+                        "Eta of " + percentage(threshold) :
+                        percentage(threshold) + " of the peak force";
+      const std::string              words   = is_comparable ?
+                       in_words(reached, comparison.curves) :
+                       "not compared, because the reference is not that accurate.";
+      Json json = {{"quantity", is_of_eta ? "eta" : "peak force error"},
+                   {"threshold", threshold},
+                   {"comparable", is_comparable},
+                   {"in_words", what + ": " + words},
+                   {"reached", Json::array()}};
+      for (const auto &[curve, mesh] : reached)
         {
-          if (is_of_eta && curve.strategy.goal == AdaptationGoal::peak_force)
-            continue;
-          const auto is_reached = [&](const ComparedMesh &mesh) {
-            return (is_of_eta ? mesh.eta : mesh.peak_force_error) <= threshold;
-          };
-          auto mesh = curve.meshes.end();
-          while (mesh != curve.meshes.begin() && is_reached(mesh[-1]))
-            --mesh;
-          if (mesh == curve.meshes.end())
-            continue;
-          // errors of the force change their sign, and may be small by chance
-          if (is_of_eta || mesh + 1 != curve.meshes.end() ||
-              (mesh->peak_force_bar && *mesh->peak_force_bar <= threshold))
-            result.push_back({&curve, &*mesh});
+          const ComparedMesh &first = *reached.front().mesh;
+          json["reached"].push_back(
+            {{"strategy", name_of(curve->strategy)},
+             {"element", word_for(curve->element)},
+             {"cycle", mesh->cycle},
+             {"cells", mesh->cells},
+             {"degrees_of_freedom", mesh->degrees_of_freedom},
+             {"cumulative_seconds", mesh->cumulative_seconds()},
+             {"times_the_fastest", ratio_of_times(*mesh, first)},
+             {"as_fast_as_the_first", are_tied(*mesh, first)}});
         }
-      std::stable_sort(result.begin(), result.end(), [](auto &a, auto &b) {
-        return a.mesh->cumulative_seconds < b.mesh->cumulative_seconds;
-      });
-      return result;
+      return json;
+    }
+
+
+
+    /// What a reader should know before believing the comparison.
+    std::vector<std::string>
+    warnings_of(const StrategyComparison &comparison)
+    {
+      std::vector<std::string> warnings;
+      if (comparison.scene.parameters.contact.load_is_singular())
+        warnings.push_back(
+          "under a point load the peak force does not converge: its errors "
+          "only show how far the smallest cell is from that of the reference");
+      const auto &fine = comparison.reference.computed;
+      for (const ComparisonCurve &curve : comparison.curves)
+        {
+          const std::string name = curve.name();
+          for (const std::string &warning : curve.warnings)
+            warnings.push_back(name + ": " + warning);
+          if (curve.end.rfind("failed", 0) == 0)
+            warnings.push_back(name + " " + curve.end);
+          const auto finer =
+            std::find_if(curve.meshes.begin(),
+                         curve.meshes.end(),
+                         [&](const ComparedMesh &mesh) {
+                           return fine && mesh.error->eta < fine->error->eta;
+                         });
+          if (finer != curve.meshes.end())
+            warnings.push_back(name + ": cycle " +
+                               std::to_string(finer->cycle) +
+                               " has a smaller eta than the reference");
+        }
+      return warnings;
     }
   } // namespace
 
 
 
-  std::vector<ThresholdRow>
-  StrategyComparison::thresholds() const
-  {
-    std::vector<ThresholdRow> rows;
-    for (const double threshold : {0.05, 0.02, 0.01, 0.005, 0.003, 0.001})
-      rows.push_back(
-        {false, threshold, threshold > reference.uncertainty, {}, {}});
-    for (const double threshold : {0.1, 0.05, 0.02, 0.01})
-      rows.push_back({true, threshold, true, {}, {}});
-    for (ThresholdRow &row : rows)
-      {
-        if (row.is_comparable)
-          row.achievements = achievements(curves, row.is_of_eta, row.threshold);
-        row.in_words = in_words(row, curves);
-      }
-    return rows;
-  }
-
-
-
   Json
-  comparison_results(const Scene                    &scene,
-                     const StrategyComparison       &comparison,
-                     const std::vector<std::string> &warnings)
+  comparison_results(const StrategyComparison &comparison)
   {
-    Json json = {{"scene", scene.name},
+    Json json = {{"scene", comparison.scene.name},
                  {"version", PLATE_IMPACT_VERSION},
-                 {"warnings", warnings},
+                 {"warnings", warnings_of(comparison)},
                  {"reference", to_json(comparison.reference)},
                  {"curves", Json::array()},
                  {"thresholds", Json::array()}};
@@ -267,62 +308,61 @@ namespace PlateImpact
         for (const ComparedMesh &mesh : curve.meshes)
           json["curves"].back()["meshes"].push_back(to_json(mesh));
       }
-    for (const ThresholdRow &row : comparison.thresholds())
-      json["thresholds"].push_back(to_json(row));
+    for (const double threshold : {0.05, 0.02, 0.01, 0.005, 0.003, 0.001})
+      json["thresholds"].push_back(threshold_row(comparison, false, threshold));
+    for (const double threshold : {0.1, 0.05, 0.02, 0.01})
+      json["thresholds"].push_back(threshold_row(comparison, true, threshold));
     return json;
   }
 
 
 
-  void
-  write_comparison_table(std::ostream                       &out,
-                         const std::vector<ComparisonCurve> &curves)
+  std::string
+  comparison_table(const std::vector<ComparisonCurve> &curves)
   {
-    out << "strategy,element," << columns_of_meshes << '\n';
+    std::string text = "strategy,element," + columns_of_meshes + '\n';
     for (const ComparisonCurve &curve : curves)
       for (const ComparedMesh &mesh : curve.meshes)
         {
           const Json json = to_json(mesh);
-          out << name_of(curve.strategy) << ',' << word_for(curve.element);
+          text += name_of(curve.strategy) + ',' + word_for(curve.element);
           for (const std::string &column : split_list(columns_of_meshes))
-            out << ',' << (json.contains(column) ? json[column].dump() : "");
-          out << '\n';
+            text += ',' + (json.contains(column) ? json[column].dump() : "");
+          text += '\n';
         }
+    return text;
   }
 
 
 
-  void
-  write_comparison_page(std::ostream             &out,
-                        const Scene              &scene,
-                        const StrategyComparison &comparison,
-                        const Json               &results)
+  std::string
+  comparison_page(const StrategyComparison &comparison, const Json &results)
   {
+    const Scene     &scene     = comparison.scene;
     const Reference &reference = comparison.reference;
-    const auto       forces = [](const std::optional<ContactHistory> &history) {
-      return history ? history_on_page(*history) : Json();
-    };
-    Json study = {{"study", "comparison"},
-                  {"text", scene.text},
-                  {"comparison", results},
-                  {"target", scene.parameters.adaptivity.target_error},
-                  {"meshes", Json::array()}};
+    Json             study     = {{"study", "comparison"},
+                                  {"text", scene.text},
+                                  {"comparison", results},
+                                  {"target", scene.parameters.adaptivity.target_error},
+                                  {"meshes", Json::array()}};
     study.update(plate_on_page(scene.parameters));
     for (const ComparisonCurve &curve : comparison.curves)
       {
-        study["histories"].push_back(forces(curve.history));
+        study["histories"].push_back(
+          curve.meshes.empty() ? Json() :
+                                 history_on_page(*curve.meshes.back().history));
         if (!curve.picture.is_null())
           study["meshes"].push_back(curve.picture);
       }
     study["histories"].push_back(
-      forces(reference.computed ? reference.computed->history : std::nullopt));
-    write_page(out,
-               {"Comparison: " + scene.name,
-                "Adaptive strategies side by side: the time and the number of "
-                "cells that each needs for a given error.",
-                "The peak force of the reference is " +
-                  number(reference.peak_force, "N") +
-                  "; comparison.csv has the meshes."},
-               study);
+      reference.computed ? history_on_page(*reference.computed->history) :
+                           Json());
+    return page({"Comparison: " + scene.name,
+                 "Adaptive strategies side by side: the time and the number of "
+                 "cells that each needs for a given error.",
+                 "The peak force of the reference is " +
+                   number(reference.peak_force, "N") +
+                   "; comparison.csv has the meshes."},
+                study);
   }
 } // namespace PlateImpact

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <new>
 
@@ -62,13 +63,13 @@ namespace PlateImpact
       {
         if (const auto outcome = end(result))
           return outcome;
-        const double error = goal.error(result);
+        const double reached = error(result);
         if (result.cells_at_minimum_size > 0 &&
-            error > least_progress * error_before)
+            reached > least_progress * error_before)
           return Outcome::minimum_cell_size;
-        error_before = error;
+        error_before = reached;
         n_halvings   = 0;
-        while (error <= target && tighten())
+        while (reached <= target && tighten())
           ;
         return {};
       }
@@ -124,40 +125,85 @@ namespace PlateImpact
 
 
     ComparedMesh
-    compared(const Cycle     &cycle,
-             const Reference &reference,
-             const double     seconds_before)
+    compared(const Cycle &cycle, const Reference &reference)
     {
-      const CycleResult    &result  = cycle.result;
-      const ContactHistory &history = *result.history;
-      ComparedMesh          mesh;
-      mesh.cycle                 = result.cycle;
-      mesh.cells                 = result.cells;
-      mesh.degrees_of_freedom    = result.degrees_of_freedom;
-      mesh.cells_at_minimum_size = result.cells_at_minimum_size;
-      mesh.eta                   = result.error->eta;
-      mesh.peak_force            = history.peak().force;
+      ComparedMesh mesh;
+      static_cast<CycleResult &>(mesh) = cycle.result;
+      mesh.snapshots.clear(); // which are large
+      const ContactHistory &history = *mesh.history;
       mesh.peak_force_error =
-        std::abs(mesh.peak_force / reference.peak_force - 1.);
-      mesh.is_comparable      = mesh.peak_force_error > reference.uncertainty;
-      mesh.seconds            = result.seconds.total();
-      mesh.cumulative_seconds = seconds_before + mesh.seconds;
-      if (result.peak_force_bar)
-        mesh.peak_force_bar = result.peak_force_bar->total();
+        std::abs(history.peak().force / reference.peak_force - 1.);
+      mesh.is_comparable = mesh.peak_force_error > reference.uncertainty;
       if (!reference.computed)
         return mesh;
       const ContactHistory &fine = *reference.computed->history;
-      const auto            end  = history.first_contact_end(),
-                 true_end        = fine.first_contact_end();
+      const auto end = history.end_of_impact(), true_end = fine.end_of_impact();
       if (end && true_end)
         mesh.contact_end_error = std::abs(*end / *true_end - 1.);
       const bool is_whole =
-        history.states().back().time == fine.states().back().time;
+        history.states.back().time == fine.states.back().time;
       if (reference.field_error && is_whole &&
-          !(mesh.eta < 3. * reference.computed->error->eta))
-        mesh.effectivity = mesh.eta /
-          reference.field_error->of(cycle.discretization(), result.snapshots);
+          !(mesh.error->eta < 3. * reference.computed->error->eta))
+        mesh.effectivity = mesh.error->eta /
+          reference.field_error->of(cycle.discretization(),
+                                    cycle.result.snapshots);
       return mesh;
+    }
+
+
+
+    void
+    add_meshes(StrategyComparison &comparison, ComparisonCurve &curve)
+    {
+      const Parameters parameters =
+        parameters_of(comparison.scene, curve.strategy, curve.element);
+      const Reference           &reference = comparison.reference;
+      std::vector<ComparedMesh> &meshes    = curve.meshes;
+      Timer                      timer; // of the next mesh
+      const auto                 is_spent = [&] {
+        return !meshes.empty() &&
+          meshes.back().cumulative_seconds() + timer.wall_time() >
+          parameters.comparison.time_budget;
+      };
+      HalvedTargets control(parameters.adaptivity);
+      if (curve.strategy.is_outside)
+        control.marking = comparison.marking;
+      control.end = [&](const CycleResult &result) -> std::optional<Outcome> {
+        if (is_spent())
+          return Outcome::time_budget;
+        // there is nothing to learn from a comparison
+        if (reference.computed &&
+            (parameters.adaptivity.goal == AdaptationGoal::peak_force ?
+               control.error(result) < 3. * reference.uncertainty :
+               result.error->eta < 3. * reference.computed->error->eta))
+          return Outcome::nearly_as_fine_as_the_reference;
+        if (result.cycle == parameters.comparison.maximum_cycles)
+          return Outcome::maximum_cycles;
+        return {};
+      };
+      ImpactAnalysis   analysis(parameters);
+      AnalysisListener teller;
+      teller.step = [&](auto cycle, auto step, auto n_steps) {
+        if (is_spent())
+          throw BudgetSpent();
+        comparison.listener.step(cycle, step, n_steps);
+      };
+      teller.cycle = [&](Cycle &cycle) {
+        // of the mesh that met the scene's target, or the last that is drawn
+        const bool was_met = !meshes.empty() &&
+          meshes.back().error->eta <= parameters.adaptivity.target_error;
+        if (!was_met && cycle.result.cells <= most_drawn_cells)
+          curve.picture =
+            mesh_on_page(cycle.mesh(),
+                         curve.name() + ": " +
+                           std::to_string(cycle.result.cells) + " cells",
+                         cycle.result.element_errors());
+        meshes.push_back(compared(cycle, reference));
+        curve.warnings = analysis.warnings;
+        comparison.listener.cycle(cycle);
+        timer.restart();
+      };
+      curve.end = word_for(analysis.run(control, teller));
     }
   } // namespace
 
@@ -172,7 +218,6 @@ namespace PlateImpact
         reference.peak_force = given;
         return reference;
       }
-    const Timer      timer;
     const Parameters parameters =
       parameters_of(scene,
                     {AdaptationStrategy::hanging_nodes,
@@ -188,13 +233,13 @@ namespace PlateImpact
       return {};
     };
     once.end = [](const auto &) { return Outcome::single_mesh; };
-    AnalysisListener listener;
-    listener.step = progress;
-    analysis.run(until_fine, listener);
+    AnalysisListener teller;
+    teller.step = listener.step;
+    analysis.run(until_fine, teller);
     const double coarse_peak =
       analysis.last_cycle().result.history->peak().force;
     analysis.refine_everywhere();
-    analysis.run(once, listener);
+    analysis.run(once, teller);
     CycleResult &fine = analysis.last_cycle().result;
 
     reference.peak_force = fine.history->peak().force;
@@ -208,11 +253,9 @@ namespace PlateImpact
       std::max(std::abs(coarse_peak / reference.peak_force - 1.),
                fine.work.ritz_vectors > 0 ? parameters.time.ritz_tolerance :
                                             0.);
-    reference.seconds = timer.wall_time();
     if (!parameters.contact.load_is_singular())
-      reference.field_error = std::make_shared<const ReferenceError>(
-        analysis.last_cycle().discretization(),
-        fine.snapshots);
+      reference.field_error.emplace(analysis.last_cycle().discretization(),
+                                    fine.snapshots);
     reference.computed = std::move(fine);
     return reference;
   }
@@ -220,17 +263,15 @@ namespace PlateImpact
 
 
   const ComparisonCurve &
-  StrategyComparison::compute_curve(
-    const ComparedStrategy                             &strategy,
-    const ElementType                                   element,
-    const std::function<void(const ComparisonCurve &)> &listener)
+  StrategyComparison::compute_curve(const ComparedStrategy &strategy,
+                                    const ElementType       element)
   {
     ComparisonCurve &curve = curves.emplace_back();
     curve.strategy         = strategy;
     curve.element          = element;
     try
       {
-        add_meshes(curve, listener);
+        add_meshes(*this, curve);
       }
     catch (const BudgetSpent &)
       {
@@ -245,64 +286,5 @@ namespace PlateImpact
         curve.end = "failed: not enough memory";
       }
     return curve;
-  }
-
-
-
-  void
-  StrategyComparison::add_meshes(
-    ComparisonCurve                                    &curve,
-    const std::function<void(const ComparisonCurve &)> &listener)
-  {
-    const Parameters parameters =
-      parameters_of(scene, curve.strategy, curve.element);
-    const Goal goal(parameters.adaptivity);
-    double     seconds = 0.; // of the meshes so far
-    Timer      timer;        // of the next one
-    const auto is_spent = [&] {
-      return !curve.meshes.empty() &&
-        seconds + timer.wall_time() > parameters.comparison.time_budget;
-    };
-    HalvedTargets control(parameters.adaptivity);
-    if (curve.strategy.is_outside)
-      control.marking = marking;
-    control.end = [&](const CycleResult &result) -> std::optional<Outcome> {
-      if (is_spent())
-        return Outcome::time_budget;
-      // there is nothing to learn from a comparison
-      if (reference.computed &&
-          (parameters.adaptivity.goal == AdaptationGoal::peak_force ?
-             goal.error(result) < 3. * reference.uncertainty :
-             result.error->eta < 3. * reference.computed->error->eta))
-        return Outcome::nearly_as_fine_as_the_reference;
-      if (result.cycle == parameters.comparison.maximum_cycles)
-        return Outcome::maximum_cycles;
-      return {};
-    };
-    AnalysisListener teller;
-    teller.step = [&](auto cycle, auto step, auto n_steps) {
-      if (is_spent())
-        throw BudgetSpent();
-      progress(cycle, step, n_steps);
-    };
-    ImpactAnalysis analysis(parameters);
-    teller.cycle = [&](const Cycle &cycle) {
-      const CycleResult &result = cycle.result;
-      // of the mesh that met the scene's target, or the last that is drawn
-      const bool was_met = !curve.meshes.empty() &&
-        curve.meshes.back().eta <= parameters.adaptivity.target_error;
-      if (!was_met && result.cells <= most_drawn_cells)
-        curve.picture = mesh_on_page(cycle.mesh(),
-                                     curve.name() + ": " +
-                                       std::to_string(result.cells) + " cells",
-                                     result.element_errors());
-      curve.meshes.push_back(compared(cycle, reference, seconds));
-      seconds        = curve.meshes.back().cumulative_seconds;
-      curve.history  = result.history;
-      curve.warnings = analysis.warnings;
-      listener(curve);
-      timer.restart();
-    };
-    curve.end = word_for(analysis.run(control, teller));
   }
 } // namespace PlateImpact

@@ -11,11 +11,6 @@ namespace PlateImpact
 {
   namespace
   {
-    /// C F' from which on the force is continued by its tangent.
-    constexpr double largest_share_of_series = -0.9;
-
-
-
     /// A law up to an indentation, and its tangent there beyond.
     class TangentBeyond : public ContactLaw
     {
@@ -67,46 +62,16 @@ namespace PlateImpact
     if (compliance >= 0.)
       return;
     const double limit = zero_of([&](const double alpha) {
-      // the steepest that the contact has up to there
+      // C F' = -0.9, of the steepest that the contact has up to there
       double slope = law->stiffness(alpha);
       if (unloading != nullptr)
         slope = std::max(slope,
                          unloading->power(alpha) * law->force(alpha) /
                            (alpha - unloading->dent(alpha)));
-      return slope * compliance / largest_share_of_series - 1.;
+      return slope * compliance / -0.9 - 1.;
     });
-    force_limit        = law->force(limit);
+    largest_force      = law->force(limit);
     law                = std::make_shared<TangentBeyond>(law, limit);
-  }
-
-
-
-  std::pair<const ContactLaw &, double>
-  Contact::followed(const double indentation) const
-  {
-    for (const UnloadingCurve *curve : {&unload, &reload})
-      if (indentation <= curve->end)
-        return {*curve, indentation - curve->dent};
-    return {*law, indentation};
-  }
-
-
-
-  double
-  Contact::mean(const double a, const double b, const Mean mean_of) const
-  {
-    const double low = std::min(a, b), high = std::max(a, b);
-    double       begin = low, sum = 0.;
-    for (const UnloadingCurve *curve : {&unload, &reload})
-      if (const double end = std::min(high, curve->end); begin < end)
-        {
-          sum += (curve->*mean_of)(begin - curve->dent, end - curve->dent) *
-            (end - begin);
-          begin = end;
-        }
-    if (begin < high)
-      sum += ((*law).*mean_of)(begin, high) * (high - begin);
-    return sum / (high - low);
   }
 
 
@@ -116,12 +81,27 @@ namespace PlateImpact
   {
     if (a == b)
       return force(a);
-    const double over_indentation = mean(a, b, &ContactLaw::mean_force);
+    const double low = std::min(a, b), high = std::max(a, b);
+    // by the means of what is followed between the two
+    const auto mean = [&](const auto mean_of) {
+      double begin = low, sum = 0.;
+      for (const UnloadingCurve *curve : {&unload, &reload})
+        if (const double end = std::min(high, curve->end); begin < end)
+          {
+            sum += (curve->*mean_of)(begin - curve->dent, end - curve->dent) *
+              (end - begin);
+            begin = end;
+          }
+      if (begin < high)
+        sum += ((*law).*mean_of)(begin, high) * (high - begin);
+      return sum / (high - low);
+    };
+    const double over_indentation = mean(&ContactLaw::mean_force);
     if (compliance == 0.)
       return over_indentation;
     // change of the energies over that of the approach, both divided by the
     // change of the indentation, so that nothing cancels
-    const double slope = mean(a, b, &ContactLaw::mean_stiffness);
+    const double slope = mean(&ContactLaw::mean_stiffness);
     return (over_indentation +
             0.5 * compliance * (force(a) + force(b)) * slope) /
       (1. + compliance * slope);
@@ -158,35 +138,6 @@ namespace PlateImpact
 
 
 
-  double
-  Contact::stored_energy(const double indentation) const
-  {
-    const double F         = force(indentation);
-    const double in_series = 0.5 * compliance * F * F;
-    if (unloading == nullptr)
-      return law->potential(indentation) + in_series;
-    const double largest = std::max(indentation, reload.end);
-    return F == 0. ? 0. :
-                     F * (indentation - unloading->dent(largest)) /
-          (unloading->power(largest) + 1.) +
-        in_series;
-  }
-
-
-
-  double
-  Contact::dissipated_energy(const double indentation) const
-  {
-    if (unloading == nullptr)
-      return 0.;
-    const double work =
-      mean_force(last, indentation) * (approach(indentation) - approach(last));
-    return dissipated + work -
-      (stored_energy(indentation) - stored_energy(last));
-  }
-
-
-
   void
   Contact::follow(const double indentation)
   {
@@ -210,27 +161,6 @@ namespace PlateImpact
       unload.end = dent();
     else if (indentation > unload.end)
       unload = {dent(), indentation, F, unload.power};
-  }
-
-
-
-  double
-  ContactIntegration::stiffness(const Contact &contact,
-                                const double   begin,
-                                const double   end,
-                                const double   force) const
-  {
-    if (!acts_at_begin)
-      return contact.stiffness(end);
-    // The quotient is exact but cancels for close indentations; there half the
-    // stiffness in the middle is its limit.
-    const double distance = end - begin;
-    if (std::abs(distance) < 1e-4 * (std::abs(begin) + std::abs(end)))
-      return 0.5 * contact.stiffness(0.5 * (begin + end));
-    return std::max(0.,
-                    (contact.force(end) - force) *
-                      contact.approach_derivative(end) /
-                      (contact.approach(end) - contact.approach(begin)));
   }
 
 

@@ -1,7 +1,6 @@
 #include "plate_impact/contact/contact_bodies.h"
 
 #include "plate_impact/base/parameters.h"
-#include "plate_impact/contact/yielding_law.h"
 #include "plate_impact/plate/plate_section.h"
 
 #include <algorithm>
@@ -13,8 +12,7 @@ namespace PlateImpact
   ContactBodies::ContactBodies(const Parameters   &parameters,
                                const PlateSection &section)
     : radius_of_impactor(parameters.impactor.radius)
-    , length(parameters.impactor.is_cylinder() ? parameters.impactor.length :
-                                                 0.)
+    , length(2. * parameters.impactor.contact_half_length())
   {
     const ImpactorParameters &impactor = parameters.impactor;
     impactor_compliance =
@@ -22,6 +20,13 @@ namespace PlateImpact
       impactor.youngs_modulus;
     modulus = 1. / (impactor_compliance + section.half_space_compliance);
 
+    // C of a material, and what the strength is multiplied by under the contact
+    const auto yield_pressure_ratio = [](const double nu) {
+      return 1.295 * std::exp(0.736 * nu);
+    };
+    const auto yield_ratio = [&](const double nu) {
+      return length > 0. ? 1.67 : yield_pressure_ratio(nu);
+    };
     double least_pressure       = std::numeric_limits<double>::infinity(),
            least_poissons_ratio = 0.5;
     const auto consider         = [&](const auto &body) {
@@ -32,40 +37,17 @@ namespace PlateImpact
       if (Y == 0. || first_pressure >= least_pressure)
         return;
       least_pressure = first_pressure;
-      weaker         = {Y, nu, modulus * (1. - nu * nu) / body.youngs_modulus};
+      weaker         = {Y,
+                        Y * yield_ratio(nu),
+                        modulus * (1. - nu * nu) / body.youngs_modulus};
     };
     if (!parameters.plate.is_laminate())
       consider(parameters.plate);
     consider(impactor);
-    if (weaker && length == 0.)
-      yield_indentation =
-        PlateImpact::yield_indentation(radius_of_impactor,
-                                       modulus,
-                                       weaker->yield_strength,
-                                       weaker->poissons_ratio);
-    const auto yield_ratio = [&](const double nu) {
-      return length > 0. ? 1.67 : yield_pressure_ratio(nu);
-    };
     pressure_over_strength = yield_ratio(least_poissons_ratio);
-    if (weaker)
-      first_yield_pressure =
-        weaker->yield_strength * yield_ratio(weaker->poissons_ratio);
-  }
-
-
-
-  double
-  ContactBodies::radius(const double force, const double indentation) const
-  {
-    if (length > 0.)
-      return std::sqrt(4. * force * radius_of_impactor /
-                       (pi * modulus * length));
-    double squared = radius_of_impactor * std::max(0., indentation);
-    if (yield_indentation && indentation > 1.9 * *yield_indentation)
-      squared *=
-        std::pow(indentation / (1.9 * *yield_indentation),
-                 0.14 * std::exp(23. * weaker->yield_strength / modulus));
-    return std::sqrt(squared);
+    if (weaker && length == 0.)
+      yield_indentation = radius_of_impactor *
+        std::pow(pi * weaker->first_yield_pressure / (2. * modulus), 2);
   }
 
 

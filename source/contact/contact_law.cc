@@ -56,16 +56,6 @@ namespace PlateImpact
 
 
   double
-  ContactLaw::indentation(const double force) const
-  {
-    return force <= 0. ? 0. : zero_of([&](const double alpha) {
-      return this->force(alpha) / force - 1.;
-    });
-  }
-
-
-
-  double
   ContactLaw::mean_force(const double a, const double b) const
   {
     return mean<&ContactLaw::force, &ContactLaw::potential>(*this, a, b);

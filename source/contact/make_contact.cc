@@ -4,8 +4,6 @@
 #include "plate_impact/contact/contact_bodies.h"
 #include "plate_impact/contact/hertz_law.h"
 #include "plate_impact/contact/line_law.h"
-#include "plate_impact/contact/unloading.h"
-#include "plate_impact/contact/yielding_law.h"
 #include "plate_impact/plate/layer_response.h"
 #include "plate_impact/plate/plate_section.h"
 
@@ -15,40 +13,17 @@ namespace PlateImpact
 {
   namespace
   {
-    /// Of the ball that the scene takes for one, at the contact radius of the
-    /// expected peak: it depends on that by a logarithm. [m/N]
-    double
-    compliance_of_ball(const Parameters    &parameters,
-                       const ContactBodies &bodies)
-    {
-      const ImpactorParameters &impactor = parameters.impactor;
-      if (!parameters.contact.finite_ball)
-        return 0.;
-      double radius = impactor.contact_radius;
-      if (radius == 0.)
-        {
-          const ContactState peak = make_zener_impact(parameters).peak;
-          radius                  = bodies.radius(peak.force, peak.indentation);
-        }
-      return ball_compliance(impactor.radius,
-                             0.5 * impactor.youngs_modulus /
-                               (1. + impactor.poissons_ratio),
-                             impactor.poissons_ratio,
-                             radius);
-    }
-
-
-
     /// @param layer_constant  empty on a half-space
     Contact
     make_sphere_contact(const Parameters            &parameters,
                         const std::optional<double> &layer_constant)
     {
-      const PlateSection  section(parameters.plate);
-      const ContactBodies bodies(parameters, section);
+      const ImpactorParameters &impactor = parameters.impactor;
+      const PlateSection        section(parameters.plate);
+      const ContactBodies       bodies(parameters, section);
       // of the compliance that the scene's law has for the plate
       const double k =
-        hertz_coefficient(parameters.impactor.radius,
+        hertz_coefficient(impactor.radius,
                           bodies.impactor_compliance,
                           parameters.contact.law == ForceLaw::Sun ?
                             1. / section.contact_modulus :
@@ -56,8 +31,22 @@ namespace PlateImpact
       double compliance = 0.; // in series
       if (layer_constant)
         compliance = *layer_constant /
-            (section.shear_modulus * parameters.plate.thickness) +
-          compliance_of_ball(parameters, bodies);
+          (section.shear_modulus * parameters.plate.thickness);
+      if (layer_constant && parameters.contact.finite_ball)
+        {
+          // that of the expected peak: it enters by its logarithm
+          double radius = impactor.contact_radius;
+          if (radius == 0.)
+            {
+              const ContactState peak = make_zener_impact(parameters).peak;
+              radius = bodies.radius(peak.force, peak.indentation);
+            }
+          compliance += ball_compliance(impactor.radius,
+                                        0.5 * impactor.youngs_modulus /
+                                          (1. + impactor.poissons_ratio),
+                                        impactor.poissons_ratio,
+                                        radius);
+        }
       std::shared_ptr<const ContactLaw> law = std::make_shared<HertzLaw>(k);
       std::shared_ptr<const Unloading>  unloading;
       if (parameters.contact.unloading == UnloadingLaw::Yang_Sun)
@@ -129,17 +118,6 @@ namespace PlateImpact
 
   template <>
   const std::vector<Word<ForceLaw>> Choices<ForceLaw>::words = words_of(laws);
-
-  template <>
-  const std::vector<Word<LocalResponse>> Choices<LocalResponse>::words = {
-    {LocalResponse::layer, "layer"},
-    {LocalResponse::half_space, "half-space"}};
-
-  template <>
-  const std::vector<Word<ImpactorShape>> Choices<ImpactorShape>::words = {
-    {ImpactorShape::sphere, "sphere"},
-    {ImpactorShape::cylinder, "cylinder"},
-    {ImpactorShape::none, "none"}};
 
 
 

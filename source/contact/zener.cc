@@ -1,7 +1,7 @@
 #include "plate_impact/contact/zener.h"
 
 #include "plate_impact/base/exceptions.h"
-#include "plate_impact/base/parameters.h"
+#include "plate_impact/contact/hertz_law.h"
 
 #include <algorithm>
 #include <cmath>
@@ -90,10 +90,10 @@ namespace PlateImpact
   ZenerImpact::peak_in_steps(const double dt) const
   {
     ZenerSteps steps{contact, impactor, impedance(section)};
-    double     before = 0., alpha = 0.;
+    double     before = 0.;
     for (unsigned int n = 1; n < 100000000; ++n)
       {
-        const double next = steps.advance(dt);
+        const double alpha = steps.alpha, next = steps.advance(dt);
         if (next <= alpha)
           {
             // the vertex of the parabola through the last three
@@ -106,19 +106,8 @@ namespace PlateImpact
                     at_peak};
           }
         before = alpha;
-        alpha  = next;
       }
     throw ComputationError("Zener's equation has no peak of the contact force");
-  }
-
-
-
-  ContactState
-  ZenerImpact::peak_on_rigid_plate() const
-  {
-    PlateSection immovable = section;
-    immovable.mass_per_area *= 1e12;
-    return ZenerImpact(contact, impactor, immovable).peak;
   }
 
 
@@ -131,7 +120,7 @@ namespace PlateImpact
     ContactHistory history;
     ContactState   state;
     state.impactor_velocity = impactor.velocity;
-    history.add(state);
+    history.states.push_back(state);
     // without an end, a plate that gives way takes all of the energy
     const double least_energy =
       std::isinf(end_time) ? 1e-6 * impactor.kinetic_energy() : 0.;
@@ -149,7 +138,7 @@ namespace PlateImpact
         state.plate_displacement =
           state.impactor_displacement - state.indentation;
         state.time += dt;
-        history.add(state);
+        history.states.push_back(state);
         // what follows the first touch may be slow
         dt = std::clamp(0.002 * state.indentation * dt /
                           std::abs(state.indentation - before),
@@ -161,32 +150,21 @@ namespace PlateImpact
 
 
 
-  double
-  ZenerImpact::restitution() const
-  {
-    const ContactState last =
-      history(std::numeric_limits<double>::infinity()).states().back();
-    return last.overlap() < 0. ? -last.impactor_velocity / impactor.velocity :
-                                 0.;
-  }
-
-
-
   std::optional<double>
   ZenerImpact::loss_factor() const
   {
-    const std::optional<double> k = contact.first_loading().hertz_coefficient();
-    if (!k)
+    const auto *law = dynamic_cast<const HertzLaw *>(&contact.first_loading());
+    if (law == nullptr)
       return {};
     const double m = impactor.mass;
-    const double T = std::pow(m / (*k * std::sqrt(impactor.velocity)), 0.4);
+    const double T = std::pow(m / (law->k * std::sqrt(impactor.velocity)), 0.4);
     return m / (impedance(section) * T);
   }
 
 
 
   double
-  ZenerImpact::chosen_time_step(const TimeParameters &time) const
+  ZenerImpact::chosen_time_step(const double tolerance) const
   {
     const double pi = std::acos(-1.);
     // by powers of two from a time of the plate alone, the inverse frequency of
@@ -195,8 +173,6 @@ namespace PlateImpact
       std::sqrt(section.rotary_inertia / section.mean_shear_stiffness());
     double step =
       base * std::exp2(std::floor(std::log2(contact_time() / 8. / base)));
-    // the reference is good to about 1e-5
-    const double tolerance = std::max(time.step_tolerance, 1e-5);
     while (true)
       {
         step *= 0.5;
@@ -204,20 +180,9 @@ namespace PlateImpact
         const double missed = 1. - std::cos(0.5 * pi * step / contact_time());
         const double changed =
           std::abs(peak_in_steps(step).force / peak.force - 1.);
-        if (std::max(missed, changed) <= tolerance)
-          return time.end_time > 0. ? std::min(step, time.end_time) : step;
+        // the reference is good to about 1e-5
+        if (std::max(missed, changed) <= std::max(tolerance, 1e-5))
+          return step;
       }
-  }
-
-
-
-  BendingWave
-  ZenerImpact::wave_of(const double contact_time) const
-  {
-    const double pi        = std::acos(-1.);
-    const double frequency = pi / contact_time;
-    const double speed     = std::sqrt(frequency) *
-      std::pow(section.mean_bending_stiffness() / section.mass_per_area, 0.25);
-    return {2. * contact_time * speed, 2. * speed};
   }
 } // namespace PlateImpact

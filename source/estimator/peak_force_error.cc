@@ -1,70 +1,47 @@
 #include "plate_impact/estimator/peak_force_error.h"
 
+#include "plate_impact/base/exceptions.h"
 #include "plate_impact/estimator/energy_norm_estimator.h"
+#include "plate_impact/transient/softened_system.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace PlateImpact
 {
-  using namespace dealii;
-
   namespace
   {
-    /// What combinations of the motions leave out, relative to the largest.
-    constexpr double tolerance_of_span = 1e-4;
-
-    /// Of the force: beyond, a first order estimate on a first mesh says
-    /// nothing.
-    constexpr double largest_on_first_mesh = 0.05;
-
-    /// Of waves, from which on what cells contribute has random signs: chosen
-    /// on random heavy impactors (doc/theory.md).
-    constexpr double many_returns = 3.;
-
-
-
-    /// Of values of cells by active index, over rings as wide as the cell that
-    /// each begins with.
-    std::vector<double>
-    sums_over_rings(const Triangulation<2>    &mesh,
-                    const std::vector<double> &values)
+    /// How far the force moves on a plate that is softer by what recovery finds
+    /// missing, relative to its peak.
+    double
+    change_on_softer_plate(const LoadedPlate        &loaded,
+                           SemidiscreteSystem       &system,
+                           const DualWeightedErrors &errors,
+                           const ContactHistory     &history)
     {
-      std::vector<Triangulation<2>::active_cell_iterator> cells;
-      for (const auto &cell : mesh.active_cell_iterators())
-        cells.push_back(cell);
-      const auto distance = [](const auto &cell) {
-        return cell->center().norm();
-      };
-      std::sort(cells.begin(), cells.end(), [&](const auto &a, const auto &b) {
-        return distance(a) < distance(b);
-      });
-      std::vector<double> sums;
-      double              end = 0.;
-      for (const auto &cell : cells)
-        {
-          if (sums.empty() || distance(cell) > end)
-            {
-              sums.push_back(0.);
-              end = distance(cell) + std::sqrt(cell->measure());
-            }
-          sums.back() += values[cell->active_cell_index()];
-        }
-      return sums;
+      SoftenedSystem softer(system, errors.motions, errors.missed_energies);
+      const ContactHistory of_softer = loaded.on_other_plate(softer, history);
+      // vectors that serve the estimate alone have errors of their own
+      const ContactHistory here = &system == &loaded.system ?
+        history :
+        loaded.on_other_plate(system, history);
+      const ContactState  &peak = here.peak();
+      return std::max(std::abs(of_softer.peak().force - peak.force),
+                      0.3 * of_softer.difference_around(peak.time, here)) /
+        peak.force;
     }
   } // namespace
 
 
 
-  PeakForceError
-  estimated_peak_force_error(const PlateDiscretization &discretization,
-                             const StressRecovery      &recovery,
-                             const SemidiscreteSystem  &system,
-                             const DualMotions         &motions,
-                             const double               peak)
+  DualWeightedErrors
+  dual_weighted_errors(const PlateDiscretization &discretization,
+                       const StressRecovery      &recovery,
+                       const SemidiscreteSystem  &system,
+                       const DualMotions         &motions)
   {
-    // motions as combinations of few fields; of equal size, so that one
-    // tolerance serves both
+    // motions as combinations of few fields, which leave out 1e-4 of the
+    // largest; of equal size, so that one tolerance serves both
     const Eigen::Index n            = motions.motion.cols();
     const double       motion_scale = motions.motion.norm(),
                  dual_scale         = motions.dual.norm();
@@ -72,29 +49,56 @@ namespace PlateImpact
     states << motions.motion / motion_scale, motions.dual / dual_scale;
     const SemidiscreteSystem::Span span = system.span(states);
     const Eigen::MatrixXd          combinations =
-      leading_combinations(span.coordinates, tolerance_of_span);
+      leading_combinations(span.coordinates, 1e-4);
     const Eigen::MatrixXd coordinates =
       combinations.transpose() * span.coordinates;
     // of the coordinates, summed over the times
     const Eigen::MatrixXd product = motions.weight * motion_scale * dual_scale *
       coordinates.leftCols(n) * coordinates.rightCols(n).transpose();
     const Eigen::MatrixXd products = 0.5 * (product + product.transpose());
-    const Eigen::MatrixXd fields   = span.vectors * combinations;
-    EnergyRoots           roots(discretization, recovery, fields);
-    // integrals are over one of the parts of the plate
-    const double   factor = discretization.n_parts / peak;
-    PeakForceError result;
+    DualWeightedErrors    result;
+    result.motions = system.states(span, combinations);
     result.cells.resize(discretization.mesh().n_active_cells());
-    for (const auto &cell : discretization.mesh().active_cell_iterators())
+    result.missed_energies.setZero(combinations.cols(), combinations.cols());
+    // integrals are over one of the parts of the plate
+    const double n_parts = discretization.n_parts;
+    visit_energies(discretization,
+                   recovery,
+                   span.vectors * combinations,
+                   [&](const auto &cell, const auto &, const auto &e, auto &) {
+                     result.cells[cell->active_cell_index()] =
+                       n_parts * (e * products).cwiseProduct(e).sum();
+                     result.missed_energies.selfadjointView<Eigen::Lower>()
+                       .rankUpdate(e.transpose(), n_parts);
+                   });
+    return result;
+  }
+
+
+
+  std::optional<PeakForceError>
+  estimated_peak_force_error(const PlateDiscretization &discretization,
+                             const StressRecovery      &recovery,
+                             const LoadedPlate         &loaded,
+                             const ContactHistory      &history)
+  {
+    const auto problem = loaded.peak_force_problem(history);
+    if (!problem)
+      return {};
+    const DualWeightedErrors errors = dual_weighted_errors(discretization,
+                                                           recovery,
+                                                           *problem->system,
+                                                           problem->motions);
+    PeakForceError           result{errors.cells / history.peak().force, {}};
+    // the sum of absolute values, which is larger, stays where that fails
+    try
       {
-        roots.evaluate(cell);
-        const auto e =
-          by_resultant(roots.errors, discretization.section().n_resultants());
-        result.cells[cell->active_cell_index()] =
-          factor * (e * products).cwiseProduct(e).sum();
-        roots.recovered.finish(cell);
+        if (problem->peak_is_late)
+          result.of_softer_plate =
+            change_on_softer_plate(loaded, *problem->system, errors, history);
       }
-    result.rings = sums_over_rings(discretization.mesh(), result.cells);
+    catch (const ComputationError &)
+      {}
     return result;
   }
 
@@ -104,27 +108,12 @@ namespace PlateImpact
   peak_force_error_by_mesh(const PeakForceError            &estimate,
                            const double                     peak,
                            const std::optional<PeakOnMesh> &before,
-                           const bool                       resolves_load,
-                           const double                     returns,
-                           const std::optional<double>     &change)
+                           const bool                       resolves_load)
   {
-    if (!before &&
-        (!resolves_load ||
-         estimate.bar() > safety_of_bar * largest_on_first_mesh))
+    const double bar = estimate.bar();
+    // much on a first mesh says nothing
+    if (!before && (!resolves_load || bar > safety_of_bar * 0.05))
       return {};
-    double bar = estimate.bar();
-    if (returns > many_returns)
-      {
-        // A third of the change where every cell is halved: errors fall at
-        // least with the square of the size. About as many cells change little,
-        // whatever their error.
-        const std::size_t n_cells = estimate.cells.size();
-        bar                       = estimate.bar_of_random_signs();
-        if (change && n_cells >= 1.5 * before->n_cells)
-          bar =
-            std::min(bar,
-                     n_cells < 4 * before->n_cells ? *change : *change / 3.);
-      }
     if (resolves_load)
       return bar;
     const double of_peak   = std::abs(peak - before->force) / peak;

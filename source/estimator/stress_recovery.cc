@@ -1,9 +1,9 @@
 #include "plate_impact/estimator/stress_recovery.h"
 
+#include <deal.II/base/geometry_info.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/grid/grid_tools.h>
 
-#include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
 
 #include <Eigen/QR>
@@ -29,53 +29,77 @@ namespace PlateImpact
 
 
     /// Whether a resultant (M_x, M_y, M_xy, Q_x, Q_y, N_x, N_y, N_xy) changes
-    /// its sign in a mirror image: M_xy and N_xy are odd across both planes,
-    /// Q_x across x = 0, Q_y across y = 0, the others even.
-    bool
-    changes_sign(const unsigned int           resultant,
-                 const StressRecovery::Image &image)
-    {
-      const bool is_twist = resultant == 2 || resultant == 7,
-                 odd_in_x = is_twist || resultant == 3,
-                 odd_in_y = is_twist || resultant == 4;
-      return (image.mirrored_x && odd_in_x) != (image.mirrored_y && odd_in_y);
-    }
+    /// its sign in a mirror image across x = 0, and across y = 0.
+    constexpr bool is_odd[][2] = {{false, false},
+                                  {false, false},
+                                  {true, true},
+                                  {true, false},
+                                  {false, true},
+                                  {false, false},
+                                  {false, false},
+                                  {true, true}};
   } // namespace
 
 
 
-  class StressRecovery::PatchFinder
+  /// Marks the vertices of a mesh and makes the patches around them.
+  struct StressRecovery::PatchMaker
   {
-  public:
-    PatchFinder(const Triangulation<2> &mesh,
-                const IsRough          &is_rough,
-                StressRecovery         &result)
+    PatchMaker(const Triangulation<2> &mesh, const IsRough &is_rough)
       : mesh(mesh)
-      , patches(result.patches)
-      , patches_at(result.patches_at)
-      , sample_points(mesh.n_active_cells() * samples_per_cell)
-      , cells_at_vertex(mesh.n_vertices())
-      , vertices_of_cell(mesh.n_active_cells())
+      , cells_at_vertex(GridTools::vertex_to_cell_map(mesh))
       , is_on_symmetry_x(mesh.n_vertices())
       , is_on_symmetry_y(mesh.n_vertices())
-      , uses_neighbours(mesh.n_vertices())
     {
+      for (const Point<2> &vertex : mesh.get_vertices())
+        uses_neighbours.push_back(is_rough(vertex));
       const QGauss<2> points(2);
       for (const auto &cell : mesh.active_cell_iterators())
         {
-          const unsigned int c = cell->active_cell_index();
-          for (unsigned int g = 0; g < samples_per_cell; ++g)
-            sample_points[samples_per_cell * c + g] =
-              mapping_of(cell).transform_unit_to_real_cell(cell,
-                                                           points.point(g));
-          for (unsigned int v = 0; v < 4; ++v)
-            vertices_of_cell[c][v] = cell->vertex_index(v);
+          for (const Point<2> &point : points.get_points())
+            sample_points.push_back(
+              mapping_of(cell).transform_unit_to_real_cell(cell, point));
+          auto &vertices = vertices_of_cell.emplace_back();
+          for (const unsigned int v : cell->vertex_indices())
+            vertices[v] = cell->vertex_index(v);
+          for (const auto &face : cell->face_iterators())
+            if (face->has_children())
+              // the vertex that hangs on it
+              uses_neighbours[face->child(0)->vertex_index(1)] = true;
+            else if (face->at_boundary())
+              {
+                const types::boundary_id id = face->boundary_id();
+                std::vector<bool> &marks = id == symmetry_x ? is_on_symmetry_x :
+                  id == symmetry_y                          ? is_on_symmetry_y :
+                                                              uses_neighbours;
+                for (const unsigned int v : face->vertex_indices())
+                  marks[face->vertex_index(v)] = true;
+              }
         }
-      mark_vertices(is_rough);
-      assign_patches();
     }
 
-  private:
+    /// Of a vertex, from the cells at it and, until their samples determine all
+    /// terms, from those around them.
+    Patch
+    make_patch(const unsigned int vertex)
+    {
+      Patch patch;
+      patch.centre = mesh.get_vertices()[vertex];
+      std::set<Image> images;
+      add_images(vertex, {0, false, false}, images);
+      while (true)
+        {
+          patch.images.assign(images.begin(), images.end());
+          if (make_fit(patch))
+            return patch;
+          for (const Image &image : patch.images)
+            for (const unsigned int around : vertices_of_cell[image.cell])
+              add_images(around, image, images);
+          if (images.size() == patch.images.size())
+            return patch;
+        }
+    }
+
     Point<2>
     sample_point(const Image &image, const unsigned int point) const
     {
@@ -86,74 +110,46 @@ namespace PlateImpact
               image.mirrored_y ? -position[1] : position[1]};
     }
 
-    void
-    mark_vertices(const IsRough &is_rough)
-    {
-      // includes the coarse cell at a hanging vertex
-      const auto cells = GridTools::vertex_to_cell_map(mesh);
-      for (unsigned int vertex = 0; vertex < mesh.n_vertices(); ++vertex)
-        {
-          uses_neighbours[vertex] =
-            is_rough && is_rough(mesh.get_vertices()[vertex]);
-          for (const auto &cell : cells[vertex])
-            {
-              const unsigned int c = cell->active_cell_index();
-              cells_at_vertex[vertex].push_back(c);
-              // a hanging vertex is none of the coarse cell's own
-              const auto &own = vertices_of_cell[c];
-              if (std::find(own.begin(), own.end(), vertex) == own.end())
-                uses_neighbours[vertex] = true;
-            }
-        }
-      for (const auto &cell : mesh.active_cell_iterators())
-        for (const unsigned int f : cell->face_indices())
-          if (const auto face = cell->face(f); face->at_boundary())
-            {
-              const types::boundary_id id = face->boundary_id();
-              std::vector<bool> &marks = id == symmetry_x ? is_on_symmetry_x :
-                id == symmetry_y                          ? is_on_symmetry_y :
-                                                            uses_neighbours;
-              for (const unsigned int v : face->vertex_indices())
-                marks[face->vertex_index(v)] = true;
-            }
-    }
-
     /// Those of the cells at a vertex, as an image of it sees them.
     void
     add_images(const unsigned int vertex,
                const Image       &seen_from,
                std::set<Image>   &images) const
     {
-      for (const unsigned int cell : cells_at_vertex[vertex])
+      for (const auto &cell : cells_at_vertex[vertex])
         for (const bool across_x : {false, true})
           for (const bool across_y : {false, true})
             if ((!across_x || is_on_symmetry_x[vertex]) &&
                 (!across_y || is_on_symmetry_y[vertex]))
-              images.insert({cell,
+              images.insert({cell->active_cell_index(),
                              seen_from.mirrored_x != across_x,
                              seen_from.mirrored_y != across_y});
     }
 
+    /// Sets the size of a patch as well.
     /// @return whether the samples determine all terms
     bool
     make_fit(Patch &patch)
     {
-      Eigen::MatrixXd   P(patch.images.size() * samples_per_cell, n_terms);
+      std::vector<Point<2>> points;
+      for (const Image &image : patch.images)
+        for (unsigned int g = 0; g < samples_per_cell; ++g)
+          points.push_back(sample_point(image, g));
+      patch.size = 0.;
+      for (const Point<2> &point : points)
+        patch.size = std::max(patch.size, patch.centre.distance(point));
       std::vector<long> positions;
-      for (unsigned int row = 0; row < P.rows(); ++row)
-        {
-          const Point<2> point =
-            sample_point(patch.images[row / samples_per_cell],
-                         row % samples_per_cell);
-          const auto position = (point - patch.centre) / patch.size;
-          P.row(row)          = patch.polynomial(point);
-          for (unsigned int d = 0; d < 2; ++d)
-            positions.push_back(std::lround(position[d] / 1e-9));
-        }
+      for (const Point<2> &point : points)
+        for (unsigned int d = 0; d < 2; ++d)
+          positions.push_back(
+            std::lround((point - patch.centre)[d] / patch.size / 1e-9));
       const auto [known, is_new] = fits.try_emplace(positions);
       auto &[fit, is_determined] = known->second;
       if (is_new)
         {
+          Eigen::MatrixXd P(points.size(), n_terms);
+          for (std::size_t row = 0; row < points.size(); ++row)
+            P.row(row) = patch.polynomial(points[row]);
           // By an orthogonal decomposition, not eq. 14, which is close to
           // singular. Its rank decides: 2x2 points in two cells side by side
           // are eight and determine six terms.
@@ -168,91 +164,13 @@ namespace PlateImpact
       return is_determined;
     }
 
-    Patch
-    make_patch(const unsigned int vertex)
-    {
-      Patch patch;
-      patch.centre = mesh.get_vertices()[vertex];
-      std::set<Image> images;
-      add_images(vertex, {0, false, false}, images);
-      while (true)
-        {
-          patch.images.assign(images.begin(), images.end());
-          patch.size = 0.;
-          for (const Image &image : patch.images)
-            for (unsigned int g = 0; g < samples_per_cell; ++g)
-              patch.size =
-                std::max(patch.size,
-                         patch.centre.distance(sample_point(image, g)));
-          const bool is_determined = make_fit(patch);
-          for (const Image &image : patch.images)
-            for (const unsigned int around : vertices_of_cell[image.cell])
-              add_images(around, image, images);
-          if (is_determined || images.size() == patch.images.size())
-            return patch;
-        }
-    }
+    const Triangulation<2> &mesh;
 
-    /// Without those that are smaller than others and not fitted to the cell.
-    std::vector<unsigned int>
-    patches_for(const unsigned int               cell,
-                const std::vector<unsigned int> &candidates) const
-    {
-      double largest = 0.;
-      for (const unsigned int patch : candidates)
-        largest = std::max(largest, patches[patch].size);
-      std::vector<unsigned int> result;
-      for (const unsigned int patch : candidates)
-        {
-          const auto &images = patches[patch].images;
-          const bool  has_cell =
-            std::any_of(images.begin(), images.end(), [=](const Image &image) {
-              return image.cell == cell;
-            });
-          if (has_cell || patches[patch].size > smallest_share * largest)
-            result.push_back(patch);
-        }
-      return result;
-    }
-
-    void
-    assign_patches()
-    {
-      std::vector<std::vector<unsigned int>> at_vertex(mesh.n_vertices());
-      const auto add_patch = [&](const unsigned int vertex) {
-        at_vertex[vertex] = {static_cast<unsigned int>(patches.size())};
-        patches.push_back(make_patch(vertex));
-      };
-      for (unsigned int vertex = 0; vertex < mesh.n_vertices(); ++vertex)
-        if (!cells_at_vertex[vertex].empty() && !uses_neighbours[vertex])
-          add_patch(vertex);
-
-      for (unsigned int vertex = 0; vertex < mesh.n_vertices(); ++vertex)
-        if (!cells_at_vertex[vertex].empty() && uses_neighbours[vertex])
-          {
-            std::set<unsigned int> neighbours;
-            for (const unsigned int cell : cells_at_vertex[vertex])
-              for (const unsigned int neighbour : vertices_of_cell[cell])
-                if (!uses_neighbours[neighbour])
-                  neighbours.insert(at_vertex[neighbour].front());
-            if (neighbours.empty())
-              add_patch(vertex);
-            else
-              at_vertex[vertex].assign(neighbours.begin(), neighbours.end());
-          }
-
-      for (unsigned int cell = 0; cell < vertices_of_cell.size(); ++cell)
-        for (unsigned int v = 0; v < 4; ++v)
-          patches_at[cell][v] =
-            patches_for(cell, at_vertex[vertices_of_cell[cell][v]]);
-    }
-
-    const Triangulation<2>               &mesh;
-    decltype(StressRecovery::patches)    &patches;
-    decltype(StressRecovery::patches_at) &patches_at;
+    /// With the coarse cell at a hanging vertex.
+    const std::vector<std::set<Triangulation<2>::active_cell_iterator>>
+      cells_at_vertex;
 
     std::vector<Point<2>>                    sample_points;
-    std::vector<std::vector<unsigned int>>   cells_at_vertex;
     std::vector<std::array<unsigned int, 4>> vertices_of_cell;
     std::vector<bool> is_on_symmetry_x, is_on_symmetry_y, uses_neighbours;
 
@@ -269,7 +187,50 @@ namespace PlateImpact
                                  const IsRough          &is_rough)
     : patches_at(mesh.n_active_cells())
   {
-    PatchFinder(mesh, is_rough, *this);
+    PatchMaker maker(mesh, is_rough);
+
+    std::vector<std::vector<unsigned int>> at_vertex(mesh.n_vertices());
+    const auto add_patch = [&](const unsigned int vertex) {
+      at_vertex[vertex] = {static_cast<unsigned int>(patches.size())};
+      patches.push_back(maker.make_patch(vertex));
+    };
+    for (unsigned int vertex = 0; vertex < mesh.n_vertices(); ++vertex)
+      if (mesh.vertex_used(vertex) && !maker.uses_neighbours[vertex])
+        add_patch(vertex);
+
+    for (unsigned int vertex = 0; vertex < mesh.n_vertices(); ++vertex)
+      if (mesh.vertex_used(vertex) && maker.uses_neighbours[vertex])
+        {
+          std::set<unsigned int> neighbours;
+          for (const auto &cell : maker.cells_at_vertex[vertex])
+            for (const unsigned int v : cell->vertex_indices())
+              if (!maker.uses_neighbours[cell->vertex_index(v)])
+                neighbours.insert(at_vertex[cell->vertex_index(v)].front());
+          at_vertex[vertex].assign(neighbours.begin(), neighbours.end());
+          if (neighbours.empty())
+            add_patch(vertex);
+        }
+
+    for (const auto &cell : mesh.active_cell_iterators())
+      for (const unsigned int v : cell->vertex_indices())
+        {
+          const unsigned int c          = cell->active_cell_index();
+          const auto        &candidates = at_vertex[cell->vertex_index(v)];
+          double             largest    = 0.;
+          for (const unsigned int patch : candidates)
+            largest = std::max(largest, patches[patch].size);
+          for (const unsigned int patch : candidates)
+            {
+              const auto &[centre, size, images, fit] = patches[patch];
+              if (size > smallest_share * largest ||
+                  std::any_of(images.begin(),
+                              images.end(),
+                              [c](const Image &image) {
+                                return image.cell == c;
+                              }))
+                patches_at[c][v].push_back(patch);
+            }
+        }
   }
 
 
@@ -288,9 +249,106 @@ namespace PlateImpact
           patch_samples.middleRows<samples_per_cell>(samples_per_cell * i);
         rows = samples[images[i].cell];
         for (unsigned int k = 0; k < n_resultants; ++k)
-          if (changes_sign(k, images[i]))
+          if ((images[i].mirrored_x && is_odd[k][0]) !=
+              (images[i].mirrored_y && is_odd[k][1]))
             rows.middleCols(n_fields * k, n_fields) *= -1.;
       }
     return *fit * patch_samples;
+  }
+
+
+
+  RowMajorMatrix
+  RecoveredField::evaluate(const Cell                  &cell,
+                           const std::vector<Point<2>> &unit_points)
+  {
+    const unsigned int    n_points = unit_points.size();
+    std::vector<Point<2>> points;
+    for (const Point<2> &unit_point : unit_points)
+      points.push_back(
+        mapping_of(cell).transform_unit_to_real_cell(cell, unit_point));
+    RowMajorMatrix  values(n_points, 0);
+    Eigen::VectorXd blend(n_points);
+    Eigen::MatrixXd weights(n_points, StressRecovery::n_terms);
+    for (unsigned int v = 0; v < 4; ++v)
+      {
+        for (unsigned int q = 0; q < n_points; ++q)
+          blend[q] =
+            GeometryInfo<2>::d_linear_shape_function(unit_points[q], v);
+        if (blend.isZero(0.))
+          continue;
+        const auto &patches = recovery.patches_at[cell->active_cell_index()][v];
+        for (const unsigned int patch : patches)
+          {
+            if (coefficients[patch].size() == 0)
+              fit(patch);
+            for (unsigned int q = 0; q < n_points; ++q)
+              weights.row(q) = blend[q] / patches.size() *
+                recovery.patches[patch].polynomial(points[q]);
+            if (values.cols() == 0)
+              values.setZero(n_points, coefficients[patch].cols());
+            values.noalias() += weights * coefficients[patch];
+          }
+      }
+    return values;
+  }
+
+
+
+  RowMajorMatrix
+  resultants_at(const PlateDiscretization               &discretization,
+                const unsigned int                       cell,
+                const Eigen::MatrixXd                   &factor,
+                const CellStrains                       &strains,
+                const Eigen::Ref<const Eigen::MatrixXd> &fields)
+  {
+    const Eigen::Index m = factor.rows(), n = fields.cols(),
+                       n_rows = strains.linear.rows();
+    const Eigen::MatrixXd nodal_values =
+      discretization.cell_values(cell, fields);
+    // the rows of a point are a column for the factor
+    const auto scaled = [&](const Eigen::MatrixXd &values) -> Eigen::MatrixXd {
+      return factor * values.reshaped(m, values.size() / m);
+    };
+    RowMajorMatrix             result(n_rows / m, m * n);
+    Eigen::Map<RowMajorMatrix> by_row(result.data(), n_rows, n);
+    if (discretization.is_nonlinear())
+      by_row = scaled(discretization.element.evaluate(strains, nodal_values))
+                 .reshaped(n_rows, n);
+    else
+      by_row.noalias() =
+        scaled(strains.linear).reshaped(n_rows, nodal_values.rows()) *
+        nodal_values;
+    return result;
+  }
+
+
+
+  std::vector<Eigen::MatrixXd>
+  recovered_resultants(const PlateDiscretization               &discretization,
+                       const StressRecovery                    &recovery,
+                       const Eigen::Ref<const Eigen::MatrixXd> &states,
+                       const std::vector<Point<2>>             &unit_points)
+  {
+    RecoveredField               field(discretization,
+                         recovery,
+                         discretization.section().stiffness(),
+                         states);
+    const Eigen::Index           m = discretization.section().n_resultants();
+    const Eigen::Index           n_states = states.cols();
+    const Eigen::Index           n_points = unit_points.size();
+    std::vector<Eigen::MatrixXd> result(
+      n_states,
+      Eigen::MatrixXd(m, n_points * discretization.mesh().n_active_cells()));
+    for (const auto &cell : discretization.mesh().active_cell_iterators())
+      {
+        const RowMajorMatrix values = field.evaluate(cell, unit_points);
+        field.finish(cell);
+        for (Eigen::Index state = 0; state < n_states; ++state)
+          result[state].middleCols(n_points * cell->active_cell_index(),
+                                   n_points) =
+            values(Eigen::all, Eigen::seqN(state, m, n_states)).transpose();
+      }
+    return result;
   }
 } // namespace PlateImpact

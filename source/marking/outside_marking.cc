@@ -7,14 +7,13 @@
 #include "plate_impact/adaptation/mesh_adaptation.h"
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/text.h"
-#include "plate_impact/estimator/recovered_field.h"
+#include "plate_impact/estimator/stress_recovery.h"
 #include "plate_impact/page/page.h"
 #include "plate_impact/plate/plate_mesh.h"
 
 #include <cmath>
 #include <cstdio>
 #include <fmt/format.h>
-#include <ostream>
 #include <sys/wait.h>
 #include <vector>
 
@@ -103,7 +102,7 @@ namespace PlateImpact
         }
       if (result.peak_state)
         add_samples(cycle, *result.peak_state, cells);
-      for (const ContactState &state : result.history->states())
+      for (const ContactState &state : result.history->states)
         {
           history["time"].push_back(state.time);
           history["force"].push_back(state.force);
@@ -120,40 +119,37 @@ namespace PlateImpact
 
     /// The size that each cell is to have. [m]
     std::vector<double>
-    sizes_of(const Json &answer, const Triangulation<2> &mesh)
+    sizes_of(const Json &answer, const Cycle &cycle)
     {
+      const auto refuse = [&](const std::string &why) {
+        throw ComputationError(
+          fmt::format("cycle {}: the answer of --marking cannot be used: {}",
+                      cycle.result.cycle,
+                      why));
+      };
       if (!answer.is_object())
-        throw ComputationError("it is no object in JSON");
+        refuse("it is no object in JSON");
       for (const auto &[key, value] : answer.items())
         if (key != "refine" && key != "coarsen" && key != "sizes")
-          throw ComputationError("it has \"" + key +
-                                 "\"; allowed: refine, coarsen, sizes");
-      const auto refuse = [](const std::string &key,
-                             const Json        &value,
-                             const std::string &allowed) {
-        throw ComputationError(fmt::format("\"{}\" has {}; allowed: {}",
-                                           key,
-                                           value.dump(),
-                                           allowed));
-      };
-      const unsigned int  n = mesh.n_active_cells();
+          refuse("it has \"" + key + "\"; allowed: refine, coarsen, sizes");
+      const unsigned int  n = cycle.mesh().n_active_cells();
       std::vector<double> sizes;
       if (answer.contains("sizes"))
         {
           for (const Json &size : answer["sizes"])
             {
               if (!size.is_number() || size.get<double>() <= 0.)
-                refuse("sizes", size, "lengths above 0 m");
+                refuse("\"sizes\" has " + size.dump() +
+                       "; allowed: lengths above 0 m");
               sizes.push_back(size);
             }
           if (sizes.size() != n)
-            throw ComputationError(
-              fmt::format("\"sizes\" has {}, the mesh has {}",
-                          sizes.size(),
-                          counted(n, "cell")));
+            refuse(fmt::format("\"sizes\" has {}, the mesh has {}",
+                               sizes.size(),
+                               counted(n, "cell")));
           return sizes;
         }
-      for (const auto &cell : mesh.active_cell_iterators())
+      for (const auto &cell : cycle.mesh().active_cell_iterators())
         sizes.push_back(cell_size(cell));
       const std::vector<double> present = sizes;
       // a cell that is in both lists is refined
@@ -162,9 +158,11 @@ namespace PlateImpact
           {
             const double c = cell.is_number() ? cell.get<double>() : -1.;
             if (c < 0. || c >= n || c != std::floor(c))
-              refuse(key,
-                     cell,
-                     "numbers of cells, from 0 to " + std::to_string(n - 1));
+              refuse(fmt::format(
+                "\"{}\" has {}; allowed: numbers of cells, from 0 to {}",
+                key,
+                cell.dump(),
+                n - 1));
             sizes[c] = present[c] * (key == "refine" ? 0.5 : size_of_coarsened);
           }
       return sizes;
@@ -214,32 +212,22 @@ namespace PlateImpact
   ErrorRatios
   OutsideMarking::error_ratios(const Cycle &cycle) const
   {
+    if (command.empty())
+      return AdaptationControl::error_ratios(cycle);
     const std::string name =
       fmt::format("marking_cycle_{}.json", cycle.result.cycle);
-    directory.write_file(name, [&cycle](std::ostream &out) {
-      out << described(cycle) << '\n';
-    });
-    const std::string   text = answer_to(command, (directory / name).string());
-    std::vector<double> sizes;
-    try
-      {
-        sizes = sizes_of(Json::parse(text, nullptr, false), cycle.mesh());
-      }
-    catch (const ComputationError &error)
-      {
-        throw ComputationError(
-          fmt::format("cycle {}: the answer of --marking cannot be used: {}",
-                      cycle.result.cycle,
-                      error.what()));
-      }
+    directory.write_file(name, described(cycle).dump() + '\n');
+    const std::string text = answer_to(command, (directory / name).string());
+    const std::vector<double> sizes =
+      sizes_of(Json::parse(text, nullptr, false), cycle);
     // of the analysis, which knows the singular points of the mesh
     const AdaptivityParameters &known  = cycle.parameters.adaptivity;
     ErrorRatios                 wanted = *cycle.result.error_ratios;
     for (const auto &cell : cycle.mesh().active_cell_iterators())
       {
         const unsigned int c = cell->active_cell_index();
-        wanted.elements[c] =
-          std::pow(cell_size(cell) / sizes[c], 1. / size_exponent(cell, known));
+        wanted.elements[c]   = std::pow(cell_size(cell) / sizes[c],
+                                      1. / CellSizing(cell, known).exponent);
       }
     return wanted;
   }

@@ -27,23 +27,18 @@ namespace PlateImpact
       return isatty(stream) != 0 && environment("TERM") != "" &&
         environment("TERM") != "dumb";
     }
-
-
-
-    /// Of an empty line: what is there is removed.
-    constexpr const char *begin_of_line = "\r\033[K";
   } // namespace
 
 
 
   std::string
-  emphasized(const std::string &text, const Emphasis emphasis, const int stream)
+  emphasized(const std::string     &text,
+             const fmt::text_style &style,
+             const int              stream)
   {
-    if (!is_terminal(stream) || !environment("NO_COLOR").empty())
-      return text;
-    const char *const codes[] = {"32", "33", "31", "1"};
-    return std::string("\033[") + codes[static_cast<int>(emphasis)] + 'm' +
-      text + "\033[0m";
+    return is_terminal(stream) && environment("NO_COLOR").empty() ?
+      fmt::format(style, "{}", text) :
+      text;
   }
 
 
@@ -52,7 +47,9 @@ namespace PlateImpact
   print_warnings(const std::vector<std::string> &warnings)
   {
     for (const std::string &warning : warnings)
-      std::cerr << emphasized("warning: ", Emphasis::warning, STDERR_FILENO)
+      std::cerr << emphasized("warning: ",
+                              fg(fmt::terminal_color::yellow),
+                              STDERR_FILENO)
                 << in_ascii(printable(warning)) << std::endl;
   }
 
@@ -63,8 +60,6 @@ namespace PlateImpact
     // mpirun makes its processes' output a terminal where it has none itself,
     // but not their input
     , overwrites(!quiet && is_terminal(STDOUT_FILENO) && isatty(STDIN_FILENO))
-    , begin_of_count(Clock::now())
-    , last(begin_of_count)
   {
     std::signal(SIGPIPE, SIG_IGN);
   }
@@ -75,16 +70,7 @@ namespace PlateImpact
   Console::print(const std::string &text)
   {
     if (!quiet)
-      std::cout << (overwrites ? begin_of_line : "") << text << std::flush;
-  }
-
-
-
-  void
-  Console::show(const std::string &stage)
-  {
-    if (overwrites)
-      std::cout << begin_of_line << stage << std::flush;
+      std::cout << (overwrites ? "\r\033[K" : "") << text << std::flush;
   }
 
 
@@ -94,18 +80,17 @@ namespace PlateImpact
                 const std::size_t  n_done,
                 const std::size_t  n)
   {
-    const Clock::time_point now = Clock::now();
-    if (what != counted)
+    if (!counted.empty() && what != counted)
       {
-        if (!counted.empty())
-          begin_of_count = last = now;
-        counted = what;
+        since_begin.restart();
+        since_shown.restart();
       }
-    if (!overwrites || now - last < std::chrono::milliseconds(500))
+    counted = what;
+    if (!overwrites || since_shown.wall_time() < 0.5)
       return;
-    last                                        = now;
-    const std::chrono::duration<double> elapsed = now - begin_of_count;
+    since_shown.restart();
     show(what + std::to_string(n_done) + " of " + std::to_string(n) + ", " +
-         waiting_time(elapsed.count() * (n - n_done) / n_done) + " left");
+         waiting_time(since_begin.wall_time() * (n - n_done) / n_done) +
+         " left");
   }
 } // namespace PlateImpact

@@ -38,7 +38,7 @@ namespace PlateImpact
           const unsigned int c = cell->active_cell_index();
           out << c << ',' << cell->center()[0] << ',' << cell->center()[1]
               << ',' << cell_size(cell) << ',' << error.elements[c] << ','
-              << allowed_size(sizes[c], cell, adaptivity) << '\n';
+              << CellSizing(cell, adaptivity).allowed(sizes[c]) << '\n';
         }
     }
 
@@ -161,8 +161,6 @@ namespace PlateImpact
     {
       const PlateParameters &plate    = impact.plate;
       const Eigen::MatrixXd &stresses = impact.result.error->max_stresses;
-      if (stresses.size() == 0)
-        return;
       if (!plate.is_laminate())
         {
           cycle["max_effective_stress"] = stresses(0, 0);
@@ -171,13 +169,13 @@ namespace PlateImpact
       const auto &names = PlateSection(plate).stress_names();
       for (std::size_t k = 0; k < names.size(); ++k)
         {
-          cycle["max_" + names[k]] = stresses.col(k).maxCoeff();
+          cycle["max_" + names[k].first] = stresses.col(k).maxCoeff();
           for (Eigen::Index ply = 0; ply < stresses.rows(); ++ply)
             {
-              Json &of_ply     = cycle["plies"][ply];
-              of_ply["ply"]    = ply + 1;
-              of_ply["angle"]  = plate.layup.angles[ply];
-              of_ply[names[k]] = stresses(ply, k);
+              Json &of_ply           = cycle["plies"][ply];
+              of_ply["ply"]          = ply + 1;
+              of_ply["angle"]        = plate.layup.angles[ply];
+              of_ply[names[k].first] = stresses(ply, k);
             }
         }
     }
@@ -200,16 +198,16 @@ namespace PlateImpact
       if (result.time_error)
         cycle["time_error"] = *result.time_error;
       if (result.peak_force_error)
-        cycle["peak_force_error_estimate"] = result.peak_force_error->sum();
+        cycle["peak_force_error_estimate"] =
+          result.peak_force_error->cells.sum();
       if (const auto &bar = result.peak_force_bar)
         cycle.update({{"peak_force_error_space", bar->space},
                       {"peak_force_error_time", bar->time}});
       if (const auto &verification = result.verification)
-        cycle["verification"] = {{"cells", verification->cells},
-                                 {"peak_force", verification->peak_force},
-                                 {"relative_change",
-                                  verification->peak_force / impact.peak.force -
-                                    1.}};
+        cycle["verification"] = {
+          {"cells", verification->n_cells},
+          {"peak_force", verification->force},
+          {"relative_change", verification->force / impact.peak.force - 1.}};
       if (result.sensitivity)
         cycle["sensitivity"] = result.sensitivity->factor;
       if (result.separation_time)
@@ -325,9 +323,7 @@ namespace PlateImpact
 
 
   Json
-  Output::write_summary(const std::string              &outcome,
-                        const std::vector<std::string> &warnings,
-                        const Verdict                  &verdict)
+  Output::write_summary(const std::string &outcome, const Verdict &verdict)
   {
     const auto part = [](const Verdict::Part &part) {
       return Json{{"trust", word_for(part.trust)}, {"reasons", part.reasons}};
@@ -355,32 +351,27 @@ namespace PlateImpact
         word_for(scene.parameters.contact.local_response);
     for (const auto &[path, value] : scene.inputs)
       summary["inputs"][path] = value;
-    summary["warnings"] = warnings;
+    summary["warnings"] = verdict.warnings.all();
     summary["cycles"]   = cycles;
-    directory.write_file("summary.json", [&](std::ostream &out) {
-      out << summary.dump(2) << '\n';
-    });
+    directory.write_file("summary.json", summary.dump(2) + '\n');
     return summary;
   }
 
 
 
   void
-  Output::finish(const Outcome                   outcome,
-                 const std::vector<std::string> &warnings,
-                 const Verdict                  &verdict,
-                 Cycle                          &last)
+  Output::finish(const Outcome outcome, const Verdict &verdict, Cycle &last)
   {
     const Timer timer;
     if (!last.result.snapshots.empty())
       write_fields(directory, last);
     last.result.seconds.output += timer.wall_time();
     cycles.back()      = summary_of(last.result, scene);
-    const Json summary = write_summary(word_for(outcome), warnings, verdict);
+    const Json summary = write_summary(word_for(outcome), verdict);
     if (scene.parameters.output.write_report)
-      directory.write_file("report.html", [&](std::ostream &out) {
-        write_report(out, scene, verdict, summary, last, std::move(study));
-      });
+      directory.write_file(
+        "report.html",
+        report(scene, verdict, summary, last, std::move(study)));
   }
 
 
@@ -393,7 +384,7 @@ namespace PlateImpact
         Verdict verdict;
         verdict.text        = "the computation has failed";
         verdict.convergence = {Trust::none, {failure}};
-        write_summary("failed: " + failure, {}, verdict);
+        write_summary("failed: " + failure, verdict);
       }
     catch (const ComputationError &)
       {

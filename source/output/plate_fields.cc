@@ -7,13 +7,12 @@
 
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/text.h"
-#include "plate_impact/estimator/recovered_field.h"
+#include "plate_impact/estimator/stress_recovery.h"
 #include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
 #include "plate_impact/plate/plate_section.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <utility>
@@ -24,15 +23,6 @@ namespace PlateImpact
 
   namespace
   {
-    /// Evenly over the reference cell, row by row.
-    std::vector<Point<2>>
-    points_of_cell(const unsigned int points_per_side)
-    {
-      return QIterated<2>(QTrapezoid<1>(), points_per_side - 1).get_points();
-    }
-
-
-
     /// A component of the displacements at points of all cells, a row per point
     /// and a column per cell.
     Eigen::MatrixXd
@@ -47,10 +37,7 @@ namespace PlateImpact
         for (unsigned int i = 0; i < element.n_dofs_per_cell(); ++i)
           shapes(p, i) =
             element.shape_value_component(i, unit_points[p], component);
-      Eigen::MatrixXd values(unit_points.size(), plate.mesh().n_active_cells());
-      for (unsigned int cell = 0; cell < values.cols(); ++cell)
-        values.col(cell) = shapes * plate.cell_values(cell, unknowns);
-      return values;
+      return shapes * plate.values_of_cells(unknowns);
     }
 
 
@@ -72,17 +59,17 @@ namespace PlateImpact
         fields.push_back(
           {"", "", name, {{is_odd_in_x, is_odd_in_y}}, values.reshaped()});
       };
-      const auto displacement = [&](const unsigned int component) {
-        return displacements(plate, unknowns, component, unit_points);
-      };
-      add("deflection", false, false, displacement(0));
-      add("rotation_x", true, false, displacement(1));
-      add("rotation_y", false, true, displacement(2));
-      if (plate.element.finite_element.n_components() > 3)
-        {
-          add("displacement_x", true, false, displacement(3));
-          add("displacement_y", false, true, displacement(4));
-        }
+      const char *const names[] = {"deflection",
+                                   "rotation_x",
+                                   "rotation_y",
+                                   "displacement_x",
+                                   "displacement_y"};
+      for (unsigned int k = 0; k < plate.element.finite_element.n_components();
+           ++k)
+        add(names[k],
+            k == 1 || k == 3,
+            k == 2 || k == 4,
+            displacements(plate, unknowns, k, unit_points));
       for (const SectionField &field :
            section_fields(plate.section(),
                           recovered_resultants(plate,
@@ -91,20 +78,22 @@ namespace PlateImpact
                                                unit_points)
                             .front()))
         fields.push_back(field);
-      Eigen::MatrixXd errors(unit_points.size(), cycle.result.cells), x(errors),
-        y(errors);
+      const std::vector<double> errors = cycle.result.element_errors();
+      Eigen::MatrixXd           x(unit_points.size(), errors.size()), y(x);
       for (const auto &cell : cycle.mesh().active_cell_iterators())
         for (std::size_t p = 0; p < unit_points.size(); ++p)
           {
-            const unsigned int c = cell->active_cell_index();
-            const Point<2>     place =
+            const Point<2> place =
               mapping_of(cell).transform_unit_to_real_cell(cell,
                                                            unit_points[p]);
-            errors(p, c) = cycle.result.error_ratios->elements[c];
-            x(p, c)      = place[0];
-            y(p, c)      = place[1];
+            x(p, cell->active_cell_index()) = place[0];
+            y(p, cell->active_cell_index()) = place[1];
           }
-      add("element_error", false, false, errors);
+      add("element_error",
+          false,
+          false,
+          Eigen::RowVectorXd::Map(errors.data(), errors.size())
+            .replicate(unit_points.size(), 1));
       add("x", true, false, x);
       add("y", false, true, y);
       return fields;
@@ -151,16 +140,6 @@ namespace PlateImpact
 
 
 
-    /// Bytes of a film, a third less than it takes on the page.
-    constexpr std::size_t most_bytes = 1200000;
-
-    constexpr std::size_t min_frames = 8;
-
-    /// With fewer the stresses are left out, so that the deflection has more.
-    constexpr std::size_t min_frames_of_stresses = 16;
-
-
-
     /// Values rounded to numbers of a kind, column after column.
     template <typename Number>
     std::string
@@ -177,17 +156,13 @@ namespace PlateImpact
 
 
 
-    /// The fields of the section in some frames, the plate at rest before them.
+    /// The fields of the section in some states, a column each.
     Json
-    stresses_on_page(const Cycle                         &cycle,
-                     const std::vector<const Snapshot *> &frames,
-                     const std::vector<Point<2>>         &unit_points)
+    stresses_on_page(const Cycle                 &cycle,
+                     const Eigen::MatrixXd       &states,
+                     const std::vector<Point<2>> &unit_points)
     {
-      const PlateDiscretization &plate    = cycle.discretization();
-      const unsigned int         n_frames = frames.size();
-      Eigen::MatrixXd            states(plate.n_unknowns(), n_frames);
-      for (unsigned int frame = 0; frame < n_frames; ++frame)
-        states.col(frame) = frames[frame]->unknowns;
+      const PlateDiscretization             &plate = cycle.discretization();
       std::vector<std::vector<SectionField>> fields;
       for (const Eigen::MatrixXd &resultants :
            recovered_resultants(plate, cycle.recovery(), states, unit_points))
@@ -196,10 +171,9 @@ namespace PlateImpact
       for (std::size_t k = 0; k < fields.front().size(); ++k)
         {
           const SectionField &first = fields.front()[k];
-          Eigen::ArrayXXd     values =
-            Eigen::ArrayXXd::Zero(first.values.size(), n_frames + 1);
-          for (unsigned int frame = 0; frame < n_frames; ++frame)
-            values.col(frame + 1) = fields[frame][k].values;
+          Eigen::ArrayXXd     values(first.values.size(), states.cols());
+          for (std::size_t i = 0; i < fields.size(); ++i)
+            values.col(i) = fields[i][k].values;
           const double largest = std::max(values.abs().maxCoeff(),
                                           std::numeric_limits<double>::min());
           result.push_back(
@@ -216,15 +190,22 @@ namespace PlateImpact
 
 
 
-    /// Frames, by number, that fit on the page; none when these would be few.
-    std::vector<std::size_t>
-    chosen_frames(const std::size_t n_frames, const std::size_t bytes_per_frame)
+    /// So many frames, evenly, and that of the largest force, which is never
+    /// between two; with the samples of the estimator that they are next to.
+    std::vector<std::pair<const Snapshot *, std::size_t>>
+    chosen_frames(const Observation &result, const std::size_t n)
     {
-      const std::size_t n = std::min(n_frames, most_bytes / bytes_per_frame);
-      std::vector<std::size_t> chosen;
-      if (n >= std::min(n_frames, min_frames))
-        for (std::size_t i = 1; i <= n; ++i)
-          chosen.push_back(i * n_frames / n - 1);
+      const auto &peak = result.peak_state;
+      std::vector<std::pair<const Snapshot *, std::size_t>> chosen;
+      for (std::size_t i = 1; i <= n; ++i)
+        {
+          const std::size_t sample = i * result.frames.size() / n - 1;
+          const Snapshot   &frame  = result.frames[sample];
+          if (peak && peak->time < frame.time &&
+              (chosen.empty() || peak->time > chosen.back().first->time))
+            chosen.emplace_back(&*peak, sample);
+          chosen.emplace_back(&frame, sample);
+        }
       return chosen;
     }
   } // namespace
@@ -238,7 +219,9 @@ namespace PlateImpact
     for (const Snapshot &snapshot : cycle.result.snapshots)
       {
         const std::vector<SectionField> fields =
-          fields_in_file(cycle, snapshot.unknowns, points_of_cell(3));
+          fields_in_file(cycle,
+                         snapshot.unknowns,
+                         QIterated<2>(QTrapezoid<1>(), 2).get_points());
         std::vector<std::string> names;
         for (const SectionField &field : fields)
           {
@@ -274,69 +257,61 @@ namespace PlateImpact
     const unsigned int          points_per_side = n_cells > 1000 ? 2 :
                n_cells > 60                                      ? 3 :
                                                                    5;
-    const std::vector<Point<2>> unit_points = points_of_cell(points_per_side);
-    const std::size_t           n_points    = n_cells * unit_points.size();
-    const auto                  frames_with = [&](const std::size_t n_fields) {
-      return chosen_frames(result.frames.size(),
-                           n_points * (2 + n_fields) + 2 * n_cells);
+    const std::vector<Point<2>> unit_points =
+      QIterated<2>(QTrapezoid<1>(), points_per_side - 1).get_points();
+    const std::size_t     n_points   = n_cells * unit_points.size();
+    const std::size_t     n_frames   = result.frames.size();
+    constexpr std::size_t most_bytes = 1200000; // a third more on the page
+    const auto            n_that_fit = [&](const std::size_t n_fields) {
+      return std::min(n_frames,
+                      most_bytes / (n_points * (2 + n_fields) + 2 * n_cells));
     };
-    std::vector<std::size_t> chosen = frames_with(
-      plate.section().n_resultants() + plate.section().stress_names().size());
-    const bool has_stresses =
-      chosen.size() >= std::min(result.frames.size(), min_frames_of_stresses);
+    std::size_t n = n_that_fit(plate.section().n_resultants() +
+                               plate.section().stress_names().size());
+    // few frames have none, so that there are more of the deflection
+    const bool has_stresses = n >= std::min<std::size_t>(n_frames, 16);
     if (!has_stresses)
-      chosen = frames_with(0);
-    if (chosen.empty() || !result.error)
+      n = n_that_fit(0);
+    if (n == 0 || n < std::min<std::size_t>(n_frames, 8) || !result.error)
       return {};
 
-    std::vector<const Snapshot *> frames;
-    std::vector<std::size_t>      sample_of_frame;
-    for (const std::size_t i : chosen)
-      {
-        const Snapshot &frame = result.frames[i];
-        // the largest force is never between two frames
-        if (result.peak_state && result.peak_state->time < frame.time &&
-            (frames.empty() || result.peak_state->time > frames.back()->time))
-          {
-            frames.push_back(&*result.peak_state);
-            sample_of_frame.push_back(i);
-          }
-        frames.push_back(&frame);
-        sample_of_frame.push_back(i);
-      }
+    const auto frames = chosen_frames(result, n);
     // the first frame is the plate at rest
-    const auto         &states  = result.history->states();
+    const auto         &history = result.history->states;
     const auto         &samples = result.error->sample_times;
     std::vector<double> times(1, 0.), forces(1, 0.), errors(1, 0.);
-    Eigen::ArrayXXd     w = Eigen::ArrayXXd::Zero(n_points, frames.size() + 1);
-    Eigen::ArrayXXd     xi =
+    Eigen::MatrixXd     states =
+      Eigen::MatrixXd::Zero(plate.n_unknowns(), frames.size() + 1);
+    Eigen::ArrayXXd w = Eigen::ArrayXXd::Zero(n_points, states.cols());
+    Eigen::ArrayXXd xi =
       Eigen::ArrayXXd::Constant(n_cells,
-                                frames.size() + 1,
+                                states.cols(),
                                 std::numeric_limits<std::int16_t>::min());
-    for (std::size_t i = 0; i < frames.size(); ++i)
+    for (const auto &[frame, sample_of_frame] : frames)
       {
-        const double time = frames[i]->time;
+        const double time = frame->time;
         const auto   state =
-          std::partition_point(states.begin(), states.end() - 1, [=](auto &s) {
-            return s.time < time;
-          });
+          std::partition_point(history.begin(),
+                               history.end() - 1,
+                               [=](auto &s) { return s.time < time; });
         const auto sample =
           std::lower_bound(samples.begin(), samples.end() - 1, time);
+        const Eigen::Index i = times.size();
         times.push_back(time);
         forces.push_back(state->force);
         errors.push_back(result.error->sample_errors[sample - samples.begin()]);
-        w.col(i + 1) =
-          displacements(plate, frames[i]->unknowns, deflection, unit_points)
+        states.col(i) = frame->unknowns;
+        w.col(i) =
+          displacements(plate, frame->unknowns, deflection, unit_points)
             .reshaped();
         const Eigen::ArrayXd ratios =
-          result.error->kept_element_errors[sample_of_frame[i]]
+          result.error->kept_element_errors[sample_of_frame]
             .array()
             .cast<double>() /
           result.error_ratios->element_limit;
-        xi.col(i + 1) =
+        xi.col(i) =
           (ratios > 0.)
-            .select((1e4 * ratios.log10()).max(-32767.).min(32767.),
-                    xi.col(i + 1));
+            .select((1e4 * ratios.log10()).max(-32767.).min(32767.), xi.col(i));
       }
     const double unit =
       std::max(w.abs().maxCoeff() / 32767., std::numeric_limits<double>::min());
@@ -349,7 +324,7 @@ namespace PlateImpact
             {"deflections", base64<std::int16_t>(w / unit)},
             {"cellErrors", base64<std::int16_t>(xi)},
             {"fields",
-             has_stresses ? stresses_on_page(cycle, frames, unit_points) :
+             has_stresses ? stresses_on_page(cycle, states, unit_points) :
                             Json::array()}};
   }
 } // namespace PlateImpact

@@ -4,13 +4,14 @@
 
 #include "plate_impact/base/text.h"
 #include "plate_impact/estimator/peak_force_error.h"
-#include "plate_impact/estimator/recovered_field.h"
+#include "plate_impact/estimator/stress_recovery.h"
 #include "plate_impact/output/plate_fields.h"
 #include "plate_impact/plate/plate_mesh.h"
 #include "plate_impact/plate/plate_section.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 
@@ -23,21 +24,6 @@ namespace PlateImpact
     /// Cells of all meshes together that a page shows; a browser is slow with
     /// more.
     constexpr std::size_t max_pictured_cells = 15000;
-
-
-
-    const HistoryColumns columns_of_histories = {
-      {"time", &ContactState::time},
-      {"force", &ContactState::force},
-      {"indentation", &ContactState::indentation},
-      {"plate_displacement", &ContactState::plate_displacement},
-      {"impactor_displacement", &ContactState::impactor_displacement},
-      {"plate_energy", &ContactState::plate_energy},
-      {"contact_energy", &ContactState::contact_energy},
-      {"impactor_energy", &ContactState::impactor_energy},
-      {"dissipated_energy", &ContactState::dissipated_energy},
-      {"plate_dissipated_energy", &ContactState::plate_dissipated_energy},
-      {"total_energy", &ContactState::total_energy}};
 
 
 
@@ -62,8 +48,13 @@ namespace PlateImpact
 
 
 
-    /// Of a line of stresses.
-    constexpr unsigned int points_per_cell = 9;
+    Json
+    values_on_page(const SectionField &field)
+    {
+      return numbers_on_page({field.values.begin(), field.values.end()});
+    }
+
+
 
     /// A straight line away from a point; distances along it are lengths.
     struct Ray
@@ -103,31 +94,29 @@ namespace PlateImpact
       return cells;
     }
 
+    /// Along a ray: `distance` from the impact [m], and the fields of the
+    /// section as the elements have them, `raw`, and `recovered`. Cells are set
+    /// apart by a null, since raw values jump between them.
     Json
     stresses_along(const Ray      &ray,
                    const Cycle    &cycle,
                    RecoveredField &field,
                    const Snapshot &state)
     {
-      const PlateDiscretization &plate     = cycle.discretization();
-      const Eigen::MatrixXd      stiffness = plate.section().stiffness();
+      constexpr unsigned int     points_per_cell = 9;
+      const PlateDiscretization &plate           = cycle.discretization();
+      const PlateSection        &section         = plate.section();
+      const auto                 cells = cells_along(ray, plate.mesh());
       std::vector<double>        distances;
-      Json                       result;
-      const auto add = [&](const char *kind, const RowMajorMatrix &resultants) {
-        const auto fields =
-          section_fields(plate.section(), resultants.transpose());
-        for (std::size_t k = 0; k < fields.size(); ++k)
-          {
-            Json &line = result[kind][k];
-            for (const Json &value : numbers_on_page(
-                   {fields[k].values.begin(), fields[k].values.end()}))
-              line.push_back(value);
-            line.push_back(nullptr); // the gap
-          }
-      };
-      for (const auto &[enters, rest] : cells_along(ray, plate.mesh()))
+      RowMajorMatrix             raw =
+        RowMajorMatrix::Constant((points_per_cell + 1) * cells.size(),
+                                 section.n_resultants(),
+                                 std::numeric_limits<double>::quiet_NaN());
+      RowMajorMatrix recovered = raw;
+      for (const auto &[enters, rest] : cells)
         {
           const auto &[leaves, cell] = rest;
+          const std::size_t     row  = distances.size();
           std::vector<Point<2>> unit_points;
           for (unsigned int i = 0; i < points_per_cell; ++i)
             {
@@ -139,37 +128,33 @@ namespace PlateImpact
                   ray.origin + distances.back() * ray.direction)));
             }
           distances.push_back(leaves); // the gap
-          add("raw",
-              resultants_at(plate,
-                            cell->active_cell_index(),
-                            stiffness,
-                            plate.element.strains_at(cell, unit_points),
-                            state.unknowns));
-          add("recovered", field.evaluate(cell, unit_points));
+          raw.middleRows(row, points_per_cell) =
+            resultants_at(plate,
+                          cell->active_cell_index(),
+                          section.stiffness(),
+                          plate.element.strains_at(cell, unit_points),
+                          state.unknowns);
+          recovered.middleRows(row, points_per_cell) =
+            field.evaluate(cell, unit_points);
         }
-      result["distance"] = numbers_on_page(distances);
+      Json result = {{"distance", numbers_on_page(distances)}};
+      for (const SectionField &line : section_fields(section, raw.transpose()))
+        result["raw"].push_back(values_on_page(line));
+      for (const SectionField &line :
+           section_fields(section, recovered.transpose()))
+        result["recovered"].push_back(values_on_page(line));
       return result;
     }
 
 
 
     /// What recovery makes of the stresses of the elements, along x, y and the
-    /// diagonal, from the impact to the edge, for a page: `fields`, their names
-    /// and units, and `lines`, each with a `title`, `distance` from the impact
-    /// [m], and the values of the fields as the elements have them, `raw`, and
-    /// `recovered`. Cells are set apart by a null, since raw values jump
-    /// between them.
+    /// diagonal, from the impact to the edge.
     Json
     stress_lines(const Cycle &cycle, const Snapshot &state)
     {
-      const PlateDiscretization &plate  = cycle.discretization();
-      Json                       fields = Json::array(), lines = Json::array();
-      for (const SectionField &field :
-           section_fields(plate.section(),
-                          Eigen::MatrixXd::Zero(plate.section().n_resultants(),
-                                                1)))
-        fields.push_back({{"name", field.name}, {"unit", field.unit}});
-      RecoveredField recovered(plate,
+      const PlateDiscretization &plate = cycle.discretization();
+      RecoveredField             recovered(plate,
                                cycle.recovery(),
                                plate.section().stiffness(),
                                state.unknowns);
@@ -180,32 +165,46 @@ namespace PlateImpact
         {"Along x", {{0., aside}, Point<2>(1., 0.)}},
         {"Along y", {{aside, 0.}, Point<2>(0., 1.)}},
         {"Along the diagonal", {{aside, 0.}, Point<2>(half, half)}}};
+      Json lines;
       for (const auto &[title, ray] : rays)
         {
-          lines.push_back({{"title", title}});
-          lines.back().update(stresses_along(ray, cycle, recovered, state));
+          lines.push_back(stresses_along(ray, cycle, recovered, state));
+          lines.back()["title"] = title;
         }
-      return {{"fields", fields}, {"lines", lines}};
+      return lines;
     }
   } // namespace
 
 
 
   Json
-  history_on_page(const ContactHistory &history, const HistoryColumns &columns)
+  history_on_page(const ContactHistory &history, const bool has_all)
   {
-    const std::vector<ContactState> &states      = history.states();
-    constexpr std::size_t            most_states = 1200; // more do not show
-    const std::size_t         stride = 1 + (states.size() - 1) / most_states;
-    const ContactState *const peak   = &history.peak();
-    Json                      result;
-    for (const auto &[name, value] : columns)
+    const std::pair<const char *, std::function<double(const ContactState &)>>
+      columns[] = {
+        {"time", &ContactState::time},
+        {"force", &ContactState::force},
+        {"indentation", &ContactState::indentation},
+        {"plate_displacement", &ContactState::plate_displacement},
+        {"impactor_displacement", &ContactState::impactor_displacement},
+        {"plate_energy", &ContactState::plate_energy},
+        {"contact_energy", &ContactState::contact_energy},
+        {"impactor_energy", &ContactState::impactor_energy},
+        {"dissipated_energy", &ContactState::dissipated_energy},
+        {"plate_dissipated_energy", &ContactState::plate_dissipated_energy},
+        {"total_energy", &ContactState::total_energy}};
+    const auto       &states      = history.states;
+    const std::size_t most_states = 1200; // more do not show
+    const std::size_t stride      = 1 + (states.size() - 1) / most_states;
+    const auto *const peak        = &history.peak();
+    Json              result;
+    for (std::size_t k = 0; k < (has_all ? std::size(columns) : 2); ++k)
       {
         std::vector<double> values;
         for (std::size_t i = 0; i < states.size(); ++i)
           if (i % stride == 0 || i + 1 == states.size() || &states[i] == peak)
-            values.push_back(value(states[i]));
-        result[name] = numbers_on_page(values);
+            values.push_back(columns[k].second(states[i]));
+        result[columns[k].first] = numbers_on_page(values);
       }
     return result;
   }
@@ -218,7 +217,7 @@ namespace PlateImpact
     const CycleResult &result = cycle.result;
     if (result.history)
       study["histories"].push_back(
-        history_on_page(*result.history, columns_of_histories));
+        history_on_page(*result.history, /*has_all=*/true));
     if (result.error)
       study["errors"].push_back(
         {{"time", numbers_on_page(result.error->sample_times)},
@@ -232,35 +231,36 @@ namespace PlateImpact
     mesh = mesh_on_page(cycle.mesh(), title, result.element_errors());
     if (!result.peak_state)
       return;
+    // of the first mesh and the last
+    Json &stresses = study["stresses"];
+    if (stresses.size() == 2)
+      stresses.erase(1);
+    stresses.push_back({{"cycle", result.cycle},
+                        {"lines", stress_lines(cycle, *result.peak_state)}});
     for (const SectionField &field :
          section_fields(cycle.discretization().section(),
                         recovered_resultants(cycle.discretization(),
                                              cycle.recovery(),
                                              result.peak_state->unknowns,
-                                             {dealii::Point<2>(0.5, 0.5)})
+                                             {Point<2>(0.5, 0.5)})
                           .front()))
-      mesh["fields"].push_back(
-        {{"name", field.name},
-         {"unit", field.unit},
-         {"values",
-          numbers_on_page({field.values.begin(), field.values.end()})}});
-    // of the first mesh and the last
-    Json &stresses = study["stresses"];
-    if (stresses.size() == 2)
-      stresses.erase(1);
-    stresses.push_back(stress_lines(cycle, *result.peak_state));
-    stresses.back()["cycle"] = result.cycle;
+      {
+        stresses.back()["fields"].push_back(
+          {{"name", field.name}, {"unit", field.unit}});
+        mesh["fields"].push_back({{"name", field.name},
+                                  {"unit", field.unit},
+                                  {"values", values_on_page(field)}});
+      }
   }
 
 
 
-  void
-  write_report(std::ostream  &out,
-               const Scene   &scene,
-               const Verdict &verdict,
-               const Json    &summary,
-               const Cycle   &last,
-               Json           study)
+  std::string
+  report(const Scene   &scene,
+         const Verdict &verdict,
+         const Json    &summary,
+         const Cycle   &last,
+         Json           study)
   {
     const Parameters &parameters = scene.parameters;
     study["text"]                = scene.text;
@@ -269,17 +269,20 @@ namespace PlateImpact
     study.update(plate_on_page(parameters));
     if (parameters.has_impactor())
       {
-        const ContactState &expected = scene.expected->peak;
-        const double        force    = last.result.history->peak().force;
-        const auto         &bar      = last.result.peak_force_bar;
-        study["expected"]            = {{"force", expected.force},
-                                        {"time", expected.time}};
-        study["safety"]              = safety_of_bar;
-        study["words"]               = {
-                        {"localResponse", local_response_in_words(parameters)},
-                        {"force", with_error(force, bar ? bar->total() * force : 0., "N")},
-                        {"load", load_in_words(parameters)},
-                        {"model", model_in_words(verdict)}};
+        const double force = last.result.history->peak().force;
+        const auto  &bar   = last.result.peak_force_bar;
+        const bool late = bar && last.result.peak_force_error->of_softer_plate;
+        study["expected"] = {{"force", scene.expected->peak.force},
+                             {"time", scene.expected->peak.time}};
+        study["words"]    = {
+             {"localResponse", local_response_in_words(parameters)},
+             {"estimate",
+              (late ? "on a softer plate" : "by the dual problem") +
+                (", with a factor of safety of " +
+              number(late ? safety_of_late_bar : safety_of_bar))},
+             {"force", with_error(force, bar ? bar->total() * force : 0., "N")},
+             {"load", load_in_words(parameters)},
+             {"model", model_in_words(verdict)}};
       }
     // the last meshes matter most
     std::size_t n_cells = 0;
@@ -291,12 +294,11 @@ namespace PlateImpact
         if (n_cells > max_pictured_cells)
           *mesh = nullptr;
       }
-    write_page(out,
-               {scene.name,
-                scene_in_words(parameters),
-                parameters.has_impactor() ? "Peak force " + verdict.text +
-                    ". " + model_in_words(verdict) + "." :
-                                            "Nothing strikes the plate."},
-               study);
+    return page({scene.name,
+                 scene_in_words(parameters),
+                 parameters.has_impactor() ? "Peak force " + verdict.text +
+                     ". " + model_in_words(verdict) + "." :
+                                             "Nothing strikes the plate."},
+                study);
   }
 } // namespace PlateImpact

@@ -70,19 +70,17 @@ namespace PlateImpact
   void
   ResultDirectory::clear() const
   {
-    std::error_code error;
-    for (fs::directory_iterator entry(directory, error), end;
-         !error && entry != end;
-         entry.increment(error))
-      if (std::regex_match(entry->path().filename().string(), result_name))
-        {
-          fs::remove(entry->path(), error);
-          if (error)
-            break;
-        }
-    if (error)
-      throw ComputationError("earlier results in " + directory.string() +
-                             " cannot be removed: " + error.message());
+    try
+      {
+        for (const auto &entry : fs::directory_iterator(directory))
+          if (std::regex_match(entry.path().filename().string(), result_name))
+            fs::remove(entry);
+      }
+    catch (const fs::filesystem_error &error)
+      {
+        throw ComputationError("earlier results in " + directory.string() +
+                               " cannot be removed: " + error.code().message());
+      }
   }
 
 
@@ -94,7 +92,6 @@ namespace PlateImpact
   {
     const fs::path path       = directory / name,
                    incomplete = path.string() + ".incomplete";
-    std::error_code error;
     try
       {
         // the first write that fails ends the writing, with its reason
@@ -104,18 +101,16 @@ namespace PlateImpact
         out.open(incomplete);
         write(out);
         out.close();
+        fs::rename(incomplete, path);
       }
-    catch (const std::ios::failure &)
+    catch (const std::system_error &)
       {
         const std::string why =
           errno != 0 ? ": " + std::generic_category().message(errno) : "";
-        fs::remove(incomplete, error);
+        std::error_code ignored;
+        fs::remove(incomplete, ignored);
         throw ComputationError(path.string() + " cannot be written" + why);
       }
-    fs::rename(incomplete, path, error);
-    if (error)
-      throw ComputationError(path.string() +
-                             " cannot be written: " + error.message());
   }
 
 
@@ -124,11 +119,10 @@ namespace PlateImpact
   ResultDirectory::write_scene(const std::string &scene,
                                const std::string &text) const
   {
-    write_file("scene.prm", [&](std::ostream &out) {
-      out << "# Every value used by plate-impact " << PLATE_IMPACT_VERSION
-          << " for " << scene << "\n\n"
-          << text;
-    });
+    write_file("scene.prm",
+               "# Every value used by plate-impact " PLATE_IMPACT_VERSION
+               " for " +
+                 scene + "\n\n" + text);
   }
 
 

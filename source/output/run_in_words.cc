@@ -10,14 +10,6 @@
 
 namespace PlateImpact
 {
-  template <>
-  const std::vector<Word<Trust>> Choices<Trust>::words = {
-    {Trust::good, "good"},
-    {Trust::doubtful, "doubtful"},
-    {Trust::none, "none"}};
-
-
-
   namespace
   {
     std::string
@@ -204,14 +196,14 @@ namespace PlateImpact
              const Warnings    &warnings)
   {
     Verdict verdict;
+    verdict.warnings = warnings;
     if (!last.history)
       {
         verdict.text = "nothing strikes the plate";
         return verdict;
       }
-    verdict.warnings = warnings;
-    verdict.force    = force_in_words(last, warnings.model_error());
-    verdict.text     = verdict.force + ": " +
+    verdict.force = force_in_words(last, warnings.model_error());
+    verdict.text  = verdict.force + ": " +
       (outcome == Outcome::target_reached ? "target met" :
          outcome != Outcome::single_mesh  ? "target missed (" +
            word_for(outcome) + ")" :

@@ -108,7 +108,8 @@ function makeMeshView(pictures, controls) {
   const view = { factor: 1, x: left + width / 2, y: top + height / 2 };
   const bars = pictures.map((picture) => picture.appendChild(svgElement('g', { class: 'scalebar' })));
 
-  const show = () => {
+  const show = (change) => {
+    Object.assign(view, change);
     view.factor = Math.min(Math.max(view.factor, 1), 1e4);
     // parts of long plates are square
     const side = Math.max(width, height) / view.factor, w = Math.min(width, side), h = Math.min(height, side);
@@ -123,32 +124,20 @@ function makeMeshView(pictures, controls) {
         svgElement('text', { x: x0 + length * unit + u, y: y0, 'font-size': 4.5 * u, 'stroke-width': u }, withUnit(length, 'm')));
   };
   const zoom = (factor, event) => {
-    if (event) {
-      const at = new DOMPoint(event.clientX, event.clientY).matrixTransform(event.currentTarget.getScreenCTM().inverse());
-      const kept = Math.max(factor, 1 / view.factor);
-      view.x = at.x + (view.x - at.x) / kept;
-      view.y = at.y + (view.y - at.y) / kept;
-    }
-    view.factor *= factor;
-    show();
+    const at = event ? new DOMPoint(event.clientX, event.clientY).matrixTransform(event.currentTarget.getScreenCTM().inverse()) : view;
+    const kept = Math.max(factor, 1 / view.factor);
+    show({ factor: factor * view.factor, x: at.x + (view.x - at.x) / kept, y: at.y + (view.y - at.y) / kept });
   };
-  const reset = () => { view.factor = 1; show(); };
-  const contact = () => {
-    // five radii to either side, or a part of the plate under a point load
-    Object.assign(view, { factor: Math.max(width, height) / (r > 0 ? 10 * r : Math.max(width, height) / 16), x, y });
-    show();
-  };
+  const reset = () => show({ factor: 1 });
+  // five radii to either side, or a part of the plate under a point load
+  const contact = () => show({ factor: r > 0 ? Math.max(width, height) / (10 * r) : 16, x, y });
   controls.append(...zoomButtons(zoom, reset, contact));
-  const move = (right, down, length) => {
-    view.x += length * right;
-    view.y += length * down;
-    show();
-  };
+  const move = (right, down, length) => show({ x: view.x + length * right, y: view.y + length * down });
   for (const picture of pictures)
     makeZoomable(picture, { zoom, reset,
       drag: (right, down) => move(right, down, -1 / picture.getScreenCTM().a),
       step: (right, down) => move(right, down, 0.1 * Math.max(width, height) / view.factor) });
-  show();
+  reset();
 }
 
 /** A mesh whose cells are coloured later, y upwards, with the load patch and what a view needs of it: the

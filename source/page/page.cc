@@ -6,7 +6,6 @@
 
 #include <cstdlib>
 #include <fmt/format.h>
-#include <ostream>
 #include <string_view>
 #include <utility>
 
@@ -37,13 +36,13 @@ namespace PlateImpact
 
 
 
-  void
-  write_page(std::ostream &out, const PageText &text, const Json &study)
+  std::string
+  page(const PageText &text, const Json &study)
   {
     using namespace PageAssets;
     const std::string data =
       study.dump(-1, ' ', false, Json::error_handler_t::replace);
-    out << fmt::format(fmt::runtime(page),
+    return fmt::format(fmt::runtime(PageAssets::page),
                        fmt::arg("title", as_html(text.title)),
                        fmt::arg("lead", as_html(text.lead)),
                        fmt::arg("words", as_html(text.words)),
@@ -103,13 +102,10 @@ namespace PlateImpact
   plate_on_page(const Parameters &parameters)
   {
     const ContactParameters &contact = parameters.contact;
-    const PlateParameters   &plate   = parameters.plate;
     const double radius = contact.has_patch() ? contact.patch_radius : 0.;
     return {{"patch",
              {{"radius", radius},
               {"isDisc", radius > 0. && !contact.load_has_length()}}},
-            {"symmetric",
-             {geometry_of(plate).is_symmetric[0],
-              geometry_of(plate).is_symmetric[1]}}};
+            {"symmetric", geometry_of(parameters.plate).is_symmetric}};
   }
 } // namespace PlateImpact

@@ -6,18 +6,12 @@ function cssColour(name) {
 }
 
 /** Of every series the point nearest in x to the pointer. */
-Chart.Interaction.modes.nearestOfEach = (chart, event) => {
-  const items = [];
-  for (const meta of chart.getSortedVisibleDatasetMetas()) {
-    let best = null, distance = Infinity;
-    meta.data.forEach((element, index) => {
-      const d = Math.abs(element.x - event.x);
-      if (!element.skip && d < distance) { best = { element, datasetIndex: meta.index, index }; distance = d; }
-    });
-    if (best && distance < 30) items.push(best);
-  }
-  return items;
-};
+Chart.Interaction.modes.nearestOfEach = (chart, event) => chart.getSortedVisibleDatasetMetas().flatMap((meta) => {
+  const distance = ({ element }) => Math.abs(element.x - event.x);
+  const near = meta.data.map((element, index) => ({ element, datasetIndex: meta.index, index }))
+    .filter((item) => !item.element.skip && distance(item) < 30);
+  return near.length > 0 ? near.reduce((best, item) => (distance(item) < distance(best) ? item : best)) : [];
+});
 
 /** A vertical line at the point that is read. */
 Chart.register({
@@ -95,8 +89,7 @@ function datasets(plot, { hidden, chosen }) {
 }
 
 /** Toggles a series together with its fainter companions of the same colour. */
-function toggleSeries(event, item, legend) {
-  const { chart } = legend;
+function toggleSeries(event, item, { chart }) {
   const { group } = chart.data.datasets[item.datasetIndex];
   const show = !chart.isDatasetVisible(item.datasetIndex);
   chart.data.datasets.forEach((dataset, i) => {
@@ -206,10 +199,9 @@ function svgOf(chart, plot) {
   chart.getSortedVisibleDatasetMetas().reverse().forEach((meta) => {
     const dataset = chart.data.datasets[meta.index], colour = dataset.borderColor;
     const lines = [[]];
-    for (const point of meta.data) {
+    for (const point of meta.data)
       if (point.skip || !Number.isFinite(point.x) || !Number.isFinite(point.y)) lines.push([]);
       else lines.at(-1).push(point);
-    }
     const points = lines.flat();
     if (plot.categories)
       points.forEach((bar) => parts.push(`<rect x="${Math.min(bar.base, bar.x)}" y="${bar.y - bar.height / 2}" ` +
@@ -226,8 +218,7 @@ function svgOf(chart, plot) {
   if (named.length > 1)
     named.forEach((dataset, i) => parts.push(text((i + 0.5) * width / named.length, height + 20, dataset.label, 'middle',
       `style="fill: ${dataset.borderColor}"`)));
-  const { namespaceURI } = new DOMParser().parseFromString('<svg></svg>', 'text/html').querySelector('svg');
-  return `<svg xmlns="${namespaceURI}" width="${width}" height="${height + 24}" ` +
+  return `<svg xmlns="${svgElement('svg', {}).namespaceURI}" width="${width}" height="${height + 24}" ` +
     `font-family="sans-serif" font-size="12" fill="${cssColour('text')}">${parts.join('\n')}</svg>\n`;
 }
 

@@ -49,7 +49,7 @@ function factsOfRun({ summary, expected, words }) {
 }
 
 /** What the peak force depends on, and how much of it is known: mesh, time step, load. */
-function evidenceOfRun({ summary, words, safety }) {
+function evidenceOfRun({ summary, words }) {
   const last = summary.cycles.at(-1), before = summary.cycles.at(-2), rows = [];
   if (last.discretization_error !== undefined)
     rows.push(['Mesh: estimated error', `η = ${percentage(last.discretization_error)} in the energy norm, target ` +
@@ -57,8 +57,7 @@ function evidenceOfRun({ summary, words, safety }) {
       (last.singular_cells ? ` ${last.singular_cells} cells are at the point load: ${percentage(last.discretization_error_of_all_cells)} ` +
         `with them, ${percentage(last.discretization_error_of_regular_cells)} without.` : '')]);
   if (last.peak_force_error_bar !== undefined)
-    rows.push(['Mesh: error of the peak force', `${percentage(last.peak_force_error_space, 3)} by the dual problem, ` +
-      `with a factor of safety of ${formatted(safety, 3)}`]);
+    rows.push(['Mesh: error of the peak force', `${percentage(last.peak_force_error_space, 3)} ${words.estimate}`]);
   else if (last.peak_force_error_estimate !== undefined)
     rows.push(['Mesh: error of the peak force',
       'not known: the mesh or the time step is too coarse to tell']);

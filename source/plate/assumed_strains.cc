@@ -24,14 +24,16 @@ namespace PlateImpact
              Polynomials::generate_complete_Lagrange_basis(eta.get_points())})
       {}
 
-      /// The polynomials at a point of the reference cell.
-      Eigen::RowVectorXd
-      at(const Point<2> &unit) const
+      /// The polynomials at the points of the values, a row each.
+      Eigen::MatrixXd
+      at(const FEValues<2> &values) const
       {
-        Eigen::RowVectorXd values(points.size());
-        for (unsigned int t = 0; t < points.size(); ++t)
-          values[t] = polynomials.compute_value(t, unit);
-        return values;
+        Eigen::MatrixXd result(values.n_quadrature_points, points.size());
+        for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
+          for (unsigned int t = 0; t < points.size(); ++t)
+            result(q, t) =
+              polynomials.compute_value(t, values.get_quadrature().point(q));
+        return result;
       }
 
       Quadrature<2>             points;
@@ -61,15 +63,10 @@ namespace PlateImpact
     const auto        interpolate = [gauss](const CellOperator &tied,
                                      const FEValues<2> &,
                                      const FEValues<2> &values) {
-      const unsigned int n_points = values.n_quadrature_points;
-      CellOperator       result = CellOperator::Zero(2 * n_points, tied.cols());
-      for (unsigned int q = 0; q < n_points; ++q)
-        {
-          const auto polynomials = gauss.at(values.get_quadrature().point(q));
-          for (unsigned int t = 0; t < gauss.points.size(); ++t)
-            result.middleRows<2>(2 * q) +=
-              polynomials[t] * tied.middleRows<2>(2 * t);
-        }
+      const Eigen::MatrixXd polynomials = gauss.at(values);
+      const unsigned int    n           = gauss.points.size();
+      CellOperator          result(2 * polynomials.rows(), tied.cols());
+      result << polynomials * tied.topRows(n), polynomials * tied.bottomRows(n);
       return result;
     };
     return {gauss.points, interpolate};
@@ -80,29 +77,29 @@ namespace PlateImpact
   AssumedShear
   mixed_shear()
   {
-    using Row              = Eigen::RowVectorXd;
     const auto interpolate = [](const CellOperator &tied,
                                 const FEValues<2>  &tying,
                                 const FEValues<2>  &values) {
-      // covariant component d x/d xi_a . gamma of a tying point
-      const auto covariant = [&](const unsigned int t,
-                                 const unsigned int a) -> Row {
-        const auto &J = tying.jacobian(t);
-        return J[0][a] * tied.row(2 * t) + J[1][a] * tied.row(2 * t + 1);
-      };
       const unsigned int n      = values.n_quadrature_points;
       CellOperator       result = CellOperator::Zero(2 * n, tied.cols());
-      for (unsigned int q = 0; q < n; ++q)
-        for (const unsigned int a : {0, 1})
-          {
-            const Row polynomials =
-              covariant_components()[a].at(values.get_quadrature().point(q));
-            Row along = Row::Zero(tied.cols());
-            for (unsigned int t = 0; t < 6; ++t)
-              along += polynomials[t] * covariant(6 * a + t, a);
+      for (const unsigned int a : {0, 1})
+        {
+          // covariant component d x/d xi_a . gamma of the tying points
+          CellOperator covariant(6, tied.cols());
+          for (unsigned int t = 0; t < 6; ++t)
+            {
+              const unsigned int point = 6 * a + t;
+              const auto        &J     = tying.jacobian(point);
+              covariant.row(t) =
+                J[0][a] * tied.row(point) + J[1][a] * tied.row(12 + point);
+            }
+          const CellOperator along =
+            covariant_components()[a].at(values) * covariant;
+          for (unsigned int q = 0; q < n; ++q)
             for (unsigned int d = 0; d < 2; ++d)
-              result.row(2 * q + d) += values.inverse_jacobian(q)[a][d] * along;
-          }
+              result.row(d * n + q) +=
+                values.inverse_jacobian(q)[a][d] * along.row(q);
+        }
       return result;
     };
     const auto           &components = covariant_components();
@@ -127,10 +124,10 @@ namespace PlateImpact
           {
             for (unsigned int node = 0; node < slopes.cols(); ++node)
               {
-                const Tensor<1, 2> slope  = element.shape_grad(node, point);
-                const double       second = slope[component == 0 ? 0 : 1];
-                slopes(k, node) = component == 2 ? slope[0] : 0.5 * second;
-                slopes(n_squares + k, node) = second;
+                const Tensor<1, 2> slope = element.shape_grad(node, point);
+                slopes(k, node) =
+                  (component == 2 ? 1. : 0.5) * slope[component == 1];
+                slopes(n_squares + k, node) = slope[component != 0];
               }
             ++k;
           }
@@ -142,49 +139,24 @@ namespace PlateImpact
 
 
   Eigen::MatrixXd
-  SlopeSquares::derivative(const Eigen::Ref<const Eigen::VectorXd> &s)
-  {
-    return s.tail<n_squares>().asDiagonal() * slopes().topRows<n_squares>() +
-      s.head<n_squares>().asDiagonal() * slopes().bottomRows<n_squares>();
-  }
-
-
-
-  Eigen::MatrixXd
-  SlopeSquares::second_derivative(
-    const Eigen::Ref<const Eigen::VectorXd> &forces)
-  {
-    const Eigen::MatrixXd result = slopes().topRows<n_squares>().transpose() *
-      forces.asDiagonal() * slopes().bottomRows<n_squares>();
-    return result + result.transpose();
-  }
-
-
-
-  Eigen::MatrixXd
   SlopeSquares::strains(const FEValues<2> &values)
   {
-    const unsigned int n = values.n_quadrature_points;
-    Eigen::MatrixXd    result(3 * n, n_squares);
-    for (unsigned int q = 0; q < n; ++q)
+    Eigen::MatrixXd result(3 * values.n_quadrature_points, n_squares);
+    for (const unsigned int component : {0, 1, 2})
       {
-        Eigen::MatrixXd covariant = Eigen::MatrixXd::Zero(3, n_squares);
-        for (const int component : {0, 1, 2})
+        const Eigen::MatrixXd polynomials =
+          covariant_components()[component].at(values);
+        for (unsigned int q = 0; q < polynomials.rows(); ++q)
           {
-            const auto polynomials = covariant_components()[component].at(
-              values.get_quadrature().point(q));
-            covariant.row(component).segment(6 * component,
-                                             polynomials.size()) = polynomials;
+            // d xi_a / d x_d turns them into Cartesian ones
+            const auto &xi = values.inverse_jacobian(q);
+            const auto  a = xi[component == 1], b = xi[component != 0];
+            const Eigen::Vector3d turned(a[0] * b[0],
+                                         a[1] * b[1],
+                                         a[0] * b[1] + a[1] * b[0]);
+            result.block(3 * q, 6 * component, 3, polynomials.cols()) =
+              turned * polynomials.row(q);
           }
-        // d xi_a / d x_d turns them into Cartesian ones
-        const auto     &xi = values.inverse_jacobian(q);
-        Eigen::Matrix3d turned;
-        for (unsigned int d = 0; d < 2; ++d)
-          turned.row(d) << xi[0][d] * xi[0][d], xi[1][d] * xi[1][d],
-            xi[0][d] * xi[1][d];
-        turned.row(2) << 2. * xi[0][0] * xi[0][1], 2. * xi[1][0] * xi[1][1],
-          xi[0][0] * xi[1][1] + xi[1][0] * xi[0][1];
-        result.middleRows<3>(3 * q) = turned * covariant;
       }
     return result;
   }

@@ -2,49 +2,47 @@
 
 namespace PlateImpact
 {
+  namespace
+  {
+    /// Of the squares of slopes, with respect to the nine deflections.
+    Eigen::MatrixXd
+    derivative_of_squares(const Eigen::VectorXd &slopes)
+    {
+      constexpr int          n     = SlopeSquares::n_squares;
+      const Eigen::MatrixXd &per_w = SlopeSquares::slopes();
+      return slopes.tail<n>().asDiagonal() * per_w.topRows<n>() +
+        slopes.head<n>().asDiagonal() * per_w.bottomRows<n>();
+    }
+  } // namespace
+
+
+
   LargeDeflection::LargeDeflection(const PlateDiscretization &plate)
     : plate(plate)
     , deflections(plate.element.dofs_of(deflection))
   {
-    const PlateSection   &section    = plate.section();
-    const Eigen::MatrixXd of_strains = section.stiffness().bottomRows<3>();
-    for (unsigned int c = section.is_unsymmetric() ? rotation_x :
-                                                     displacement_x;
-         c < plate.element.finite_element.n_components();
-         ++c)
-      {
-        const auto dofs = plate.element.dofs_of(c);
-        causes.insert(causes.end(), dofs.begin(), dofs.end());
-      }
+    const Eigen::MatrixXd of_strains =
+      plate.section().stiffness().bottomRows<3>();
     for (unsigned int cell = 0; cell < plate.mesh().n_active_cells(); ++cell)
       {
         const CellShape &shape     = plate.shape(cell);
         const auto [known, is_new] = by_shape.insert({&shape, {}});
         if (!is_new)
           continue;
-        Eigen::MatrixXd &forces = known->second;
-        forces.resize(3 * shape.weights.size(), causes.size());
-        const Eigen::MatrixXd strains =
-          shape.at_quadrature.linear(Eigen::all, causes);
+        const auto &[linear, of_squares] = shape.at_quadrature;
+        auto &[per_dof, per_square]      = known->second;
+        per_dof.setZero(of_squares.cols(), linear.cols());
+        per_square.setZero(of_squares.cols(), of_squares.cols());
         for (Eigen::Index q = 0; q < shape.weights.size(); ++q)
-          forces.middleRows<3>(3 * q) = shape.weights[q] * of_strains *
-            strains.middleRows(of_strains.cols() * q, of_strains.cols());
+          {
+            const auto            squares = of_squares.middleRows<3>(3 * q);
+            const Eigen::MatrixXd forces =
+              shape.weights[q] * squares.transpose() * of_strains;
+            per_dof +=
+              forces * linear.middleRows(forces.cols() * q, forces.cols());
+            per_square += forces.rightCols<3>() * squares;
+          }
       }
-  }
-
-
-
-  Eigen::VectorXd
-  LargeDeflection::forces_of(
-    const Eigen::Index                       cell,
-    const Eigen::Ref<const Eigen::VectorXd> &strains) const
-  {
-    const Eigen::VectorXd &weights = plate.shape(cell).weights;
-    Eigen::VectorXd        result(strains.size());
-    for (Eigen::Index q = 0; q < weights.size(); ++q)
-      result.segment<3>(3 * q).noalias() = weights[q] *
-        (plate.section().membrane_stiffness * strains.segment<3>(3 * q));
-    return result;
   }
 
 
@@ -52,20 +50,18 @@ namespace PlateImpact
   StretchedPlate
   LargeDeflection::stretched(const Eigen::VectorXd &unknowns) const
   {
-    const Eigen::MatrixXd values  = plate.values_of_cells(unknowns),
-                          causing = values(causes, Eigen::all);
-    StretchedPlate result;
-    result.slopes = SlopeSquares::slopes() * values(deflections, Eigen::all);
-    result.strains.resize(3 * plate.element.quadrature.size(), values.cols());
-    result.forces.resize(result.strains.rows(), values.cols());
+    const Eigen::MatrixXd values = plate.values_of_cells(unknowns);
+    StretchedPlate        result;
+    result.slopes  = SlopeSquares::slopes() * values(deflections, Eigen::all);
+    result.squares = SlopeSquares::squares(result.slopes);
+    result.forces.resizeLike(result.squares);
     for (Eigen::Index cell = 0; cell < values.cols(); ++cell)
       {
-        auto strains      = result.strains.col(cell),
-             forces       = result.forces.col(cell);
-        strains.noalias() = plate.shape(cell).at_quadrature.of_squares *
-          SlopeSquares::squares(result.slopes.col(cell));
-        forces.noalias() = forces_of_unknowns(cell) * causing.col(cell);
-        result.energy += strains.dot(forces + 0.5 * forces_of(cell, strains));
+        const auto &[per_dof, per_square] = forces_of(cell);
+        const auto squares                = result.squares.col(cell);
+        auto       forces                 = result.forces.col(cell);
+        forces.noalias()                  = per_dof * values.col(cell);
+        result.energy += squares.dot(forces + 0.5 * per_square * squares);
       }
     result.energy *= plate.n_parts;
     return result;
@@ -78,23 +74,21 @@ namespace PlateImpact
                                const StretchedPlate &end,
                                const double          damping) const
   {
-    const Eigen::MatrixXd strains = (0.5 - damping) * begin.strains +
-      (0.5 + damping) * end.strains,
-                          forces = (0.5 - damping) * begin.forces +
-      (0.5 + damping) * end.forces,
-                          slopes = 0.5 * (begin.slopes + end.slopes);
-    Eigen::MatrixXd of_cells =
-      Eigen::MatrixXd::Zero(plate.element.finite_element.n_dofs_per_cell(),
-                            strains.cols());
+    const double    of_begin = 0.5 - damping, of_end = 0.5 + damping;
+    Eigen::MatrixXd of_cells(plate.element.finite_element.n_dofs_per_cell(),
+                             begin.squares.cols());
     for (Eigen::Index cell = 0; cell < of_cells.cols(); ++cell)
       {
-        of_cells(causes, cell) =
-          forces_of_unknowns(cell).transpose() * strains.col(cell);
-        const Eigen::VectorXd of_squares =
-          plate.shape(cell).at_quadrature.of_squares.transpose() *
-          (forces.col(cell) + forces_of(cell, strains.col(cell)));
-        of_cells(deflections, cell) =
-          SlopeSquares::derivative(slopes.col(cell)).transpose() * of_squares;
+        const auto &[per_dof, per_square] = forces_of(cell);
+        const Eigen::VectorXd squares     = of_begin * begin.squares.col(cell) +
+          of_end * end.squares.col(cell),
+                              forces = of_begin * begin.forces.col(cell) +
+          of_end * end.forces.col(cell) + per_square * squares,
+                              slopes = 0.5 *
+          (begin.slopes.col(cell) + end.slopes.col(cell));
+        of_cells.col(cell) = per_dof.transpose() * squares;
+        of_cells(deflections, cell) +=
+          derivative_of_squares(slopes).transpose() * forces;
       }
     return plate.n_parts * plate.forces_on_unknowns(of_cells);
   }
@@ -106,12 +100,12 @@ namespace PlateImpact
                               const StretchedPlate &end,
                               const double          damping) const
   {
-    const Eigen::MatrixXd strains = end.strains - begin.strains,
+    const Eigen::MatrixXd squares = end.squares - begin.squares,
                           forces  = end.forces - begin.forces;
     double sum                    = 0.;
-    for (Eigen::Index cell = 0; cell < strains.cols(); ++cell)
-      sum += strains.col(cell).dot(2. * forces.col(cell) +
-                                   forces_of(cell, strains.col(cell)));
+    for (Eigen::Index cell = 0; cell < squares.cols(); ++cell)
+      sum += squares.col(cell).dot(
+        2. * forces.col(cell) + forces_of(cell).per_square * squares.col(cell));
     return damping * plate.n_parts * sum;
   }
 
@@ -126,33 +120,29 @@ namespace PlateImpact
   {
     plate.add_cells(
       [&](const unsigned int cell) {
-        const Eigen::MatrixXd &of_squares =
-          plate.shape(cell).at_quadrature.of_squares;
-        const Eigen::VectorXd slopes =
-          0.5 * (begin.slopes.col(cell) + end.slopes.col(cell));
-        const Eigen::MatrixXd strains =
-          (1. + 2. * damping) * of_squares * SlopeSquares::derivative(slopes);
-        Eigen::MatrixXd forces(strains.rows(), strains.cols());
-        for (Eigen::Index node = 0; node < strains.cols(); ++node)
-          forces.col(node) = forces_of(cell, strains.col(node));
-        const Eigen::MatrixXd of_causes =
-          forces_of_unknowns(cell).transpose() * strains;
-        const unsigned int n_dofs =
-          plate.element.finite_element.n_dofs_per_cell();
-        Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n_dofs, n_dofs);
-        K(deflections, deflections) =
-          strains.transpose() * forces / (1. + 2. * damping);
-        K(causes, deflections) += of_causes;
-        K(deflections, causes) += of_causes.transpose();
+        const auto &[per_dof, per_square] = forces_of(cell);
+        const double          factor      = 1. + 2. * damping;
+        const Eigen::MatrixXd squares =
+                                derivative_of_squares(0.5 *
+                                                      (begin.slopes.col(cell) +
+                                                       end.slopes.col(cell))),
+                              of_dofs = factor * per_dof.transpose() * squares;
+        Eigen::MatrixXd K =
+          Eigen::MatrixXd::Zero(per_dof.cols(), per_dof.cols());
+        K(Eigen::all, deflections) += of_dofs;
+        K(deflections, Eigen::all) += of_dofs.transpose();
+        K(deflections, deflections) +=
+          factor * squares.transpose() * per_square * squares;
         if (!with_stresses)
           return K;
-        const Eigen::VectorXd halfway =
-          0.5 * (begin.strains.col(cell) + end.strains.col(cell));
-        const Eigen::VectorXd stresses =
-          0.5 * (begin.forces.col(cell) + end.forces.col(cell)) +
-          forces_of(cell, halfway);
-        K(deflections, deflections) +=
-          SlopeSquares::second_derivative(of_squares.transpose() * stresses);
+        const Eigen::VectorXd forces = 0.5 *
+          (begin.forces.col(cell) + end.forces.col(cell) +
+           per_square * (begin.squares.col(cell) + end.squares.col(cell)));
+        constexpr int          n      = SlopeSquares::n_squares;
+        const Eigen::MatrixXd &per_w  = SlopeSquares::slopes();
+        const Eigen::MatrixXd  second = per_w.topRows<n>().transpose() *
+          forces.asDiagonal() * per_w.bottomRows<n>();
+        K(deflections, deflections) += second + second.transpose();
         return K;
       },
       sum);

@@ -2,23 +2,18 @@
 
 #include "plate_impact/plate/plate_section.h"
 
-#include <boost/math/constants/constants.hpp>
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/special_functions/bessel.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <map>
-#include <string>
 #include <tuple>
 
 namespace PlateImpact
 {
   namespace
   {
-    namespace constants = boost::math::double_constants;
-
     /// 2 sinh^2(y/2) / (sinh y + y) + 2 cosh^2(y/2) / (sinh y - y): the
     /// symmetric and the antisymmetric deformation of a layer.
     double
@@ -52,45 +47,6 @@ namespace PlateImpact
         3. * boost::math::sph_bessel(1, x) / x :
         2. * ::j1(x) / x;
     }
-
-
-
-    /// The integral of a function of y like LayerResponse::excess() over all
-    /// wavenumbers.
-    template <typename Function>
-    double
-    integral(const Function &function, const double radius)
-    {
-      // The layer decays within y of 40, the plate over some oscillations of
-      // the transform. Gauss points do not come close to 0, where terms cancel.
-      using Gauss                 = boost::math::quadrature::gauss<double, 20>;
-      const double oscillation    = constants::pi / radius;
-      const double n_oscillations = 64.;
-      double       sum = 0., begin = 0.;
-      while (begin < std::max(40., n_oscillations * oscillation))
-        {
-          const double end =
-            begin + (begin < 40. ? std::min(2., oscillation) : oscillation);
-          sum += Gauss::integrate(function, begin, end);
-          begin = end;
-        }
-      return sum;
-    }
-
-
-
-    /// Poisson's ratio, shear correction, radius, load, and which constant.
-    using LayerKey = std::tuple<double, double, double, LoadShape, std::string>;
-
-    /// A constant of a layer, computed once: that takes as long as an impact of
-    /// a sweep, whose impactors strike one plate.
-    double
-    remembered(const LayerKey &layer, const std::function<double()> &compute)
-    {
-      static thread_local std::map<LayerKey, double> known;
-      const auto                                     place = known.find(layer);
-      return place != known.end() ? place->second : known[layer] = compute();
-    }
   } // namespace
 
 
@@ -117,58 +73,41 @@ namespace PlateImpact
 
 
   double
-  LayerResponse::excess(const double y, const double radius) const
+  LayerResponse::integral(const double radius, const bool is_line) const
   {
-    const double P       = transform_of_pressure(load, radius * y);
-    const double bending = 1. - rotation_factor(radius) * y * y;
-    return 0.5 * (1. - poissons_ratio) * (compliance_of_layer(y) - 2.) -
-      P * P *
-      (6. * (1. - poissons_ratio) * bending * bending / (y * y * y) +
-       1. / (shear_correction * y));
-  }
+    // computed once: that takes as long as an impact of a sweep, whose
+    // impactors strike one plate
+    using Key = std::tuple<double, double, double, LoadShape, bool>;
+    static thread_local std::map<Key, double> known;
+    const Key key{poissons_ratio, shear_correction, radius, load, is_line};
+    if (const auto place = known.find(key); place != known.end())
+      return place->second;
 
-
-
-  double
-  LayerResponse::sphere_constant(const double radius) const
-  {
-    return remembered(
-      {poissons_ratio, shear_correction, radius, load, "sphere"},
-      [&] {
-        return integral([&](const double y) { return excess(y, radius); },
-                        radius) /
-          (2. * constants::pi);
-      });
-  }
-
-
-
-  double
-  LayerResponse::line_constant(const double radius) const
-  {
-    return remembered(
-      {poissons_ratio, shear_correction, radius, load, "line"},
-      [&] {
-        const auto excess_of_line = [&](const double y) {
-          return (excess(y, radius) + (1. - poissons_ratio) * std::exp(-y)) / y;
-        };
-        return constants::ln_two + 0.5 +
-          integral(excess_of_line, radius) / (1. - poissons_ratio);
-      });
-  }
-
-
-
-  double
-  load_rotation_factor(const PlateParameters   &plate,
-                       const ContactParameters &contact)
-  {
-    if (contact.local_response != LocalResponse::layer)
-      return 0.;
-    const double h = plate.thickness;
-    const double beta =
-      LayerResponse(PlateSection(plate), contact.load_distribution)
-        .rotation_factor(contact.patch_radius / h);
-    return std::abs(beta) > 1e-9 ? beta * h * h : 0.;
+    // G/h [C(k) - (1-nu)/(G k) - C_R(k)] y at y = k h, C_R the compliance of
+    // plate theory under the patch
+    const double nu     = poissons_ratio;
+    const double beta   = rotation_factor(radius);
+    const auto   excess = [&](const double y) {
+      const double P       = transform_of_pressure(load, radius * y);
+      const double bending = 1. - beta * y * y;
+      const double result  = 0.5 * (1. - nu) * (compliance_of_layer(y) - 2.) -
+        P * P *
+          (6. * (1. - nu) * bending * bending / (y * y * y) +
+           1. / (shear_correction * y));
+      return is_line ? (result + (1. - nu) * std::exp(-y)) / y : result;
+    };
+    // The layer decays within y of 40, the plate over some oscillations of the
+    // transform. Gauss points do not come close to 0, where terms cancel.
+    using Gauss              = boost::math::quadrature::gauss<double, 20>;
+    const double oscillation = boost::math::double_constants::pi / radius;
+    double       sum = 0., begin = 0.;
+    while (begin < std::max(40., 64. * oscillation))
+      {
+        const double end =
+          begin + (begin < 40. ? std::min(2., oscillation) : oscillation);
+        sum += Gauss::integrate(excess, begin, end);
+        begin = end;
+      }
+    return known[key] = sum;
   }
 } // namespace PlateImpact

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 namespace PlateImpact
@@ -16,78 +15,26 @@ namespace PlateImpact
 
   namespace
   {
-    /// Points along a length, so many on each of the cells there: on fewer, a
-    /// load is a row of point loads under which nothing converges.
-    unsigned int
-    n_points(const double length,
-             const double finest_cell,
-             const double least,
-             const double most)
+    /// Where a load acts across, by s in [0, 1]: distance from its centre or
+    /// axis, in patch radii, and density of the force.
+    std::pair<double, double>
+    across(const LoadShape load, const double s)
     {
-      return std::clamp(std::ceil(8. * length / finest_cell), least, most);
-    }
-
-
-
-    /// Distances from the centre or the axis of a load, with weights that sum
-    /// to one.
-    using Radial = std::vector<std::pair<double, double>>;
-
-
-    /// Gauss points s in [0, 1].
-    /// @param at  distance and density of the force at s
-    template <typename Function>
-    Radial
-    gauss_points(const unsigned int n, const Function &at)
-    {
-      const QGauss<1> rule(n);
-      Radial          points;
-      for (unsigned int i = 0; i < n; ++i)
+      switch (load)
         {
-          const auto [distance, density] = at(rule.point(i)[0]);
-          points.emplace_back(distance, rule.weight(i) * density);
+          case LoadShape::Hertz_disc:
+            // s = sqrt(1 - (r/c)^2): p r dr is 3 s^2 ds
+            return {std::sqrt(1. - s * s), 3. * s * s};
+          case LoadShape::uniform_disc:
+            // s = (r/c)^2: p r dr is ds
+            return {std::sqrt(s), 1.};
+          case LoadShape::strip:
+            // y = c sin(phi), phi = pi s / 2: p dy is 2 cos^2(phi) ds
+            return {std::sin(numbers::PI_2 * s),
+                    2. * std::pow(std::cos(numbers::PI_2 * s), 2)};
+          default:
+            return {0., 1.};
         }
-      return points;
-    }
-
-
-
-    /// Quadrature of a load on a disc, with as many equidistant angles as
-    /// radii: these integrate smooth functions with the mirror symmetries of
-    /// the plate to high order.
-    std::vector<LoadPoint>
-    disc(const Radial &radii)
-    {
-      std::vector<LoadPoint> points;
-      const std::size_t      n = radii.size();
-      for (const auto &[r, weight] : radii)
-        for (std::size_t j = 0; j < n; ++j)
-          {
-            const double angle = (j + 0.5) / n * numbers::PI_2;
-            points.push_back(
-              {r * Point<2>(std::cos(angle), std::sin(angle)), weight / n});
-          }
-      return points;
-    }
-
-
-
-    /// Quadrature of a load along 0 <= x <= l, at distances y from the axis.
-    std::vector<LoadPoint>
-    strip(const double       half_length,
-          const unsigned int n_intervals,
-          const Radial      &across)
-    {
-      // QIterated refuses the round-off in weights of very many intervals
-      const QGauss<1>        rule(2);
-      const double           interval = half_length / n_intervals;
-      std::vector<LoadPoint> points;
-      for (unsigned int i = 0; i < n_intervals; ++i)
-        for (unsigned int q = 0; q < rule.size(); ++q)
-          for (const auto &[y, weight] : across)
-            points.push_back({Point<2>((i + rule.point(q)[0]) * interval, y),
-                              rule.weight(q) / n_intervals * weight});
-      return points;
     }
   } // namespace
 
@@ -98,40 +45,44 @@ namespace PlateImpact
                          const double             length,
                          const double             finest_cell)
   {
-    const double       c = contact.patch_radius;
-    const unsigned int n_along =
-      n_points(0.5 * length, finest_cell, 400, 4e5) / 2;
-    // Shape functions have kinks at cell sides: many points, not a high order
-    const unsigned int n_on_disc = n_points(c, finest_cell, 40, 400);
-    switch (contact.load_distribution)
+    if (contact.load_is_singular())
+      return {{Point<2>(), 1.}};
+    // So many points on each of the cells there: on fewer, a load is a row of
+    // point loads under which nothing converges. Shape functions have kinks at
+    // cell sides: many points, not a high order.
+    const auto n_points = [&](const double size,
+                              const double least,
+                              const double most) -> unsigned int {
+      return std::clamp(std::ceil(8. * size / finest_cell), least, most);
+    };
+    const bool      is_disc = !contact.load_has_length();
+    const double    c       = contact.patch_radius;
+    const QGauss<1> radial(
+      contact.load_is_line() ? 1 : n_points(c, is_disc ? 40 : 24, 400));
+    // QIterated refuses the round-off in weights of very many intervals; as
+    // many equidistant angles as radii integrate smooth functions with the
+    // mirror symmetries of the plate to high order
+    const QGauss<1>    along(is_disc ? 1 : 2);
+    const unsigned int n_intervals =
+      is_disc ? radial.size() : n_points(0.5 * length, 400, 4e5) / 2;
+    std::vector<LoadPoint> points;
+    for (unsigned int k = 0; k < radial.size(); ++k)
       {
-        case LoadShape::point:
-          return {{Point<2>(), 1.}};
-        case LoadShape::Hertz_disc:
-          // s = sqrt(1 - (r/c)^2): p r dr is 3 s^2 ds
-          return disc(gauss_points(n_on_disc, [c](const double s) {
-            return std::pair(c * std::sqrt(1. - s * s), 3. * s * s);
-          }));
-        case LoadShape::uniform_disc:
-          // s = (r/c)^2: p r dr is ds
-          return disc(gauss_points(n_on_disc, [c](const double s) {
-            return std::pair(c * std::sqrt(s), 1.);
-          }));
-        case LoadShape::line:
-          return strip(0.5 * length, n_along, {{0., 1.}});
-        case LoadShape::strip:
-          // y = c sin(phi), phi = pi s / 2: p dy is 2 cos^2(phi) ds
-          return strip(0.5 * length,
-                       n_along,
-                       gauss_points(n_points(c, finest_cell, 24, 400),
-                                    [c](const double s) {
-                                      const double phi = numbers::PI_2 * s;
-                                      return std::pair(c * std::sin(phi),
-                                                       2. * std::cos(phi) *
-                                                         std::cos(phi));
-                                    }));
+        const auto [distance, density] =
+          across(contact.load_distribution, radial.point(k)[0]);
+        for (unsigned int i = 0; i < n_intervals; ++i)
+          for (unsigned int j = 0; j < along.size(); ++j)
+            {
+              const double t     = (i + along.point(j)[0]) / n_intervals,
+                           angle = numbers::PI_2 * t;
+              points.push_back(
+                {is_disc ?
+                   c * distance * Point<2>(std::cos(angle), std::sin(angle)) :
+                   Point<2>(0.5 * length * t, c * distance),
+                 radial.weight(k) * density * along.weight(j) / n_intervals});
+            }
       }
-    throw std::logic_error("no such load distribution");
+    return points;
   }
 
 
@@ -151,14 +102,4 @@ namespace PlateImpact
             }
     return points;
   }
-
-
-
-  template <>
-  const std::vector<Word<LoadShape>> Choices<LoadShape>::words = {
-    {LoadShape::point, "point"},
-    {LoadShape::Hertz_disc, "Hertz disc"},
-    {LoadShape::uniform_disc, "uniform disc"},
-    {LoadShape::line, "line"},
-    {LoadShape::strip, "strip"}};
 } // namespace PlateImpact

@@ -1,25 +1,20 @@
 #include "plate_impact/plate/msh_file.h"
 
 #include "plate_impact/base/exceptions.h"
+#include "plate_impact/base/text.h"
 
-#include <charconv>
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstdlib>
 #include <fmt/format.h>
 #include <fstream>
+#include <functional>
 #include <type_traits>
 #include <unordered_map>
 
 namespace PlateImpact
 {
-  void
-  refuse_file(const std::string &sentence)
-  {
-    throw InputError({sentence});
-  }
-
-
-
   namespace
   {
     using Count = std::uint64_t;
@@ -43,11 +38,12 @@ namespace PlateImpact
         {10, " (Quadrilateral of 9 nodes)"},
         {16, " (Quadrilateral of 8 nodes)"}};
       const auto other = others.find(type);
-      refuse_file("holds elements of the type " + std::to_string(type) +
-                  (other != others.end() ? other->second : "") +
-                  "; expected quadrilaterals of four nodes alone (in Gmsh: "
-                  "Mesh.RecombineAll = 1, Mesh.SubdivisionAlgorithm = 1, "
-                  "Mesh.ElementOrder = 1)");
+      throw InputError(
+        {"holds elements of the type " + std::to_string(type) +
+         (other != others.end() ? other->second : "") +
+         "; expected quadrilaterals of four nodes alone (in Gmsh: "
+         "Mesh.RecombineAll = 1, Mesh.SubdivisionAlgorithm = 1, "
+         "Mesh.ElementOrder = 1)"});
     }
 
 
@@ -55,10 +51,11 @@ namespace PlateImpact
     [[noreturn]] void
     refuse_format(const std::string &found)
     {
-      refuse_file("is " + found +
-                  "; expected version 4.1 or 2.2 of Gmsh's format, as text and "
-                  "of one part (in Gmsh: Mesh.MshFileVersion = 4.1, "
-                  "Mesh.Binary = 0, Mesh.SaveParametric = 0)");
+      throw InputError(
+        {"is " + found +
+         "; expected version 4.1 or 2.2 of Gmsh's format, as text and of one "
+         "part (in Gmsh: Mesh.MshFileVersion = 4.1, Mesh.Binary = 0, "
+         "Mesh.SaveParametric = 0)"});
     }
 
 
@@ -74,62 +71,87 @@ namespace PlateImpact
       read()
       {
         if (!in.is_open())
-          refuse_file(
-            "cannot be read; expected rectangle, circle or a mesh of Gmsh");
+          throw InputError(
+            {"cannot be read; expected rectangle, circle or a mesh of Gmsh"});
         // the first word tells other files apart; then from the beginning
         in >> section;
         if (section != "$MeshFormat" && section != "$Comments" &&
             section != "$PhysicalNames")
-          refuse_file("is no mesh of Gmsh, which begins with $MeshFormat");
+          throw InputError(
+            {"is no mesh of Gmsh, which begins with $MeshFormat"});
         in.seekg(0);
         while (in >> section)
           if (section[0] == '$')
-            {
-              const std::string end     = "$End" + section.substr(1);
-              const bool        is_read = read_section();
-              std::string       found   = word();
-              if (is_read && found != end)
-                refuse("expected " + end + ", not '" + found + "'");
-              while (found != end)
-                found = word();
-            }
-        for (auto &[group, name] : file.groups)
-          name = names.count(group) > 0 ? names[group] : std::to_string(group);
+            read_section();
+        name_edges();
         if (file.cells.empty())
-          refuse_file("holds no quadrilaterals; expected a mesh of a plane");
+          throw InputError(
+            {"holds no quadrilaterals; expected a mesh of a plane"});
         return std::move(file);
       }
 
     private:
       static constexpr std::size_t most_cells = 250000;
 
-      /// @return whether the section is one that a plate needs
-      bool
+      /// An edge is a physical group of curves.
+      void
+      name_edges()
+      {
+        for (auto &[group, edge] : edge_of_group)
+          {
+            const std::string name =
+              names.count(group) > 0 ? names[group] : std::to_string(group);
+            if (printable(name) != name ||
+                name.find_first_of(",:#\"") != std::string::npos)
+              throw InputError({"has a physical group '" + name +
+                                "', which no scene can name; expected no "
+                                "comma, colon, # or control character in it"});
+            edge = file.edges.size();
+            file.edges.push_back(name);
+          }
+        for (const auto &[tags, group] : lines)
+          {
+            if (vertices.count(tags[0]) == 0 || vertices.count(tags[1]) == 0)
+              continue;
+            const unsigned int a = vertices[tags[0]], b = vertices[tags[1]];
+            const unsigned int edge  = edge_of_group[group],
+                               known = file.edge_of_side
+                                         .insert({std::minmax({a, b}), edge})
+                                         .first->second;
+            if (known != edge)
+              throw InputError({fmt::format(
+                "has a side at ({:.4g}, {:.4g}) in two physical groups, '{}' "
+                "and '{}'; expected one",
+                file.vertices[std::min(a, b)][0],
+                file.vertices[std::min(a, b)][1],
+                file.edges[known],
+                file.edges[edge])});
+          }
+      }
+
+      void
       read_section()
       {
-        if (section == "$MeshFormat")
-          read_format();
-        else if (section == "$PhysicalNames")
-          read_names();
-        else if (section == "$ParametricNodes")
-          refuse_format("a mesh with the parameters of nodes");
-        else if (section == "$PartitionedEntities")
-          refuse_format("a mesh of several parts");
-        else if (section != "$Entities" && section != "$Nodes" &&
-                 section != "$Elements")
-          return false;
-        else if (version == 0.)
-          refuse("expected $MeshFormat before it");
+        const std::map<std::string, std::function<void()>> known = {
+          {"$MeshFormat", [this] { read_format(); }},
+          {"$PhysicalNames", [this] { read_names(); }},
+          {"$Nodes", [this] { read_nodes(); }},
+          {"$Elements", [this] { read_elements(); }},
+          {"$ParametricNodes",
+           [] { refuse_format("a mesh with the parameters of nodes"); }},
+          {"$PartitionedEntities",
+           [] { refuse_format("a mesh of several parts"); }}};
+        const auto read = known.find(section);
+        if (read != known.end())
+          read->second();
         else if (section == "$Entities")
-          {
-            read_curves();
-            return false; // of what follows, surfaces, nothing is needed
-          }
-        else if (section == "$Nodes")
-          read_nodes();
-        else
-          read_elements();
-        return true;
+          read_curves(); // and nothing of what follows, surfaces
+        const std::string end   = "$End" + section.substr(1);
+        std::string       found = word();
+        if (read != known.end() && found != end)
+          refuse("expected " + end + ", not '" + found + "'");
+        while (found != end)
+          found = word();
       }
 
       void
@@ -165,47 +187,43 @@ namespace PlateImpact
       void
       read_curves()
       {
-        const Count n_points = next<Count>(), n_curves = next<Count>();
-        next<Count>(); // surfaces
-        next<Count>(); // volumes
-        for (Count n = 0; n < n_points + n_curves; ++n)
+        // of points, curves, surfaces and volumes
+        const auto  n        = next<Count>(4);
+        const Count n_points = n[0], n_curves = n[1];
+        for (Count i = 0; i < n_points + n_curves; ++i)
           {
-            const bool is_curve = n >= n_points;
+            const bool is_curve = i >= n_points;
             const int  entity   = next<int>();
             // the place of a point, the box around a curve
-            for (unsigned int i = 0; i < (is_curve ? 6 : 3); ++i)
-              next<double>();
-            for (Count n_groups = next<Count>(); n_groups > 0; --n_groups)
-              if (const int group = next<int>(); is_curve)
-                groups_of_curve[entity].push_back(std::labs(group));
+            next<double>(is_curve ? 6 : 3);
+            for (const int group : next<int>(next<Count>()))
+              if (is_curve)
+                {
+                  groups_of_curve[entity].push_back(std::labs(group));
+                  edge_of_group[std::labs(group)];
+                }
             if (is_curve)
-              for (Count n_ends = next<Count>(); n_ends > 0; --n_ends)
-                next<int>();
+              next<int>(next<Count>()); // its ends
           }
-        for (const auto &[curve, groups] : groups_of_curve)
-          for (const unsigned int group : groups)
-            file.groups[group];
       }
 
       void
       read_nodes()
       {
+        if (version == 0.)
+          refuse("expected $MeshFormat before it");
         if (version < 4.)
           for (Count n = next<Count>(); n > 0; --n)
             add_node(next<Count>());
         else
-          for (Count n_blocks = blocks(); n_blocks > 0; --n_blocks)
+          // blocks, their nodes, the least and the largest number
+          for (Count n = next<Count>(4)[0]; n > 0; --n)
             {
-              next<int>(); // dimension
-              next<int>(); // entity
+              next<int>(2); // dimension and entity
               if (next<int>() != 0)
                 refuse_format("a mesh with the parameters of nodes");
               // first all numbers, then all coordinates
-              const Count        n = next<Count>();
-              std::vector<Count> tags;
-              while (tags.size() < n)
-                tags.push_back(next<Count>());
-              for (const Count tag : tags)
+              for (const Count tag : next<Count>(next<Count>()))
                 add_node(tag);
             }
       }
@@ -213,12 +231,9 @@ namespace PlateImpact
       void
       add_node(const Count tag)
       {
-        dealii::Point<3> point;
-        for (unsigned int d = 0; d < 3; ++d)
-          point[d] = next<double>();
-        if (!number_of_node.insert({tag, file.nodes.size()}).second)
+        const auto point = next<double>(3);
+        if (!nodes.insert({tag, {point[0], point[1], point[2]}}).second)
           refuse(fmt::format("the node {} comes twice", tag));
-        file.nodes.push_back(point);
       }
 
       void
@@ -228,16 +243,16 @@ namespace PlateImpact
           for (Count n = next<Count>(); n > 0; --n)
             {
               next<Count>(); // its number
-              const int                 type   = next<int>();
-              const int                 n_tags = next<int>();
-              std::vector<unsigned int> groups; // the first tag
-              for (int t = 0; t < n_tags; ++t)
-                if (const int tag = next<int>(); t == 0 && tag != 0)
-                  groups.assign(1, std::labs(tag));
+              const int                 type = next<int>();
+              const auto                tags = next<int>(next<Count>());
+              std::vector<unsigned int> groups;
+              if (!tags.empty() && tags[0] != 0)
+                groups.push_back(std::labs(tags[0]));
               add_element(type, groups);
             }
         else
-          for (Count n_blocks = blocks(); n_blocks > 0; --n_blocks)
+          // the same of elements
+          for (Count blocks = next<Count>(4)[0]; blocks > 0; --blocks)
             {
               next<int>(); // dimension
               const int entity = next<int>(), type = next<int>();
@@ -252,46 +267,40 @@ namespace PlateImpact
       void
       add_element(const int type, const std::vector<unsigned int> &groups)
       {
-        std::array<unsigned int, 4> nodes;
-        const unsigned int          n_nodes = n_nodes_of(type);
-        for (unsigned int i = 0; i < n_nodes; ++i)
-          {
-            const Count tag   = next<Count>();
-            const auto  found = number_of_node.find(tag);
-            if (found == number_of_node.end())
-              refuse(fmt::format("an element has the node {}, which is not "
-                                 "among the nodes of the file",
-                                 tag));
-            nodes[i] = found->second;
-          }
+        const auto tags = next<Count>(n_nodes_of(type));
+        for (const Count tag : tags)
+          if (nodes.count(tag) == 0)
+            refuse(fmt::format("an element has the node {}, which is not among "
+                               "the nodes of the file",
+                               tag));
         if (type == quadrilateral_type)
-          {
-            // around the cell there, by rows here
-            dealii::CellData<2> cell;
-            cell.vertices = {nodes[0], nodes[1], nodes[3], nodes[2]};
-            file.cells.push_back(cell);
-          }
-        if (file.cells.size() > most_cells)
-          refuse_file(fmt::format("has more than {} cells; expected at most "
-                                  "that many",
-                                  most_cells));
+          add_cell(tags);
         if (type == line_type)
           for (const unsigned int group : groups)
             {
-              file.groups[group];
-              file.sides.push_back({{{nodes[0], nodes[1]}}, group});
+              edge_of_group[group];
+              lines.push_back({{{tags[0], tags[1]}}, group});
             }
       }
 
-      /// How many blocks a section of version 4 has.
-      Count
-      blocks()
+      void
+      add_cell(const std::vector<Count> &tags)
       {
-        const auto n = next<Count>();
-        // how many there are in them, and the least and the largest number
-        for (unsigned int i = 0; i < 3; ++i)
-          next<Count>();
-        return n;
+        dealii::CellData<2> &cell = file.cells.emplace_back();
+        for (unsigned int v = 0; v < 4; ++v)
+          {
+            // around the cell there, by rows here
+            const Count tag = tags[v ^ (v / 2)];
+            const auto [vertex, is_new] =
+              vertices.try_emplace(tag, vertices.size());
+            if (is_new)
+              file.vertices.push_back(nodes[tag]);
+            cell.vertices[v] = vertex->second;
+          }
+        if (file.cells.size() > most_cells)
+          throw InputError(
+            {fmt::format("has more than {} cells; expected at most that many",
+                         most_cells)});
       }
 
       std::string
@@ -299,7 +308,7 @@ namespace PlateImpact
       {
         std::string found;
         if (!(in >> found))
-          refuse_file("is damaged: it ends within " + section);
+          throw InputError({"is damaged: it ends within " + section});
         return found;
       }
 
@@ -308,15 +317,22 @@ namespace PlateImpact
       next()
       {
         const std::string found  = word();
-        const char *const begin  = found.data() + (found[0] == '+' ? 1 : 0),
-                          *end   = found.data() + found.size();
-        Number number            = 0;
-        const auto [last, error] = std::from_chars(begin, end, number);
-        if (error != std::errc() || last != end)
+        Number            number = 0;
+        if (!to_number(found, number))
           refuse(std::string("expected a ") +
                  (std::is_integral_v<Number> ? "whole " : "") +
                  "number, not '" + found + "'");
         return number;
+      }
+
+      template <typename Number>
+      std::vector<Number>
+      next(const Count n)
+      {
+        std::vector<Number> numbers;
+        while (numbers.size() < n)
+          numbers.push_back(next<Number>());
+        return numbers;
       }
 
       /// With the line that has been read last.
@@ -324,22 +340,27 @@ namespace PlateImpact
       refuse(const std::string &what)
       {
         in.clear();
-        const std::streamoff end = in.tellg();
+        std::string before(in.tellg(), ' ');
         in.seekg(0);
-        unsigned int line = 1;
-        for (std::streamoff at = 0; at < end; ++at)
-          line += in.get() == '\n' ? 1 : 0;
-        refuse_file(
-          fmt::format("is damaged in line {}, in {}: {}", line, section, what));
+        in.read(before.data(), before.size());
+        throw InputError(
+          {fmt::format("is damaged in line {}, in {}: {}",
+                       1 + std::count(before.begin(), before.end(), '\n'),
+                       section,
+                       what)});
       }
 
       std::ifstream                            in;
       std::string                              section; ///< with its `$`
       MshFile                                  file;
       double                                   version = 0.;
-      std::unordered_map<Count, unsigned int>  number_of_node;
       std::map<unsigned int, std::string>      names;
+      std::map<unsigned int, unsigned int>     edge_of_group;
       std::map<int, std::vector<unsigned int>> groups_of_curve;
+      // by the numbers of nodes in the file
+      std::unordered_map<Count, dealii::Point<3>>                nodes;
+      std::unordered_map<Count, unsigned int>                    vertices;
+      std::vector<std::pair<std::array<Count, 2>, unsigned int>> lines;
     };
   } // namespace
 

@@ -5,7 +5,6 @@
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/grid/grid_tools.h>
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/vector.h>
 #include <deal.II/numerics/rtree.h>
 #include <deal.II/numerics/vector_tools_interpolate.h>
@@ -13,7 +12,6 @@
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
-#include "plate_impact/plate/support.h"
 
 #include <Eigen/SVD>
 #include <Epetra_CrsGraph.h>
@@ -21,7 +19,6 @@
 #include <Epetra_SerialComm.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <map>
@@ -30,104 +27,6 @@
 namespace PlateImpact
 {
   using namespace dealii;
-
-  namespace
-  {
-    /// Corners relative to the first one in units of the tolerance: equal for
-    /// congruent cells of equal orientation.
-    std::array<long, 6>
-    congruence_key(const Triangulation<2>::active_cell_iterator &cell,
-                   const double                                  tolerance)
-    {
-      std::array<long, 6> key;
-      for (unsigned int v = 1; v < 4; ++v)
-        for (unsigned int d = 0; d < 2; ++d)
-          key[2 * (v - 1) + d] =
-            std::lround((cell->vertex(v)[d] - cell->vertex(0)[d]) / tolerance);
-      return key;
-    }
-
-
-
-    /// Calls a function with each cell that has points of a load, and with
-    /// these, from left to right.
-    /// @throws ComputationError when a point lies outside of the mesh
-    template <typename Function>
-    void
-    for_cells_under_load(const Triangulation<2> &mesh,
-                         std::vector<LoadPoint>  points,
-                         const Function         &function)
-    {
-      std::sort(points.begin(),
-                points.end(),
-                [](const LoadPoint &p, const LoadPoint &q) {
-                  return p.point[0] < q.point[0];
-                });
-      std::vector<Point<2>> positions;
-      for (const LoadPoint &point : points)
-        positions.push_back(point.point);
-      const auto        tree = pack_rtree_of_indices(positions);
-      std::vector<bool> is_found(points.size(), false);
-      for (const auto &cell : mesh.active_cell_iterators())
-        {
-          BoundingBox<2> box = cell->bounding_box();
-          // a curved cell reaches beyond the box of its corners, by a part of
-          // it
-          box.extend((&mapping_of(cell) == &curved_mapping() ? 0.25 : 1e-9) *
-                     std::max(box.side_length(0), box.side_length(1)));
-          std::vector<std::size_t> near;
-          tree.query(boost::geometry::index::intersects(box),
-                     std::back_inserter(near));
-          if (near.empty())
-            continue;
-          std::sort(near.begin(), near.end());
-          std::vector<Point<2>> real, unit(near.size()), within;
-          for (const std::size_t p : near)
-            real.push_back(positions[p]);
-          mapping_of(cell).transform_points_real_to_unit_cell(cell, real, unit);
-          std::vector<double> weights;
-          for (std::size_t i = 0; i < near.size(); ++i)
-            if (!is_found[near[i]] &&
-                GeometryInfo<2>::is_inside_unit_cell(unit[i], 1e-9))
-              {
-                is_found[near[i]] = true;
-                within.push_back(unit[i]);
-                weights.push_back(points[near[i]].weight);
-              }
-          if (!within.empty())
-            function(cell, Quadrature<2>(within, weights));
-        }
-      if (std::count(is_found.begin(), is_found.end(), false) > 0)
-        throw ComputationError("the load distribution reaches beyond the mesh");
-    }
-
-
-
-    /// A matrix, all zero, with the entries of a sparsity pattern.
-    std::unique_ptr<Epetra_CrsMatrix>
-    make_matrix(const DynamicSparsityPattern &pattern)
-    {
-      const Epetra_SerialComm communicator;
-      const Epetra_Map map(static_cast<int>(pattern.n_rows()), 0, communicator);
-      // local indices of a known column map need no search, and a matrix whose
-      // graph is complete takes its values at once
-      Epetra_CrsGraph graph(Copy, map, map, 0);
-      for (unsigned int row = 0; row < pattern.n_rows(); ++row)
-        {
-          std::vector<int> columns;
-          for (unsigned int i = 0; i < pattern.row_length(row); ++i)
-            columns.push_back(pattern.column_number(row, i));
-          graph.InsertMyIndices(row, columns.size(), columns.data());
-        }
-      graph.FillComplete();
-      graph.OptimizeStorage();
-      auto matrix = std::make_unique<Epetra_CrsMatrix>(Copy, graph);
-      matrix->FillComplete();
-      return matrix;
-    }
-  } // namespace
-
-
 
   PlateDiscretization::PlateDiscretization(const Triangulation<2> &mesh,
                                            const PlateElement     &element,
@@ -143,19 +42,25 @@ namespace PlateImpact
     dofs.distribute_dofs(element.finite_element);
     DoFTools::make_hanging_node_constraints(dofs, constraints);
     element.add_internal_constraints(dofs, constraints);
-    holds_deflection = hold_edges(dofs, plate, constraints);
+    hold_edges(plate);
     constraints.close();
     number_unknowns();
 
     const double tolerance = 1e-10 * mesh.begin_active(0)->diameter();
-    std::map<std::array<long, 6>, unsigned int> known;
+    // corners relative to the first one: equal for congruent cells of equal
+    // orientation
+    std::map<std::vector<long>, unsigned int> known;
     for (const auto &cell : mesh.active_cell_iterators())
       {
+        std::vector<long> corners;
+        for (const unsigned int v : {1, 2, 3})
+          for (const unsigned int d : {0, 1})
+            corners.push_back(std::lround(
+              (cell->vertex(v)[d] - cell->vertex(0)[d]) / tolerance));
         unsigned int shape = shapes.size();
         // corners do not tell curved cells apart
         if (&mapping_of(cell) != &curved_mapping())
-          shape = known.insert({congruence_key(cell, tolerance), shape})
-                    .first->second;
+          shape = known.insert({corners, shape}).first->second;
         if (shape == shapes.size())
           shapes.push_back(element.shape(cell));
         shape_of_cell.push_back(shape);
@@ -176,6 +81,7 @@ namespace PlateImpact
         }
     components_of.assign(n_unknowns(), 0);
 
+    using Entries = AffineConstraints<double>::ConstraintLine::Entries;
     const FiniteElement<2>              &fe = dofs.get_fe();
     std::vector<types::global_dof_index> of_cell(fe.n_dofs_per_cell());
     std::vector<Eigen::Triplet<double>>  weights;
@@ -185,18 +91,15 @@ namespace PlateImpact
         cell->get_dof_indices(of_cell);
         for (unsigned int i = 0; i < of_cell.size(); ++i, ++row)
           {
-            const auto add = [&](const types::global_dof_index dof,
-                                 const double                  weight) {
-              weights.emplace_back(row, unknown_of_dof[dof], weight);
-              components_of[unknown_of_dof[dof]] |= 1u
-                << fe.system_to_component_index(i).first;
-            };
-            if (!constraints.is_constrained(of_cell[i]))
-              add(of_cell[i], 1.);
-            else
-              for (const auto &[master, weight] :
-                   *constraints.get_constraint_entries(of_cell[i]))
-                add(master, weight);
+            const auto *masters =
+              constraints.get_constraint_entries(of_cell[i]);
+            const Entries itself = {{of_cell[i], 1.}};
+            for (const auto &[dof, weight] : masters ? *masters : itself)
+              {
+                weights.emplace_back(row, unknown_of_dof[dof], weight);
+                components_of[unknown_of_dof[dof]] |= 1u
+                  << fe.system_to_component_index(i).first;
+              }
           }
       }
     nodal_values_of_cells.resize(row, n_unknowns());
@@ -205,14 +108,13 @@ namespace PlateImpact
 
 
 
-  std::vector<types::global_dof_index>
+  std::vector<int>
   PlateDiscretization::unknowns_of(const unsigned int cell) const
   {
     const int        n       = element.finite_element.n_dofs_per_cell(),
               *const columns = nodal_values_of_cells.innerIndexPtr(),
               *const first   = nodal_values_of_cells.outerIndexPtr() + n * cell;
-    std::vector<types::global_dof_index> unknowns(columns + first[0],
-                                                  columns + first[n]);
+    std::vector<int> unknowns(columns + first[0], columns + first[n]);
     std::sort(unknowns.begin(), unknowns.end());
     unknowns.erase(std::unique(unknowns.begin(), unknowns.end()),
                    unknowns.end());
@@ -224,26 +126,35 @@ namespace PlateImpact
   void
   PlateDiscretization::assemble()
   {
-    DynamicSparsityPattern of_K(n_unknowns(), n_unknowns()),
-      of_M(n_unknowns(), n_unknowns());
+    const Epetra_Map map(static_cast<int>(n_unknowns()),
+                         0,
+                         Epetra_SerialComm());
+    // local indices of a known column map need no search, and a matrix whose
+    // graph is complete takes its values at once
+    Epetra_CrsGraph of_K(Copy, map, map, 0), of_M(Copy, map, map, 0);
     for (unsigned int cell = 0; cell < shape_of_cell.size(); ++cell)
       {
-        const auto of_cell = unknowns_of(cell);
-        for (const types::global_dof_index row : of_cell)
+        auto of_cell = unknowns_of(cell);
+        for (const int row : of_cell)
           {
-            of_K.add_entries(row,
-                             of_cell.begin(),
-                             of_cell.end(),
-                             /*indices_are_sorted=*/true);
+            of_K.InsertMyIndices(row, of_cell.size(), of_cell.data());
             // inertia couples no component with another, but edges in any
             // direction give one unknown to both rotations
-            for (const types::global_dof_index column : of_cell)
+            std::vector<int> coupled;
+            for (const int column : of_cell)
               if ((components_of[row] & components_of[column]) != 0)
-                of_M.add(row, column);
+                coupled.push_back(column);
+            of_M.InsertMyIndices(row, coupled.size(), coupled.data());
           }
       }
-    K = make_matrix(of_K);
-    M = make_matrix(of_M);
+    for (const auto &[graph, matrix] :
+         {std::pair(&of_K, &K), std::pair(&of_M, &M)})
+      {
+        graph->FillComplete();
+        graph->OptimizeStorage();
+        *matrix = std::make_unique<Epetra_CrsMatrix>(Copy, *graph);
+        (*matrix)->FillComplete();
+      }
 
     // congruent cells share their matrices
     std::vector<Eigen::MatrixXd> K_of_shape, M_of_shape;
@@ -313,31 +224,59 @@ namespace PlateImpact
   PlateDiscretization::load(const std::vector<LoadPoint> &points,
                             const double                  rotation_factor) const
   {
-    const FESystem<2>      &fe     = element.finite_element;
-    const FiniteElement<2> &scalar = fe.base_element(0);
-    Eigen::MatrixXd         on_cells =
+    const FESystem<2> &fe = element.finite_element;
+    Eigen::MatrixXd    on_cells =
       Eigen::MatrixXd::Zero(fe.n_dofs_per_cell(), mesh().n_active_cells());
-    for_cells_under_load(
-      mesh(),
-      points,
-      [&](const auto &cell, const Quadrature<2> &on_points) {
-        FEValues<2> values(mapping_of(cell),
-                           scalar,
-                           on_points,
+    std::vector<Point<2>> positions;
+    for (const LoadPoint &point : points)
+      positions.push_back(point.point);
+    const auto        tree = pack_rtree_of_indices(positions);
+    std::vector<bool> is_found(points.size(), false);
+    for (const auto &cell : mesh().active_cell_iterators())
+      {
+        const Mapping<2> &mapping = mapping_of(cell);
+        BoundingBox<2>    box     = cell->bounding_box();
+        // a curved cell reaches beyond the box of its corners, by a part of it
+        box.extend((&mapping == &curved_mapping() ? 0.25 : 1e-9) *
+                   std::max(box.side_length(0), box.side_length(1)));
+        std::vector<std::size_t> near;
+        tree.query(boost::geometry::index::intersects(box),
+                   std::back_inserter(near));
+        if (near.empty())
+          continue;
+        std::vector<Point<2>> real, unit(near.size()), within;
+        for (const std::size_t p : near)
+          real.push_back(positions[p]);
+        mapping.transform_points_real_to_unit_cell(cell, real, unit);
+        std::vector<double> weights;
+        for (std::size_t i = 0; i < near.size(); ++i)
+          if (!is_found[near[i]] &&
+              GeometryInfo<2>::is_inside_unit_cell(unit[i], 1e-9))
+            {
+              is_found[near[i]] = true;
+              within.push_back(unit[i]);
+              weights.push_back(points[near[i]].weight);
+            }
+        if (within.empty())
+          continue;
+        FEValues<2> values(mapping,
+                           element.scalar_element,
+                           Quadrature<2>(within, weights),
                            update_values | update_gradients);
         values.reinit(cell);
         auto on_cell = on_cells.col(cell->active_cell_index());
-        for (unsigned int p = 0; p < on_points.size(); ++p)
-          for (unsigned int i = 0; i < scalar.n_dofs_per_cell(); ++i)
+        for (unsigned int p = 0; p < within.size(); ++p)
+          for (unsigned int i = 0; i < values.dofs_per_cell; ++i)
             {
               on_cell[fe.component_to_system_index(deflection, i)] +=
-                on_points.weight(p) * values.shape_value(i, p);
+                weights[p] * values.shape_value(i, p);
               for (const unsigned int d : {0, 1})
                 on_cell[fe.component_to_system_index(rotation_x + d, i)] +=
-                  on_points.weight(p) * rotation_factor *
-                  values.shape_grad(i, p)[d];
+                  weights[p] * rotation_factor * values.shape_grad(i, p)[d];
             }
-      });
+      }
+    if (std::count(is_found.begin(), is_found.end(), false) > 0)
+      throw ComputationError("the load distribution reaches beyond the mesh");
     return forces_on_unknowns(on_cells);
   }
 
@@ -385,8 +324,7 @@ namespace PlateImpact
                                  dofs,
                                  FunctionFromFunctionObjects<2>(components),
                                  values);
-        Vector<double> held = values;
-        constraints.distribute(held);
+        Vector<double> held = nodal_values(unknowns_of_nodal_values(values));
         held -= values;
         for (unsigned int i = 0; i < boundary.n_elements(); ++i)
           misfit(i, k) = held[boundary.nth_index_in_set(i)];

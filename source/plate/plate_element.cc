@@ -39,7 +39,6 @@ namespace PlateImpact
     , scalar_element(2)
     , finite_element(scalar_element, stretching == Stretching::none ? 3 : 5)
     , quadrature(3)
-    , assumed_shear(row_of(type, elements).assumed_shear)
   {}
 
 
@@ -88,20 +87,20 @@ namespace PlateImpact
   PlateElement::strains_at(const Triangulation<2>::active_cell_iterator &cell,
                            const Quadrature<2> &unit_points) const
   {
-    FEValues<2> values(mapping_of(cell),
+    const AssumedShear &assumed = row_of(type, elements).assumed_shear;
+    FEValues<2>         values(mapping_of(cell),
                        scalar_element,
                        unit_points,
                        update_gradients | update_inverse_jacobians);
-    FEValues<2> tying(mapping_of(cell),
+    FEValues<2>         tying(mapping_of(cell),
                       scalar_element,
-                      assumed_shear.tying_points,
+                      assumed.tying_points,
                       update_values | update_gradients | update_jacobians);
     values.reinit(cell);
     tying.reinit(cell);
-    const unsigned int n_tying = tying.n_quadrature_points,
-                       n       = values.n_quadrature_points;
-
-    const int n_dofs    = finite_element.n_dofs_per_cell(),
+    const int n         = values.n_quadrature_points,
+              n_tying   = tying.n_quadrature_points,
+              n_dofs    = finite_element.n_dofs_per_cell(),
               n_strains = stretching == Stretching::none ? 5 : 8;
     CellStrains  result;
     CellOperator tied = CellOperator::Zero(2 * n_tying, n_dofs);
@@ -110,36 +109,28 @@ namespace PlateImpact
       {
         const auto [component, node] =
           finite_element.system_to_component_index(i);
-        const unsigned int direction =
-          component == rotation_y || component == displacement_y;
+        const int d = component == rotation_y || component == displacement_y;
         // curvatures, and strains of the middle surface
-        if (component != deflection)
-          for (unsigned int q = 0; q < n; ++q)
-            {
-              const Tensor<1, 2> dN = values.shape_grad(node, q);
-              const unsigned int row =
-                n_strains * q + (component < displacement_x ? 0 : 5);
-              result.linear(row + direction, i) = dN[direction];
-              result.linear(row + 2, i)         = dN[1 - direction];
-            }
-        if (component >= displacement_x)
-          continue;
-        // gamma = grad w - theta
-        for (unsigned int t = 0; t < n_tying; ++t)
+        const int first = component < displacement_x ? 0 : 5;
+        for (int q = 0; q < n && component != deflection; ++q)
           {
-            const Tensor<1, 2> dN = tying.shape_grad(node, t);
-            const double       N  = tying.shape_value(node, t);
-            if (component == deflection)
-              tied.col(i).segment<2>(2 * t) << dN[0], dN[1];
-            else
-              tied(2 * t + direction, i) = -N;
+            const Tensor<1, 2> dN = values.shape_grad(node, q);
+            result.linear(n_strains * q + first + d, i) = dN[d];
+            result.linear(n_strains * q + first + 2, i) = dN[1 - d];
           }
+        // gamma = grad w - theta
+        for (int t = 0; t < n_tying; ++t)
+          if (component == deflection)
+            for (const int along : {0, 1})
+              tied(along * n_tying + t, i) = tying.shape_grad(node, t)[along];
+          else if (component < displacement_x)
+            tied(d * n_tying + t, i) = -tying.shape_value(node, t);
       }
 
-    const CellOperator shear = assumed_shear.interpolate(tied, tying, values);
-    for (unsigned int q = 0; q < n; ++q)
-      result.linear.middleRows<2>(n_strains * q + 3) =
-        shear.middleRows<2>(2 * q);
+    const CellOperator shear = assumed.interpolate(tied, tying, values);
+    for (const int d : {0, 1})
+      result.linear(Eigen::seqN(3 + d, n, n_strains), Eigen::all) =
+        shear.middleRows(d * n, n);
     if (stretching == Stretching::large)
       result.of_squares = SlopeSquares::strains(values);
     return result;
@@ -154,16 +145,12 @@ namespace PlateImpact
     Eigen::MatrixXd result = strains.linear * nodal_values;
     if (stretching != Stretching::large)
       return result;
-    const Eigen::MatrixXd slopes =
-      SlopeSquares::slopes() * nodal_values(dofs_of(deflection), Eigen::all);
-    for (Eigen::Index state = 0; state < result.cols(); ++state)
-      {
-        const Eigen::VectorXd of_squares =
-          strains.of_squares * SlopeSquares::squares(slopes.col(state));
-        for (Eigen::Index q = 0; 3 * q < of_squares.size(); ++q)
-          result.col(state).segment<3>(8 * q + 5) +=
-            of_squares.segment<3>(3 * q);
-      }
+    const Eigen::MatrixXd slopes = SlopeSquares::slopes() *
+      nodal_values(dofs_of(deflection), Eigen::all),
+                          of_squares =
+                            strains.of_squares * SlopeSquares::squares(slopes);
+    for (Eigen::Index q = 0; 3 * q < of_squares.rows(); ++q)
+      result.middleRows<3>(8 * q + 5) += of_squares.middleRows<3>(3 * q);
     return result;
   }
 
@@ -248,7 +235,11 @@ namespace PlateImpact
           initial_cells)
       .means("Cells along x and y of the first mesh, on the part of the plate "
              "that is meshed: a quarter if the impact is at the centre.");
-    entry("Linear solver", "CHOLMOD", one_of<SolverType>(), linear_solver)
+    entry("Linear solver",
+          "CHOLMOD",
+          one_of<Word<SolverType>>(
+            {{SolverType::CHOLMOD, "CHOLMOD"}, {SolverType::KLU, "KLU"}}),
+          linear_solver)
       .means("Direct solver of the effective stiffness: CHOLMOD (supernodal "
              "Cholesky) or KLU of Trilinos' Amesos.");
   }

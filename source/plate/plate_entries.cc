@@ -16,7 +16,9 @@ namespace PlateImpact
     Allowed<Outline>
     word_or_file()
     {
-      const auto word = one_of<PlateOutline>();
+      const auto word =
+        one_of<Word<PlateOutline>>({{PlateOutline::rectangle, "rectangle"},
+                                    {PlateOutline::circle, "circle"}});
       return {word.words + " | the name of a mesh of Gmsh, ending in .msh",
               [word](const std::string &text, Outline &outline) {
                 if (std::filesystem::path(text).extension() != ".msh")

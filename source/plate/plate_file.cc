@@ -6,20 +6,18 @@
 #include <deal.II/grid/manifold_lib.h>
 #include <deal.II/numerics/rtree.h>
 
+#include "plate_impact/base/exceptions.h"
 #include "plate_impact/plate/msh_file.h"
 #include "plate_impact/plate/plate_mesh.h"
 
-#include <boost/geometry/algorithms/distance.hpp>
-#include <boost/geometry/geometries/segment.hpp>
+#include <Eigen/Dense>
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <iterator>
-#include <limits>
 #include <map>
-#include <optional>
 #include <utility>
 
 namespace PlateImpact
@@ -28,9 +26,6 @@ namespace PlateImpact
 
   namespace
   {
-    /// Two vertices, the lower number first.
-    using VertexPair = std::pair<unsigned int, unsigned int>;
-
     /// Of a cell, counterclockwise.
     using Corners = std::array<Point<2>, 4>;
 
@@ -53,100 +48,34 @@ namespace PlateImpact
 
 
 
-    /// The cells of a plate, checked before deal.II sees them.
-    struct Cells
+    std::vector<Point<2>>
+    plane_vertices(const MshFile &file)
     {
-      std::vector<Point<2>>             vertices;
-      std::vector<CellData<2>>          cells;
-      std::map<VertexPair, std::size_t> edge_of_side;
-      double                            tolerance; ///< for equal points [m]
-      std::vector<Corners>              corners;
-    };
-
-
-
-    /// Fills in the names of edges, and the edge of each side of a cell that is
-    /// in a group.
-    void
-    add_edges(const MshFile                   &file,
-              const std::vector<unsigned int> &vertex_of_node,
-              std::vector<std::string>        &edges,
-              Cells                           &cells)
-    {
-      const auto cannot_be_named = [](const unsigned char c) {
-        return c < ' ' || std::string(",:#\"\x7f").find(c) != std::string::npos;
-      };
-      std::map<unsigned int, std::size_t> edge_of_group;
-      for (const auto &[group, name] : file.groups)
-        {
-          if (std::any_of(name.begin(), name.end(), cannot_be_named))
-            refuse_file("has a physical group '" + name +
-                        "', which no scene can name; expected no comma, "
-                        "colon, # or control character in it");
-          edge_of_group[group] = edges.size();
-          edges.push_back(name);
-        }
-      for (const MshFile::Side &side : file.sides)
-        {
-          const VertexPair pair = std::minmax(
-            {vertex_of_node[side.nodes[0]], vertex_of_node[side.nodes[1]]});
-          if (pair.second == numbers::invalid_unsigned_int)
-            continue;
-          const std::size_t edge     = edge_of_group.at(side.group);
-          const auto [known, is_new] = cells.edge_of_side.insert({pair, edge});
-          if (!is_new && known->second != edge)
-            refuse_file("has a side at " + place(cells.vertices[pair.first]) +
-                        " in two physical groups, '" + edges[known->second] +
-                        "' and '" + edges[edge] + "'; expected one");
-        }
+      const BoundingBox<3> box(file.vertices);
+      if (!(box.side_length(2) <=
+            1e-6 * std::max(box.side_length(0), box.side_length(1))))
+        throw InputError({"does not lie in a plane of constant z; expected a "
+                          "flat plate along x and y"});
+      std::vector<Point<2>> vertices;
+      for (const Point<3> &p : file.vertices)
+        vertices.emplace_back(p[0], p[1]);
+      return vertices;
     }
 
 
 
-    Cells
-    cells_of(const MshFile &file, std::vector<std::string> &edges)
+    /// Turns cells counterclockwise.
+    std::vector<Corners>
+    oriented(std::vector<CellData<2>>    &cells,
+             const std::vector<Point<2>> &vertices)
     {
-      Cells                     result{{}, file.cells, {}, 0., {}};
-      std::vector<unsigned int> vertex_of_node(file.nodes.size(),
-                                               numbers::invalid_unsigned_int);
-      std::vector<Point<3>>     used;
-      for (auto &cell : result.cells)
-        for (unsigned int &node : cell.vertices)
-          {
-            unsigned int &vertex = vertex_of_node[node];
-            if (vertex == numbers::invalid_unsigned_int)
-              {
-                const Point<3> &p = file.nodes[node];
-                if (!(std::isfinite(p[0]) && std::isfinite(p[1])))
-                  refuse_file("has a vertex whose coordinates are no numbers");
-                vertex = used.size();
-                used.push_back(p);
-                result.vertices.emplace_back(p[0], p[1]);
-              }
-            node = vertex;
-          }
-      const BoundingBox<3> box(used);
-      const double size = std::max(box.side_length(0), box.side_length(1));
-      if (!(box.side_length(2) <= 1e-6 * size))
-        refuse_file("does not lie in a plane of constant z; expected a flat "
-                    "plate along x and y");
-      result.tolerance = 1e-9 * size;
-      add_edges(file, vertex_of_node, edges, result);
-      return result;
-    }
-
-
-
-    /// Fills in the corners of cells, and turns these counterclockwise.
-    void
-    orient(Cells &cells)
-    {
-      for (auto &cell : cells.cells)
+      std::vector<Corners> corners;
+      for (auto &cell : cells)
         {
-          Corners &c = cells.corners.emplace_back();
+          Corners &c = corners.emplace_back();
           for (unsigned int v = 0; v < 4; ++v)
             // by rows there, around the cell here
-            c[v] = cells.vertices[cell.vertices[v ^ (v / 2)]];
+            c[v] = vertices[cell.vertices[v ^ (v / 2)]];
           if (cross(c[0], c[1], c[2]) + cross(c[0], c[2], c[3]) < 0.)
             {
               std::swap(cell.vertices[1], cell.vertices[2]);
@@ -157,46 +86,49 @@ namespace PlateImpact
               const Point<2> &next = c[(v + 1) % 4], &last = c[(v + 3) % 4];
               if (!(cross(c[v], next, last) >
                     1e-6 * c[v].distance(next) * c[v].distance(last)))
-                refuse_file("has a cell at " + place(c[v]) +
-                            " with a corner of 180 degrees or more; expected "
-                            "convex quadrilaterals");
+                throw InputError({"has a cell at " + place(c[v]) +
+                                  " with a corner of 180 degrees or more; "
+                                  "expected convex quadrilaterals"});
             }
         }
+      return corners;
     }
 
 
 
     /// Vertices in one place that are not one are a crack.
     void
-    refuse_cracks(const Cells &cells)
+    refuse_cracks(const std::vector<Point<2>> &vertices, const double size)
     {
-      const auto tree = pack_rtree(cells.vertices);
-      for (const Point<2> &vertex : cells.vertices)
+      const auto tree = pack_rtree(vertices);
+      for (const Point<2> &vertex : vertices)
         {
           std::vector<Point<2>> nearest; // itself, and another
           tree.query(boost::geometry::index::nearest(vertex, 2),
                      std::back_inserter(nearest));
-          if (nearest[0].distance(nearest[1]) <= cells.tolerance)
-            refuse_file("has two vertices in one place, " + place(vertex) +
-                        ", as along a crack; expected cells that share their "
-                        "vertices (in Gmsh: Coherence)");
+          if (nearest[0].distance(nearest[1]) <= 1e-9 * size)
+            throw InputError(
+              {"has two vertices in one place, " + place(vertex) +
+               ", as along a crack; expected cells that share their vertices "
+               "(in Gmsh: Coherence)"});
         }
     }
 
 
 
     void
-    refuse_loose_parts(const Cells &cells)
+    refuse_loose_parts(const std::vector<CellData<2>> &cells,
+                       const std::vector<Point<2>>    &vertices)
     {
-      boost::disjoint_sets_with_storage<> parts(cells.vertices.size());
-      for (const auto &cell : cells.cells)
+      boost::disjoint_sets_with_storage<> parts(vertices.size());
+      for (const auto &cell : cells)
         for (const unsigned int v : cell.vertices)
           parts.union_set(v, cell.vertices[0]);
-      for (unsigned int v = 0; v < cells.vertices.size(); ++v)
+      for (unsigned int v = 0; v < vertices.size(); ++v)
         if (parts.find_set(v) != parts.find_set(0u))
-          refuse_file("has parts that do not touch, at " +
-                      place(cells.vertices[0]) + " and " +
-                      place(cells.vertices[v]) + "; expected one plate");
+          throw InputError({"has parts that do not touch, at " +
+                            place(vertices[0]) + " and " + place(vertices[v]) +
+                            "; expected one plate"});
     }
 
 
@@ -220,9 +152,8 @@ namespace PlateImpact
 
 
     void
-    refuse_overlaps(const Cells &cells)
+    refuse_overlaps(const std::vector<Corners> &corners)
     {
-      const auto                 &corners = cells.corners;
       std::vector<BoundingBox<2>> boxes;
       for (const Corners &of_cell : corners)
         boxes.emplace_back(of_cell);
@@ -235,9 +166,10 @@ namespace PlateImpact
           for (const std::size_t other : others)
             if (other < c && !is_beside(corners[c], corners[other]) &&
                 !is_beside(corners[other], corners[c]))
-              refuse_file("has overlapping cells at " + place(corners[c][0]) +
-                          "; expected cells side by side, each once (in Gmsh: "
-                          "every surface in one physical group)");
+              throw InputError(
+                {"has overlapping cells at " + place(corners[c][0]) +
+                 "; expected cells side by side, each once (in Gmsh: every "
+                 "surface in one physical group)"});
         }
     }
 
@@ -245,29 +177,130 @@ namespace PlateImpact
 
     /// Boundary ids of the edges; sides in no group are one edge more.
     void
-    set_edges(const std::map<VertexPair, std::size_t> &edge_of_side,
-              PlateFile                               &plate)
+    set_edges(const MshFile &file, PlateFile &plate)
     {
+      plate.edges                = file.edges;
       const std::size_t nameless = plate.edges.size();
       std::vector<bool> is_used(nameless + 1, false);
       for (const auto &face : plate.mesh.active_face_iterators())
         if (face->at_boundary())
           {
-            const auto found = edge_of_side.find(
+            const auto found = file.edge_of_side.find(
               std::minmax({face->vertex_index(0), face->vertex_index(1)}));
             const std::size_t edge =
-              found == edge_of_side.end() ? nameless : found->second;
+              found == file.edge_of_side.end() ? nameless : found->second;
             is_used[edge] = true;
             face->set_boundary_id(edge_named + edge);
           }
       for (std::size_t edge = 0; edge < nameless; ++edge)
         if (!is_used[edge])
-          refuse_file(
-            "has a physical group '" + plate.edges[edge] +
-            "' that is no edge of the plate; expected curves along its "
-            "boundary");
+          throw InputError({"has a physical group '" + plate.edges[edge] +
+                            "' that is no edge of the plate; expected curves "
+                            "along its boundary"});
       if (is_used[nameless])
         plate.edges.emplace_back();
+    }
+
+
+
+    using Side = Triangulation<2>::face_iterator;
+
+    /// The sides of the same edge beyond the ends of each side.
+    using Neighbours = std::map<Side, std::vector<Side>>;
+
+
+
+    Neighbours
+    neighbours_of_sides(const Triangulation<2> &mesh)
+    {
+      std::map<unsigned int, std::vector<Side>> sides_at; // a vertex
+      for (const auto &face : mesh.active_face_iterators())
+        if (face->at_boundary())
+          for (const unsigned int v : {0, 1})
+            sides_at[face->vertex_index(v)].push_back(face);
+      Neighbours neighbours;
+      for (const auto &[vertex, sides] : sides_at)
+        if (sides.size() == 2 &&
+            sides[0]->boundary_id() == sides[1]->boundary_id())
+          {
+            neighbours[sides[0]].push_back(sides[1]);
+            neighbours[sides[1]].push_back(sides[0]);
+          }
+      return neighbours;
+    }
+
+
+
+    /// The circle that fits the ends of sides best in the sense of Kasa: x^2 +
+    /// y^2 is linear in x and y on it.
+    Arc
+    fitted_circle(const std::vector<Side> &sides)
+    {
+      // from one of them, for the sake of rounding
+      const Point<2>  origin = sides.front()->vertex(0);
+      Eigen::MatrixXd A(2 * sides.size(), 3);
+      Eigen::VectorXd b(A.rows());
+      for (Eigen::Index i = 0; i < A.rows(); ++i)
+        {
+          const Tensor<1, 2> p = sides[i / 2]->vertex(i % 2) - origin;
+          A.row(i) << 2. * p[0], 2. * p[1], 1.;
+          b[i] = p.norm_square();
+        }
+      const Eigen::Vector3d c = A.colPivHouseholderQr().solve(b);
+      return {origin + Point<2>(c[0], c[1]),
+              std::sqrt(std::max(0., c[2] + c[0] * c[0] + c[1] * c[1]))};
+    }
+
+
+
+    /// Whether a side is a chord of the circle, one of nine or more to a turn:
+    /// a polygon of fewer sides is taken for one.
+    bool
+    is_chord(const Side &side, const Arc &circle)
+    {
+      const double widest = 40.001 * numbers::PI / 180.;
+      for (const unsigned int v : {0, 1})
+        if (!(std::abs(side->vertex(v).distance(circle.centre) -
+                       circle.radius) < 1e-5 * circle.radius))
+          return false;
+      return side->diameter() <= 2. * circle.radius * std::sin(0.5 * widest);
+    }
+
+
+
+    /// Makes sides of one edge that are chords of a circle, nine or more to a
+    /// full turn, parts of arcs: their manifold id is the number of an arc. On
+    /// a polygon a simple support is another (Babuska's paradox).
+    /// @param mesh  of one level, with boundary ids
+    /// @param size  of the plate [m]
+    std::vector<Arc>
+    find_arcs(Triangulation<2> &mesh, const double size)
+    {
+      const auto       neighbours = neighbours_of_sides(mesh);
+      std::vector<Arc> arcs;
+      for (const auto &[side, beside] : neighbours)
+        {
+          if (side->manifold_id() != numbers::flat_manifold_id ||
+              beside.size() != 2 || beside[0] == beside[1])
+            continue;
+          const Arc circle = fitted_circle({beside[0], side, beside[1]});
+          if (!(circle.radius < 100. * size && is_chord(beside[0], circle) &&
+                is_chord(side, circle) && is_chord(beside[1], circle)))
+            continue;
+          // all chords around it, one after the other
+          std::vector<Side> row = {side};
+          for (std::size_t i = 0; i < row.size(); ++i)
+            for (const Side &beyond : neighbours.at(row[i]))
+              if (is_chord(beyond, circle) &&
+                  std::find(row.begin(), row.end(), beyond) == row.end())
+                row.push_back(beyond);
+          for (const Side &chord : row)
+            chord->set_manifold_id(arcs.size());
+          arcs.push_back(fitted_circle(row));
+          mesh.set_manifold(arcs.size() - 1,
+                            SphericalManifold<2>(arcs.back().centre));
+        }
+      return arcs;
     }
 
 
@@ -282,11 +315,11 @@ namespace PlateImpact
             const auto one   = cell->face(v % 2)->manifold_id(),
                        other = cell->face(2 + v / 2)->manifold_id();
             if (one == other && one != numbers::flat_manifold_id)
-              refuse_file(
-                "has a cell at " + place(cell->vertex(v)) +
-                " with two sides on one round edge, where they meet "
-                "without a corner; expected one side a cell (in Gmsh: not "
-                "Transfinite on a disc)");
+              throw InputError(
+                {"has a cell at " + place(cell->vertex(v)) +
+                 " with two sides on one round edge, where they meet without a "
+                 "corner; expected one side a cell (in Gmsh: not Transfinite "
+                 "on a disc)"});
           }
     }
 
@@ -300,17 +333,15 @@ namespace PlateImpact
       for (const auto &face : plate.mesh.active_face_iterators())
         if (face->at_boundary())
           {
-            const types::manifold_id id = face->manifold_id();
-            const unsigned int n    = id == numbers::flat_manifold_id ? 1 : 16;
-            Point<2>           last = face->vertex(0);
+            const unsigned int n =
+              face->manifold_id() == numbers::flat_manifold_id ? 1 : 16;
+            Point<2> last = face->vertex(0);
             for (unsigned int i = 1; i <= n; ++i)
               {
-                const Point<2> next = i == n ?
-                  face->vertex(1) :
-                  plate.mesh.get_manifold(id).get_intermediate_point(
-                    face->vertex(0),
-                    face->vertex(1),
-                    double(i) / n);
+                const Point<2> next =
+                  face->get_manifold().get_intermediate_point(face->vertex(0),
+                                                              face->vertex(1),
+                                                              double(i) / n);
                 plate.outline.push_back({{last, next}});
                 ends.insert(ends.end(), {last, next});
                 last = next;
@@ -321,75 +352,27 @@ namespace PlateImpact
       plate.extent = {{box.side_length(0), box.side_length(1)}};
       plate.centre = box.center();
     }
-
-
-
-    /// Where a chord meets the line through a point along an axis, if it does.
-    std::optional<double>
-    crossing(const std::array<Point<2>, 2> &chord,
-             const Point<2>                &point,
-             const unsigned int             axis)
-    {
-      const auto &[a, b]        = chord;
-      const unsigned int across = 1 - axis;
-      if ((a[across] > point[across]) == (b[across] > point[across]))
-        return {};
-      return a[axis] +
-        (point[across] - a[across]) / (b[across] - a[across]) *
-        (b[axis] - a[axis]);
-    }
   } // namespace
-
-
-
-  double
-  PlateFile::distance_to_edge(const Point<2> &point) const
-  {
-    using Segment    = boost::geometry::model::segment<Point<2>>;
-    double nearest   = std::numeric_limits<double>::max();
-    bool   is_inside = false;
-    for (const auto &chord : outline)
-      {
-        nearest =
-          std::min(nearest,
-                   boost::geometry::distance(point,
-                                             Segment(chord[0], chord[1])));
-        // a ray along x leaves the plate an odd number of times
-        const auto x = crossing(chord, point, 0);
-        is_inside ^= x && point[0] < *x;
-      }
-    return is_inside ? nearest : -nearest;
-  }
-
-
-
-  double
-  PlateFile::distance_to_edge(const Point<2>    &point,
-                              const unsigned int axis) const
-  {
-    double nearest = std::numeric_limits<double>::max();
-    for (const auto &chord : outline)
-      if (const auto there = crossing(chord, point, axis))
-        nearest = std::min(nearest, std::abs(*there - point[axis]));
-    return distance_to_edge(point) < 0. ? -nearest : nearest;
-  }
 
 
 
   std::shared_ptr<const PlateFile>
   read_plate_file(const std::string &path)
   {
-    auto plate  = std::make_shared<PlateFile>();
-    plate->path = path;
-    Cells cells = cells_of(read_msh_file(path), plate->edges);
-    orient(cells);
-    refuse_cracks(cells);
-    refuse_loose_parts(cells);
-    refuse_overlaps(cells);
-    GridTools::consistently_order_cells(cells.cells);
-    plate->mesh.create_triangulation(cells.vertices, cells.cells, {});
-    set_edges(cells.edge_of_side, *plate);
-    plate->arcs = find_arcs(plate->mesh);
+    auto plate                    = std::make_shared<PlateFile>();
+    plate->path                   = path;
+    MshFile              file     = read_msh_file(path);
+    const auto           vertices = plane_vertices(file);
+    const BoundingBox<2> box(vertices);
+    const double size    = std::max(box.side_length(0), box.side_length(1));
+    const auto   corners = oriented(file.cells, vertices);
+    refuse_cracks(vertices, size);
+    refuse_loose_parts(file.cells, vertices);
+    refuse_overlaps(corners);
+    GridTools::consistently_order_cells(file.cells);
+    plate->mesh.create_triangulation(vertices, file.cells, {});
+    set_edges(file, *plate);
+    plate->arcs = find_arcs(plate->mesh, size);
     refuse_flat_corners(plate->mesh);
     plate->area = GridTools::volume(plate->mesh, curved_mapping());
     draw_outline(*plate);

@@ -5,8 +5,10 @@
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold_lib.h>
 
-#include "plate_impact/base/entries.h"
 #include "plate_impact/plate/plate_file.h"
+
+#include <boost/geometry/algorithms/distance.hpp>
+#include <boost/geometry/geometries/segment.hpp>
 
 #include <cmath>
 #include <limits>
@@ -141,18 +143,17 @@ namespace PlateImpact
         if (face->at_boundary())
           {
             face->set_boundary_id(edge_round);
+            face->set_manifold_id(0);
             for (const unsigned int d : {0, 1})
               if (plate.is_symmetric[d] &&
-                  std::abs(face->vertex(0)[d]) < 2e-10 * radius &&
-                  std::abs(face->vertex(1)[d]) < 2e-10 * radius)
+                  std::abs(face->center()[d]) < 1e-10 * radius)
                 {
                   face->set_boundary_id(d == 0 ? symmetry_x : symmetry_y);
+                  face->set_manifold_id(numbers::flat_manifold_id);
                   // on the plane, whatever the rotation has rounded
                   for (const unsigned int v : {0, 1})
                     face->vertex(v)[d] = 0.;
                 }
-            if (face->boundary_id() == edge_round)
-              face->set_manifold_id(0);
           }
       mesh.set_manifold(0, SphericalManifold<2>(centre));
       while (mesh.n_active_cells() < n_cells[0] * n_cells[1])
@@ -174,14 +175,36 @@ namespace PlateImpact
     PlateGeometry
     plate_of_file(const PlateParameters &plate)
     {
+      using Segment           = boost::geometry::model::segment<Point<2>>;
       const PlateFile &file   = *plate.file;
       const Point<2>   impact = impact_on(plate);
-      PlateGeometry    result = {file.extent,
-                                 file.area,
-                                 file.distance_to_edge(impact),
-                                 {{file.distance_to_edge(impact, 0),
-                                   file.distance_to_edge(impact, 1)}},
-                                 {}};
+      const double     far    = std::numeric_limits<double>::max();
+      PlateGeometry    result = {file.extent, file.area, far, {{far, far}}, {}};
+      bool             is_inside = false;
+      for (const auto &[a, b] : file.outline)
+        {
+          result.distance_to_edge =
+            std::min(result.distance_to_edge,
+                     boost::geometry::distance(impact, Segment(a, b)));
+          for (const unsigned int axis : {0, 1})
+            {
+              const unsigned int across = 1 - axis;
+              if ((a[across] > impact[across]) == (b[across] > impact[across]))
+                continue;
+              const double ahead = a[axis] - impact[axis] +
+                (impact[across] - a[across]) / (b[across] - a[across]) *
+                  (b[axis] - a[axis]);
+              result.distance_along[axis] =
+                std::min(result.distance_along[axis], std::abs(ahead));
+              // a ray along x leaves the plate an odd number of times
+              is_inside ^= axis == 0 && ahead > 0.;
+            }
+        }
+      if (!is_inside)
+        for (double *distance : {&result.distance_to_edge,
+                                 &result.distance_along[0],
+                                 &result.distance_along[1]})
+          *distance *= -1.;
       for (unsigned int edge = 0; edge < file.edges.size(); ++edge)
         result.edges[edge_named + edge] = file.edges[edge];
       return result;
@@ -209,7 +232,6 @@ namespace PlateImpact
     struct OutlineRow
     {
       PlateOutline choice;
-      std::string  word; ///< empty: a file's name stands for it
       /// Lengths, area, distances and edges.
       PlateGeometry (*geometry)(const PlateParameters &);
       void (*make_mesh)(const PlateParameters &,
@@ -218,19 +240,10 @@ namespace PlateImpact
     };
 
     const std::vector<OutlineRow> outlines = {
-      {PlateOutline::rectangle, "rectangle", rectangle, mesh_rectangle},
-      {PlateOutline::circle, "circle", circle, mesh_circle},
-      {PlateOutline::file, "", plate_of_file, mesh_of_file}};
+      {PlateOutline::rectangle, rectangle, mesh_rectangle},
+      {PlateOutline::circle, circle, mesh_circle},
+      {PlateOutline::file, plate_of_file, mesh_of_file}};
   } // namespace
-
-
-
-  template <>
-  const std::vector<Word<PlateOutline>> Choices<PlateOutline>::words = [] {
-    auto words = words_of(outlines);
-    words.pop_back(); // of files
-    return words;
-  }();
 
 
 
@@ -260,17 +273,6 @@ namespace PlateImpact
       Triangulation<2>::limit_level_difference_at_vertices);
     row_of(plate.outline.shape, outlines).make_mesh(plate, n_cells, *mesh);
     return mesh;
-  }
-
-
-
-  double
-  n_initial_cells(const Parameters &parameters)
-  {
-    const auto [n_x, n_y] = parameters.discretization.initial_cells;
-    return parameters.plate.is_from_file() ?
-      parameters.plate.file->mesh.n_active_cells() :
-      static_cast<double>(n_x) * n_y;
   }
 
 

@@ -1,8 +1,10 @@
 #include "plate_impact/plate/plate_section.h"
 
-#include "plate_impact/plate/ply.h"
+#include <deal.II/base/quadrature_lib.h>
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -15,21 +17,6 @@ namespace PlateImpact
     constexpr double negligible = 1e-9;
 
     constexpr unsigned int n_directions = 180;
-
-
-
-    /// Turns strains e_x, e_y, gamma_xy into those of axes turned by an angle;
-    /// its transpose turns stresses back.
-    Eigen::Matrix3d
-    turned_strains(const double angle)
-    {
-      const double    c = std::cos(angle), s = std::sin(angle);
-      Eigen::Matrix3d T;
-      T << c * c, s * s, c * s, //
-        s * s, c * c, -c * s,   //
-        -2. * c * s, 2. * c * s, c * c - s * s;
-      return T;
-    }
 
 
 
@@ -65,6 +52,68 @@ namespace PlateImpact
       const double E = plate.youngs_modulus, nu = plate.poissons_ratio,
                    G = E / (2. * (1. + nu));
       return {E, E, nu, G, G, G};
+    }
+
+
+
+    /// Shear forces per shear strains with the energy that equilibrium asks
+    /// for: in cylindrical bending along n = (c, s), with the curvatures v =
+    /// (c^2, s^2, 2 c s) and the face of a plate of unit thickness at 1/2,
+    ///   tau(z) = int_z^{1/2} N Q v z' dz',  N = [c 0 s; 0 s c],
+    ///   Q_n^T A^{-1} Q_n = int tau^T G^{-1} tau dz,  Q_n = int tau dz,
+    /// A by least squares of the energies of unit forces over all directions.
+    /// Of a homogeneous isotropic plate 5/6 G.
+    /// @param plane_stiffness  of equally thick plies in the axes of the plate,
+    ///                         from the struck face [Pa]
+    /// @param shear_moduli     of xz and yz [Pa]
+    /// @return A over thickness [Pa]
+    Eigen::Matrix2d
+    shear_stiffness_of_equilibrium(
+      const std::vector<Eigen::Matrix3d> &plane_stiffness,
+      const std::vector<Eigen::Matrix2d> &shear_moduli)
+    {
+      const dealii::QGauss<1> gauss(3); // exact: tau is a parabola in every ply
+      const unsigned int      n_around = 24;
+      const std::size_t       n_plies  = plane_stiffness.size();
+      Eigen::Matrix<double, -1, 3> products(n_around, 3);
+      Eigen::VectorXd              energies = Eigen::VectorXd::Zero(n_around);
+      for (unsigned int i = 0; i < n_around; ++i)
+        {
+          const double angle = std::acos(-1.) * i / n_around,
+                       c = std::cos(angle), s = std::sin(angle);
+          Eigen::Matrix<double, 2, 3> N;
+          N << c, 0., s, 0., s, c;
+          const Eigen::Vector3d curvature(c * c, s * s, 2. * c * s);
+          Eigen::Vector2d       at_far_face = Eigen::Vector2d::Zero(),
+                          force             = Eigen::Vector2d::Zero();
+          for (std::size_t k = n_plies; k-- > 0;)
+            {
+              const double near = static_cast<double>(k) / n_plies - 0.5,
+                           t = 1. / n_plies, far = near + t;
+              const Eigen::Vector2d slope =
+                N * (plane_stiffness[k] * curvature);
+              const auto tau = [&](const double z) {
+                return (at_far_face + 0.5 * (far * far - z * z) * slope).eval();
+              };
+              for (unsigned int q = 0; q < gauss.size(); ++q)
+                {
+                  const Eigen::Vector2d stress =
+                    tau(near + gauss.point(q)[0] * t);
+                  force += gauss.weight(q) * t * stress;
+                  energies(i) += gauss.weight(q) * t *
+                    stress.dot(shear_moduli[k].inverse() * stress);
+                }
+              at_far_face = tau(near);
+            }
+          energies(i) /= force.squaredNorm();
+          force.normalize();
+          products.row(i) << force(0) * force(0), force(1) * force(1),
+            2. * force(0) * force(1);
+        }
+      const Eigen::Vector3d H = products.colPivHouseholderQr().solve(energies);
+      Eigen::Matrix2d       compliance;
+      compliance << H(0), H(2), H(2), H(1);
+      return compliance.inverse();
     }
   } // namespace
 
@@ -111,25 +160,26 @@ namespace PlateImpact
 
     std::vector<Eigen::Matrix3d> plane_stiffness;
     std::vector<Eigen::Matrix2d> shear_moduli;
-    bending_stiffness.setZero();
-    membrane_stiffness.setZero();
-    coupling_stiffness.setZero();
-    shear_stiffness.setZero();
     for (std::size_t k = 0; k < angles.size(); ++k)
       {
-        const double angle = angles[k] * std::acos(-1.) / 180.,
-                     c = std::cos(angle), s = std::sin(angle);
+        const Eigen::Matrix2d turn =
+          Eigen::Rotation2Dd(-angles[k] * std::acos(-1.) / 180.)
+            .toRotationMatrix();
+        const double c = turn(0, 0), s = turn(0, 1);
+        // turns strains into those of the axes of the ply; its transpose turns
+        // stresses back
+        Eigen::Matrix3d T;
+        T << c * c, s * s, c * s, //
+          s * s, c * c, -c * s,   //
+          -2. * c * s, 2. * c * s, c * c - s * s;
         // faces of the ply from the middle surface
-        const double          near = -0.5 * thickness + k * t, far = near + t;
-        const Eigen::Matrix3d T = turned_strains(angle);
+        const double near = -0.5 * thickness + k * t, far = near + t;
         plane_stiffness.push_back(T.transpose() * Q * T);
         bending_stiffness +=
           (far * far * far - near * near * near) / 3. * plane_stiffness.back();
         membrane_stiffness += t * plane_stiffness.back();
         coupling_stiffness -=
           (far * far - near * near) / 2. * plane_stiffness.back();
-        Eigen::Matrix2d turn;
-        turn << c, s, -s, c;
         shear_moduli.push_back(
           turn.transpose() *
           Eigen::Vector2d(ply.constants.longitudinal_shear_modulus,
@@ -217,15 +267,6 @@ namespace PlateImpact
 
 
 
-  double
-  PlateSection::squared_energy_norm(
-    const Eigen::Ref<const Eigen::VectorXd> &resultants) const
-  {
-    return resultants.dot(compliance * resultants);
-  }
-
-
-
   Eigen::MatrixXd
   PlateSection::stiffness() const
   {
@@ -244,13 +285,16 @@ namespace PlateImpact
 
 
 
-  const std::vector<std::string> &
+  const std::vector<std::pair<std::string, std::string>> &
   PlateSection::stress_names() const
   {
-    static const std::vector<std::string> isotropic = {"von_mises_stress"},
-                                          of_plies  = {"fibre_stress",
-                                                       "transverse_stress",
-                                                       "ply_shear_stress"};
+    using Names = std::vector<std::pair<std::string, std::string>>;
+    static const Names isotropic = {
+      {"von_mises_stress", "von Mises stress at the faces"}};
+    static const Names of_plies = {
+      {"fibre_stress", "largest stress along fibres"},
+      {"transverse_stress", "largest stress across fibres"},
+      {"ply_shear_stress", "largest shear stress of plies"}};
     return is_laminate ? of_plies : isotropic;
   }
 
@@ -303,21 +347,16 @@ namespace PlateImpact
     for (std::size_t i = 0; i < fields.size(); ++i)
       fields[i].values = resultants.row(i);
 
-    const std::vector<std::string> stresses =
-      section.stress_names().size() == 1 ?
-      std::vector<std::string>{"von Mises stress at the faces"} :
-      std::vector<std::string>{"largest stress along fibres",
-                               "largest stress across fibres",
-                               "largest shear stress of plies"};
-    Eigen::MatrixXd largest(resultants.cols(), stresses.size());
+    const auto     &names = section.stress_names();
+    Eigen::MatrixXd largest(resultants.cols(), names.size());
     for (Eigen::Index p = 0; p < resultants.cols(); ++p)
       largest.row(p) = section.stresses(resultants.col(p)).colwise().maxCoeff();
-    for (std::size_t k = 0; k < stresses.size(); ++k)
-      fields.push_back({stresses[k],
-                        "Pa",
-                        section.stress_names()[k],
-                        {{false, false}},
-                        largest.col(k)});
+    for (std::size_t k = 0; k < names.size(); ++k)
+      {
+        const auto &[in_file, in_words] = names[k];
+        fields.push_back(
+          {in_words, "Pa", in_file, {{false, false}}, largest.col(k)});
+      }
     return fields;
   }
 } // namespace PlateImpact

@@ -1,9 +1,9 @@
-#include "plate_impact/plate/singular_points.h"
-
+// Corners of the outline and of the load, at which the stress has no bound.
 #include <deal.II/base/numbers.h>
 #include <deal.II/grid/manifold.h>
-#include <deal.II/grid/tria.h>
 #include <deal.II/physics/vector_relations.h>
+
+#include "plate_impact/plate/plate_geometry.h"
 
 #include <algorithm>
 #include <cmath>
@@ -83,38 +83,40 @@ namespace PlateImpact
 
 
 
-    /// Supports and angle of a boundary vertex of a mesh, in the making.
+    /// A vertex of a mesh, in the making.
     struct Corner
     {
-      double                          cells_angle = 0.;
-      std::vector<Tensor<1, 2>>       tangents; ///< of edges, away from it
-      std::vector<types::boundary_id> edges;
+      double                   angle = 0.; ///< of all cells [rad]
+      std::vector<EdgeSupport> held_by;    ///< planes of symmetry have none
     };
 
 
 
     std::map<unsigned int, Corner>
-    boundary_vertices(const Triangulation<2> &mesh)
+    corners_of(const Triangulation<2> &mesh, const PlateParameters &plate)
     {
+      const auto supports = geometry_of(plate).by_edge(plate.supports);
       std::map<unsigned int, Corner> corners;
-      for (const auto &face : mesh.active_face_iterators())
-        if (face->at_boundary())
-          for (const unsigned int v : {0, 1})
-            {
-              Corner &corner = corners[face->vertex_index(v)];
-              corner.tangents.push_back(
-                face->get_manifold().get_tangent_vector(face->vertex(v),
-                                                        face->vertex(1 - v)));
-              corner.edges.push_back(face->boundary_id());
-            }
       for (const auto &cell : mesh.active_cell_iterators())
         for (const unsigned int v : cell->vertex_indices())
-          if (const auto corner = corners.find(cell->vertex_index(v));
-              corner != corners.end())
-            // the numbers of neighbours differ in one bit
-            corner->second.cells_angle += Physics::VectorRelations::angle(
-              cell->vertex(v ^ 1) - cell->vertex(v),
-              cell->vertex(v ^ 2) - cell->vertex(v));
+          {
+            Corner                     &corner = corners[cell->vertex_index(v)];
+            std::array<Tensor<1, 2>, 2> tangents; // away from the vertex
+            for (const unsigned int d : {0, 1})
+              {
+                const auto side = cell->face(d == 0 ? 2 + v / 2 : v % 2);
+                // the numbers of neighbours differ in one bit
+                const Point<2> next = cell->vertex(v ^ (1 << d));
+                tangents[d] =
+                  side->get_manifold().get_tangent_vector(cell->vertex(v),
+                                                          next);
+                if (const auto support = supports.find(side->boundary_id());
+                    support != supports.end())
+                  corner.held_by.push_back(support->second);
+              }
+            corner.angle +=
+              Physics::VectorRelations::angle(tangents[0], tangents[1]);
+          }
       return corners;
     }
 
@@ -125,23 +127,14 @@ namespace PlateImpact
                 std::vector<SingularPoint> &points)
     {
       const PlateParameters &plate = parameters.plate;
-      const auto   supports        = geometry_of(plate).by_edge(plate.supports);
       const double nu = plate.is_laminate() ? 0.3 : plate.poissons_ratio;
       const auto   mesh =
         make_plate_mesh(plate, parameters.discretization.initial_cells);
-      for (const auto &[index, corner] : boundary_vertices(*mesh))
+      for (auto &[index, corner] : corners_of(*mesh, plate))
         {
-          // planes of symmetry have no support
-          std::vector<EdgeSupport> held_by;
-          for (const types::boundary_id edge : corner.edges)
-            if (const auto found = supports.find(edge); found != supports.end())
-              held_by.push_back(found->second);
-          if (corner.edges.size() != 2 || held_by.empty())
+          auto &[angle, held_by] = corner;
+          if (held_by.empty() || held_by.size() > 2)
             continue;
-          double angle = Physics::VectorRelations::angle(corner.tangents[0],
-                                                         corner.tangents[1]);
-          if (corner.cells_angle >= numbers::PI)
-            angle = 2. * numbers::PI - angle;
           // the other side of a plane of symmetry is like this one
           if (held_by.size() == 1)
             {

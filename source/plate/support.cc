@@ -1,5 +1,4 @@
-#include "plate_impact/plate/support.h"
-
+// What supports hold.
 #include <deal.II/base/numbers.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_values_extractors.h>
@@ -7,7 +6,7 @@
 #include <deal.II/numerics/vector_tools_constraints.h>
 
 #include "plate_impact/base/entries.h"
-#include "plate_impact/plate/plate_element.h"
+#include "plate_impact/plate/plate_discretization.h"
 #include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
 
@@ -50,11 +49,6 @@ namespace PlateImpact
       {InPlaneSupport::sliding, "sliding", {false, false}},
       {InPlaneSupport::held_along, "held along", {false, true}},
       {InPlaneSupport::held_across, "held across", {true, false}}};
-
-    /// Of both rotations and displacements in a plane of symmetry.
-    constexpr Held mirrored = {true, false};
-
-
 
     using Edges = std::set<types::boundary_id>;
 
@@ -148,26 +142,25 @@ namespace PlateImpact
 
 
 
-  bool
-  hold_edges(const DoFHandler<2>       &dofs,
-             const PlateParameters     &plate,
-             AffineConstraints<double> &constraints)
+  void
+  PlateDiscretization::hold_edges(const PlateParameters &plate)
   {
     const PlateGeometry geometry = geometry_of(plate);
     const auto          in_plane = geometry.by_edge(plate.in_plane_supports);
-    std::map<types::boundary_id, Held> rotations     = {{symmetry_x, mirrored},
-                                                        {symmetry_y, mirrored}},
+    // a plane of symmetry holds both alike
+    std::map<types::boundary_id, Held> rotations = {{symmetry_x, {true, false}},
+                                                    {symmetry_y,
+                                                     {true, false}}},
                                        displacements = rotations;
     const ComponentMask of_deflection =
       dofs.get_fe().component_mask(FEValuesExtractors::Scalar(deflection));
-    bool is_held = false;
     for (const auto &[edge, support] : geometry.by_edge(plate.supports))
       {
         const auto &row = row_of(support, support_rows);
         rotations[edge] = row.held;
         if (!row.holds_deflection)
           continue;
-        is_held = true;
+        holds_deflection = true;
         DoFTools::make_zero_boundary_constraints(dofs,
                                                  edge,
                                                  constraints,
@@ -177,6 +170,5 @@ namespace PlateImpact
     hold_vector(dofs, rotations, rotation_x, constraints);
     if (dofs.get_fe().n_components() > displacement_x)
       hold_vector(dofs, displacements, displacement_x, constraints);
-    return is_held;
   }
 } // namespace PlateImpact

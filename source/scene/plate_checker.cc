@@ -3,9 +3,7 @@
 #include "plate_impact/base/text.h"
 #include "plate_impact/plate/plate_file.h"
 #include "plate_impact/plate/plate_geometry.h"
-#include "plate_impact/plate/plate_mesh.h"
 #include "plate_impact/plate/plate_section.h"
-#include "plate_impact/plate/ply.h"
 #include "plate_impact/scene/scene_checker.h"
 
 #include <algorithm>
@@ -120,10 +118,13 @@ namespace PlateImpact
 
 
 
+  template <typename Supports>
   void
-  SceneChecker::check_edges(const std::string              &entry,
-                            const std::vector<std::string> &named)
+  SceneChecker::check_edges(const std::string &entry, const Supports &supports)
   {
+    std::vector<std::string> named;
+    for (const auto &support : supports)
+      named.push_back(support.edge);
     const bool is_named = !named.front().empty();
     if (!plate.is_from_file())
       {
@@ -181,14 +182,8 @@ namespace PlateImpact
              "m is too thick for a plate theory; expected at most half the "
              "shorter side, " +
                number(half_side) + " m");
-    const auto edges_of = [](const auto &supports) {
-      std::vector<std::string> edges;
-      for (const auto &support : supports)
-        edges.push_back(support.edge);
-      return edges;
-    };
-    check_edges("Plate/Support", edges_of(plate.supports));
-    check_edges("Plate/In-plane support", edges_of(plate.in_plane_supports));
+    check_edges("Plate/Support", plate.supports);
+    check_edges("Plate/In-plane support", plate.in_plane_supports);
     const double to_edge =
       has_impactor() ? geometry.distance_to_edge : half_side;
     if (to_edge <= 0. && plate.is_from_file())
@@ -216,37 +211,5 @@ namespace PlateImpact
       refuse({"Adaptivity/Strategy", "Plate/Outline"},
              "makes meshes of rectangles only; expected another strategy for "
              "this outline, for example hanging nodes");
-  }
-
-
-
-  void
-  SceneChecker::place_singular_points(const double turn)
-  {
-    std::vector<SingularPoint> &points = adaptivity.singular_points.points;
-    if (points.empty())
-      return;
-    const auto geometry = geometry_of(plate);
-    const auto mesh     = make_plate_mesh(plate, discretization.initial_cells);
-    for (SingularPoint &point : points)
-      {
-        const auto [x, y] = point.position;
-        point.position    = {{x * std::cos(turn) + y * std::sin(turn),
-                              y * std::cos(turn) - x * std::sin(turn)}};
-        for (const unsigned int d : {0, 1})
-          {
-            point.position[d] -= plate.impact_point[d];
-            if (geometry.is_symmetric[d])
-              point.position[d] = std::abs(point.position[d]);
-          }
-        bool is_on_plate = false;
-        for (const auto &cell : mesh->active_cell_iterators())
-          is_on_plate |= touches_point(cell, point.position);
-        if (!is_on_plate)
-          refuse({"Adaptivity/Singular points", "Plate/Outline"},
-                 "names the point " + number(x) + " m, " + number(y) +
-                   " m, which is not on the plate; expected coordinates from "
-                   "its centre");
-      }
   }
 } // namespace PlateImpact

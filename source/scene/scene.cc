@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <map>
 
 namespace PlateImpact
 {
@@ -77,6 +78,71 @@ namespace PlateImpact
              entry.allowed});
       return values;
     }
+
+
+
+    /// Adds an entry with its values to a plan, or a mistake to the reader's.
+    void
+    read_entry(SweepPlan &plan, const std::string &number, SceneReader &reader)
+    {
+      const Entry &entry      = reader.entries.at("Sweep/Entry " + number),
+                  &list       = reader.entries.at("Sweep/Values " + number);
+      const std::string &path = entry.value;
+      if (path.empty())
+        {
+          if (!list.value.empty())
+            reader.refuse(list, "has no " + entry.path + " to go with");
+          return;
+        }
+      const std::size_t slash   = path.find('/');
+      const std::string section = path.substr(0, slash);
+      if (slash == std::string::npos)
+        return reader.refuse(entry, "is not of the form Section/Entry");
+      const Entry *const swept = reader.entries.find(path);
+      if (swept == nullptr)
+        return reader.refuse(entry,
+                             "is not allowed: " +
+                               reader.unknown(section, path.substr(slash + 1)));
+      if (section == "Output" || section == "Sweep" || section == "Comparison")
+        return reader.refuse(entry, "is not an entry that can be swept");
+      if (plan.sweeps(path))
+        return reader.refuse(entry, "is swept twice");
+      if (list.value.empty())
+        return reader.refuse(entry,
+                             "has no values; expected them in " + list.path);
+      try
+        {
+          plan.entries.push_back(
+            {path, swept->unit(), list.origin, values_in(list.value, *swept)});
+        }
+      catch (const InputError &mistake)
+        {
+          reader.refuse(list, std::string("is not allowed: ") + mistake.what());
+        }
+    }
+
+
+
+    /// What an entry changes.
+    enum class Level
+    {
+      impactor,
+      load,
+      plate
+    };
+
+    Level
+    level(const std::string &path)
+    {
+      const std::string section = path.substr(0, path.find('/'));
+      if (path == "Impactor/Length" || path == "Impactor/Shape")
+        return Level::load;
+      if (section == "Impactor" || path == "Contact/Law" ||
+          path == "Plate/Yield strength" || path == "Ply/Mode II toughness")
+        return Level::impactor;
+      return section == "Contact" || section == "Time" ? Level::load :
+                                                         Level::plate;
+    }
   } // namespace
 
 
@@ -86,7 +152,7 @@ namespace PlateImpact
   {
     const std::size_t n_mistakes = reader.mistakes.size();
     for (unsigned int n = 1; n <= reader.parameters.sweep.entries.size(); ++n)
-      read_entry(std::to_string(n), reader);
+      read_entry(*this, std::to_string(n), reader);
     if (reader.mistakes.size() > n_mistakes || entries.empty())
       return;
     std::vector<std::size_t> sizes;
@@ -118,58 +184,42 @@ namespace PlateImpact
 
 
 
-  void
-  SweepPlan::read_entry(const std::string &number, SceneReader &reader)
+  SweepGroups::SweepGroups(const SweepPlan &plan, const Parameters &parameters)
   {
-    const Entry &entry      = reader.entries.at("Sweep/Entry " + number),
-                &list       = reader.entries.at("Sweep/Values " + number);
-    const std::string &path = entry.value;
-    if (path.empty())
+    const bool is_adaptive = plan.may_adapt(parameters),
+               law_changes_plate =
+                 parameters.plate.is_laminate() || plan.sweeps("Plate/Layup");
+    // numbers in the order in which their first points come
+    std::map<std::string, std::size_t> number_of_group, number_of_load;
+    std::vector<std::size_t>           load_of;
+    for (std::size_t point = 0; point < plan.n_points; ++point)
       {
-        if (!list.value.empty())
-          reader.refuse(list, "has no " + entry.path + " to go with");
-        return;
+        const std::vector<std::string> values = plan.values(point);
+        std::string                    plate_key, load_key;
+        for (std::size_t i = 0; i < values.size(); ++i)
+          {
+            const std::string &path    = plan.entries[i].path;
+            const Level        changes = level(path);
+            if (changes == Level::plate ||
+                (law_changes_plate && path == "Contact/Law") ||
+                (is_adaptive && changes == Level::load))
+              plate_key += values[i] + '\n';
+            else if (changes == Level::load)
+              load_key += values[i] + '\n';
+          }
+        const auto number = [](auto &numbers, const std::string &key) {
+          return numbers.emplace(key, numbers.size()).first->second;
+        };
+        const std::size_t group = number(number_of_group, plate_key);
+        groups.resize(number_of_group.size());
+        groups[group].push_back(point);
+        load_of.push_back(number(number_of_load, plate_key + load_key));
       }
-    const std::size_t slash   = path.find('/');
-    const std::string section = path.substr(0, slash);
-    if (slash == std::string::npos)
-      return reader.refuse(entry, "is not of the form Section/Entry");
-    const Entry *const swept = reader.entries.find(path);
-    if (swept == nullptr)
-      return reader.refuse(entry,
-                           "is not allowed: " +
-                             reader.unknown(section, path.substr(slash + 1)));
-    if (section == "Output" || section == "Sweep" || section == "Comparison")
-      return reader.refuse(entry, "is not an entry that can be swept");
-    if (sweeps(path))
-      return reader.refuse(entry, "is swept twice");
-    if (list.value.empty())
-      return reader.refuse(entry,
-                           "has no values; expected them in " + list.path);
-    try
-      {
-        entries.push_back(
-          {path, swept->unit(), list.origin, values_in(list.value, *swept)});
-      }
-    catch (const InputError &mistake)
-      {
-        reader.refuse(list, std::string("is not allowed: ") + mistake.what());
-      }
-  }
-
-
-
-  std::vector<std::string>
-  SweepPlan::values(std::size_t point) const
-  {
-    std::vector<std::string> result(entries.size());
-    for (std::size_t i = entries.size(); i-- > 0;)
-      {
-        const std::vector<std::string> &values = entries[i].values;
-        result[i] = values[is_product ? point % values.size() : point];
-        point     = is_product ? point / values.size() : point;
-      }
-    return result;
+    n_loads = number_of_load.size();
+    for (auto &group : groups)
+      std::stable_sort(group.begin(), group.end(), [&](auto p, auto q) {
+        return load_of[p] < load_of[q];
+      });
   }
 
 

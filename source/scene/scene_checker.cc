@@ -58,9 +58,28 @@ namespace PlateImpact
   {
     const bool has_outline = read_plate();
     choose_contact();
-    ask_for_units("Plate", plate.youngs_modulus, plate.density);
+    // about a modulus in GPa and a density in g/cm^3
+    const auto ask_for_units = [this](const std::string &name,
+                                      const auto        &body) {
+      const double modulus = body.youngs_modulus, density = body.density;
+      // one of the two in SI units and the other in those of tables
+      if (modulus >= 1. && modulus < 1e3 && density > 100.)
+        refuse({name + "/Young's modulus"},
+               "Pa is softer than any solid; did you mean " +
+                 shortest(modulus) + "e9?");
+      // gels are as soft, but not as heavy
+      else if (modulus >= 1e3 && modulus < 1e6 && density > 2000.)
+        refuse({name + "/Young's modulus"},
+               "Pa is softer than any solid as heavy; did you mean " +
+                 shortest(modulus) + "e6?");
+      if (density > 0.5 && density < 30. && modulus > 1e6)
+        refuse({name + "/Density"},
+               "kg/m^3 is lighter than any solid; did you mean " +
+                 shortest(1e3 * density) + "?");
+    };
+    ask_for_units("Plate", plate);
     if (has_impactor())
-      ask_for_units("Impactor", impactor.youngs_modulus, impactor.density);
+      ask_for_units("Impactor", impactor);
     check_section();
     if (has_outline)
       check_shape();
@@ -80,42 +99,16 @@ namespace PlateImpact
 
 
   void
-  SceneChecker::ask_for_units(const std::string &body,
-                              const double       modulus,
-                              const double       density)
-  {
-    // one of the two in SI units and the other in those of tables
-    if (modulus >= 1. && modulus < 1e3 && density > 100.)
-      refuse({body + "/Young's modulus"},
-             "Pa is softer than any solid; did you mean " + shortest(modulus) +
-               "e9?");
-    // gels are as soft, but not as heavy
-    else if (modulus >= 1e3 && modulus < 1e6 && density > 2000.)
-      refuse({body + "/Young's modulus"},
-             "Pa is softer than any solid as heavy; did you mean " +
-               shortest(modulus) + "e6?");
-    if (density > 0.5 && density < 30. && modulus > 1e6)
-      refuse({body + "/Density"},
-             "kg/m^3 is lighter than any solid; did you mean " +
-               shortest(1e3 * density) + "?");
-  }
-
-
-
-  void
   SceneChecker::check_contact()
   {
     if (!has_impactor())
       return;
-    const bool                     is_cylinder   = impactor.is_cylinder();
-    const std::vector<std::string> law_and_shape = {"Contact/Law",
-                                                    "Impactor/Shape"};
-    if (is_cylinder && contact.law != ForceLaw::line)
-      refuse(law_and_shape,
-             "is a law of spheres; expected line for a cylinder");
-    if (!is_cylinder && contact.law == ForceLaw::line)
-      refuse(law_and_shape,
-             "is the law of a cylinder; expected Sun or Hertz for a sphere");
+    const bool is_cylinder = impactor.is_cylinder();
+    if (is_cylinder != (contact.law == ForceLaw::line))
+      refuse({"Contact/Law", "Impactor/Shape"},
+             is_cylinder ?
+               "is a law of spheres; expected line for a cylinder" :
+               "is the law of a cylinder; expected Sun or Hertz for a sphere");
     if (is_cylinder != contact.load_has_length())
       refuse({"Contact/Load distribution", "Impactor/Shape"},
              is_cylinder ?

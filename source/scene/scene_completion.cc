@@ -5,6 +5,7 @@
 #include "plate_impact/contact/make_contact.h"
 #include "plate_impact/plate/layer_response.h"
 #include "plate_impact/plate/plate_geometry.h"
+#include "plate_impact/plate/plate_mesh.h"
 #include "plate_impact/plate/plate_section.h"
 #include "plate_impact/scene/scene_checker.h"
 
@@ -51,13 +52,13 @@ namespace PlateImpact
     const bool is_for_peak = adaptivity.is_for_peak_force();
     if (time.time_step == 0.)
       {
-        TimeParameters to_choose = time;
         // what the step really costs is measured (TimeControl)
-        if (is_for_peak)
-          to_choose.step_tolerance = adaptivity.target_peak_force_error;
+        const double step = expected->chosen_time_step(
+          is_for_peak ? adaptivity.target_peak_force_error :
+                        time.step_tolerance);
         choose("Time/Time step",
                time.time_step,
-               expected->chosen_time_step(to_choose));
+               time.end_time > 0. ? std::min(step, time.end_time) : step);
         time.step_is_chosen = true;
       }
     if (is_for_peak && !is_given("Time/Ritz tolerance"))
@@ -103,7 +104,7 @@ namespace PlateImpact
                           " m; expected a point farther from the edge");
         choose("Contact/Patch radius", contact.patch_radius, radius);
       }
-    const double largest = make_contact(*this).largest_force();
+    const double largest = make_contact(*this).largest_force;
     if (expected->peak.force <= largest)
       return;
     const std::string forces = number(largest, "N") +
@@ -176,7 +177,32 @@ namespace PlateImpact
         turn  = std::atan2(point[1], point[0]);
         point = {{std::hypot(point[0], point[1]), 0.}};
       }
-    place_singular_points(turn);
+    // the singular points that the scene names are where the mesh has them
+    auto               &points   = adaptivity.singular_points.points;
+    const PlateGeometry geometry = geometry_of(plate);
+    const auto          mesh     = points.empty() ?
+                   nullptr :
+                   make_plate_mesh(plate, discretization.initial_cells);
+    for (SingularPoint &point : points)
+      {
+        const auto [x, y] = point.position;
+        point.position    = {{x * std::cos(turn) + y * std::sin(turn),
+                              y * std::cos(turn) - x * std::sin(turn)}};
+        for (const unsigned int d : {0, 1})
+          {
+            point.position[d] -= plate.impact_point[d];
+            if (geometry.is_symmetric[d])
+              point.position[d] = std::abs(point.position[d]);
+          }
+        bool is_on_plate = false;
+        for (const auto &cell : mesh->active_cell_iterators())
+          is_on_plate |= touches_point(cell, point.position);
+        if (!is_on_plate)
+          refuse({"Adaptivity/Singular points", "Plate/Outline"},
+                 "names the point " + number(x) + " m, " + number(y) +
+                   " m, which is not on the plate; expected coordinates from "
+                   "its centre");
+      }
     if (adaptivity.maximum_cell_size == 0.)
       choose("Adaptivity/Maximum cell size",
              adaptivity.maximum_cell_size,

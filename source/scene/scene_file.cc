@@ -2,10 +2,12 @@
 
 #include "plate_impact/base/exceptions.h"
 
+#include <boost/algorithm/string/case_conv.hpp>
+#include <boost/algorithm/string/trim_all.hpp>
+
 #include <algorithm>
 #include <map>
 #include <numeric>
-#include <sstream>
 
 namespace PlateImpact
 {
@@ -15,11 +17,7 @@ namespace PlateImpact
     std::string
     simplified(const std::string &text)
     {
-      std::istringstream words(text);
-      std::string        result;
-      for (std::string word; words >> word;)
-        result += (result.empty() ? "" : " ") + word;
-      return result;
+      return boost::algorithm::trim_fill_copy(text, " ");
     }
 
 
@@ -34,32 +32,9 @@ namespace PlateImpact
 
 
 
-    class Scanner
+    /// Takes lines one after another.
+    struct Scanner
     {
-    public:
-      SceneFile
-      scan(std::istream &in, const std::string &name)
-      {
-        for (std::string line; std::getline(in, line);)
-          {
-            if (++line_number == 1 && line.compare(0, 3, "\xEF\xBB\xBF") == 0)
-              line.erase(0, 3);
-            origin = name + ":" + std::to_string(line_number);
-            if (!is_text(line.substr(0, line.find_last_not_of('\r') + 1)))
-              {
-                mistake("this line holds control characters; a scene is a "
-                        "text file");
-                return scene;
-              }
-            read(simplified(line.substr(0, line.find('#'))));
-          }
-        if (!open_sections.empty())
-          mistake("the file ends within subsection " + open_sections.back() +
-                  "; an 'end' is missing");
-        return scene;
-      }
-
-    private:
       void
       read(const std::string &line)
       {
@@ -135,7 +110,25 @@ namespace PlateImpact
   SceneFile
   scan_scene(std::istream &in, const std::string &name)
   {
-    return Scanner().scan(in, name);
+    Scanner scanner;
+    for (std::string line; std::getline(in, line);)
+      {
+        if (++scanner.line_number == 1 &&
+            line.compare(0, 3, "\xEF\xBB\xBF") == 0)
+          line.erase(0, 3);
+        scanner.origin = name + ":" + std::to_string(scanner.line_number);
+        if (!is_text(line.substr(0, line.find_last_not_of('\r') + 1)))
+          {
+            scanner.mistake(
+              "this line holds control characters; a scene is a text file");
+            return scanner.scene;
+          }
+        scanner.read(simplified(line.substr(0, line.find('#'))));
+      }
+    if (!scanner.open_sections.empty())
+      scanner.mistake("the file ends within subsection " +
+                      scanner.open_sections.back() + "; an 'end' is missing");
+    return scanner.scene;
   }
 
 
@@ -185,10 +178,7 @@ namespace PlateImpact
           row[0]               = i + 1;
           for (std::size_t j = 0; j < b.size(); ++j)
             {
-              const bool same =
-                std::tolower(static_cast<unsigned char>(a[i])) ==
-                std::tolower(static_cast<unsigned char>(b[j]));
-              const std::size_t substituted = diagonal + (same ? 0 : 1);
+              const std::size_t substituted = diagonal + (a[i] == b[j] ? 0 : 1);
               diagonal                      = row[j + 1];
               row[j + 1] = std::min({substituted, diagonal + 1, row[j] + 1});
             }
@@ -196,10 +186,12 @@ namespace PlateImpact
       return row.back();
     };
 
+    using boost::algorithm::to_lower_copy;
     std::string closest;
     std::size_t best = std::string::npos;
     for (const std::string &candidate : candidates)
-      if (const std::size_t d = distance(name, candidate);
+      if (const std::size_t d =
+            distance(to_lower_copy(name), to_lower_copy(candidate));
           d < best && d <= 1 + candidate.size() / 3)
         {
           best    = d;

@@ -1,12 +1,22 @@
 #include "plate_impact/sweep/processes.h"
 
+#include <deal.II/base/utilities.h>
+
+#include "plate_impact/analysis/impact_analysis.h"
 #include "plate_impact/base/exceptions.h"
+#include "plate_impact/plate/plate_geometry.h"
+#include "plate_impact/plate/plate_mesh.h"
 
 #include <boost/serialization/is_bitwise_serializable.hpp>
 #include <boost/serialization/vector.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <memory>
+#include <new>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 // sent as its numbers, in one piece
@@ -18,15 +28,233 @@ namespace PlateImpact
 
   namespace
   {
+    /// Calls a function.
+    /// @return why it failed, empty when it did not
+    template <typename Function>
+    std::string
+    failure_of(const Function &function)
+    {
+      try
+        {
+          function();
+          return {};
+        }
+      catch (const std::bad_alloc &)
+        {
+          return "not enough memory";
+        }
+      catch (const ExceptionBase &error)
+        {
+          return std::string("an internal error: ") + error.get_exc_name();
+        }
+      catch (const std::exception &error)
+        {
+          return Utilities::replace_in_string(error.what(), "\n", "; ");
+        }
+    }
+
+
+
+    /// Computes points, those of a group one after another on the same plate.
+    struct SweepComputation
+    {
+      SweepScene        &scene;
+      const SweepGroups &groups;
+
+      SweepWork                   work          = {}; ///< since the last point
+      std::optional<std::size_t>  current_group = {};
+      double                      min_cell_size = 0.; ///< of its mesh [m]
+      std::unique_ptr<PlateModel> plate_model   = {}; ///< of the current group
+      std::string                 failure       = {}; ///< why there is none
+      std::vector<std::string>    mesh_warnings = {}; ///< of its mesh
+
+      /// Whatever goes wrong becomes the failure of the row.
+      SweepRow
+      compute(const std::size_t group, const std::size_t point)
+      {
+        SweepRow row;
+        row.point   = point;
+        row.failure = failure_of([&] {
+          const SweepPoint valid  = scene.point(point);
+          auto [result, warnings] = compute(group, valid);
+          const ComputedImpact impact{valid.parameters, valid.expected, result};
+          for (const ImpactQuantity &quantity : impact_quantities)
+            row.quantities.push_back(
+              quantity.value(impact).value_or(std::nan("")));
+          row.warnings = std::move(warnings);
+          row.warnings.insert(row.warnings.end(),
+                              mesh_warnings.begin(),
+                              mesh_warnings.end());
+          if (valid.parameters.sweep.write_histories)
+            row.history = std::move(*result.history);
+        });
+        row.work    = std::exchange(work, {});
+        return row;
+      }
+
+      /// With its warnings, without those of a shared mesh.
+      using Computed = std::pair<CycleResult, std::vector<std::string>>;
+
+      Computed
+      compute(const std::size_t group, const SweepPoint &point)
+      {
+        const Parameters &parameters = point.parameters;
+        if (parameters.adaptivity.is_adaptive() &&
+            parameters.sweep.adapts_each_point)
+          return analyse(parameters, nullptr);
+
+        if (current_group != group)
+          {
+            plate_model.reset();
+            mesh_warnings.clear();
+            current_group = group;
+            failure       = failure_of([&] {
+              auto mesh     = make_mesh(group, point);
+              min_cell_size = smallest_cell_size(*mesh);
+              plate_model =
+                std::make_unique<PlateModel>(parameters.plate,
+                                             parameters.discretization,
+                                             std::move(mesh));
+              ++work.plates;
+            });
+          }
+        if (plate_model == nullptr)
+          throw ComputationError("the plate of this point: " + failure);
+
+        if (parameters.sweep.estimate_error)
+          {
+            Parameters on_mesh          = parameters;
+            on_mesh.adaptivity.strategy = AdaptationStrategy::none;
+            return analyse(on_mesh,
+                           copy_of(plate_model->discretization().mesh()));
+          }
+        return strike(point);
+      }
+
+      /// The impact on the struck plate.
+      Computed
+      strike(const SweepPoint &point)
+      {
+        const unsigned int loads_before = plate_model->work().loads;
+        const bool         needs_states = point.parameters.needs_estimator();
+        const Parameters   parameters =
+          until_contact_ends(*plate_model, point.parameters, needs_states);
+        const LoadedPlate plate  = plate_model->under(parameters, needs_states);
+        const Impact      impact = plate.strike();
+        work.loads += plate_model->work().loads - loads_before;
+
+        Computed     computed;
+        CycleResult &result  = computed.first;
+        result.history       = impact.history;
+        result.impulse       = impact.impulse;
+        result.sensitivity   = plate.sensitivity(impact.history);
+        result.min_cell_size = min_cell_size;
+        // an adapted mesh was judged with the worst point
+        computed.second =
+          impact_warnings({parameters, point.expected, result},
+                          parameters.adaptivity.is_adaptive() ?
+                            nullptr :
+                            &plate_model->discretization().mesh())
+            .all();
+        return computed;
+      }
+
+      /// The mesh of a group, made for the worst of its valid points.
+      std::unique_ptr<Triangulation<2>>
+      make_mesh(const std::size_t group, const SweepPoint &point)
+      {
+        ++work.meshes;
+        if (!point.parameters.adaptivity.is_adaptive())
+          return make_plate_mesh(point.parameters.plate,
+                                 point.parameters.discretization.initial_cells);
+        std::optional<SweepPoint> worst;
+        const auto                severity = [](const SweepPoint &point) {
+          return std::make_tuple(-point.expected.peak.time,
+                                 point.expected.peak.force);
+        };
+        for (const std::size_t index : groups.groups[group])
+          try
+            {
+              const SweepPoint other = scene.point(index);
+              if (!worst || severity(other) > severity(*worst))
+                worst = other;
+            }
+          catch (const InputError &)
+            {
+              // it gets its row when its turn comes
+            }
+        ImpactAnalysis analysis(worst->parameters);
+        analysis.run();
+        mesh_warnings           = analysis.warnings;
+        const CycleResult &last = analysis.last_cycle().result;
+        work.meshes += last.cycle - 1;
+        if (const std::string warning =
+              AdaptationControl(worst->parameters.adaptivity).warning(last);
+            !warning.empty())
+          mesh_warnings.push_back(
+            "on the mesh adapted for the point with the shortest contact, " +
+            warning);
+        return copy_of(analysis.last_cycle().mesh());
+      }
+
+      /// With the error, and on better meshes where the parameters say so.
+      Computed
+      analyse(const Parameters                 &parameters,
+              std::unique_ptr<Triangulation<2>> mesh)
+      {
+        ImpactAnalysis analysis(parameters,
+                                std::move(mesh),
+                                Wanted{/*errors=*/true});
+        analysis.run();
+        const CycleResult &last = analysis.last_cycle().result;
+        if (parameters.adaptivity.is_adaptive())
+          {
+            work.meshes += last.cycle;
+            work.plates += last.cycle;
+          }
+        work.loads += last.cycle;
+        return {last, analysis.all_warnings().all()};
+      }
+    };
+
+
+
+    /// Points of a group to compute one after another.
+    struct Task
+    {
+      std::size_t              group;
+      std::vector<std::size_t> points;
+    };
+
+    /// @param to_do        points in ascending order
+    /// @param most_points  of a task
+    std::vector<Task>
+    tasks_of(const std::vector<std::vector<std::size_t>> &groups,
+             const std::vector<std::size_t>              &to_do,
+             const std::size_t                            most_points)
+    {
+      std::vector<Task> tasks;
+      for (std::size_t group = 0; group < groups.size(); ++group)
+        for (const std::size_t point : groups[group])
+          if (std::binary_search(to_do.begin(), to_do.end(), point))
+            {
+              if (tasks.empty() || tasks.back().group != group ||
+                  tasks.back().points.size() == most_points)
+                tasks.push_back({group, {}});
+              tasks.back().points.push_back(point);
+            }
+      return tasks;
+    }
+
+
+
     /// Whether mpirun or a batch system has started this process, by the
     /// variables of Open MPI, of MPICH and its relatives, and of PMIx.
     bool
     is_started_by_mpi()
     {
-      for (const char *name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_RANK"})
-        if (std::getenv(name) != nullptr)
-          return true;
-      return false;
+      return std::getenv("OMPI_COMM_WORLD_SIZE") || std::getenv("PMI_SIZE") ||
+        std::getenv("PMIX_RANK");
     }
 
 
@@ -41,30 +269,38 @@ namespace PlateImpact
 
 
 
-    /// What another process has sent.
-    /// @param wait  for something
-    std::optional<std::vector<char>>
-    received(const bool wait)
+    /// Takes what other processes have sent.
+    /// @param n_others  that go on
+    /// @param wait      until there is none
+    void
+    take_others(int                                    &n_others,
+                const bool                              wait,
+                const std::function<void(SweepRow &&)> &take)
     {
-      int        has_come = 1;
-      MPI_Status status;
-      if (wait)
-        MPI_Probe(MPI_ANY_SOURCE, 0, MPI_COMM_WORLD, &status);
-      else
-        MPI_Iprobe(MPI_ANY_SOURCE, 0, MPI_COMM_WORLD, &has_come, &status);
-      if (!has_come)
-        return {};
-      int n_bytes;
-      MPI_Get_count(&status, MPI_CHAR, &n_bytes);
-      std::vector<char> bytes(n_bytes);
-      MPI_Recv(bytes.data(),
-               n_bytes,
-               MPI_CHAR,
-               status.MPI_SOURCE,
-               0,
-               MPI_COMM_WORLD,
-               MPI_STATUS_IGNORE);
-      return bytes;
+      while (n_others > 0)
+        {
+          int        has_come = 1, n_bytes;
+          MPI_Status status;
+          if (wait)
+            MPI_Probe(MPI_ANY_SOURCE, 0, MPI_COMM_WORLD, &status);
+          else
+            MPI_Iprobe(MPI_ANY_SOURCE, 0, MPI_COMM_WORLD, &has_come, &status);
+          if (!has_come)
+            return;
+          MPI_Get_count(&status, MPI_CHAR, &n_bytes);
+          std::vector<char> bytes(n_bytes);
+          MPI_Recv(bytes.data(),
+                   n_bytes,
+                   MPI_CHAR,
+                   status.MPI_SOURCE,
+                   0,
+                   MPI_COMM_WORLD,
+                   MPI_STATUS_IGNORE);
+          if (bytes.empty())
+            --n_others;
+          else
+            take(Utilities::unpack<SweepRow>(bytes, false));
+        }
     }
   } // namespace
 
@@ -120,31 +356,20 @@ namespace PlateImpact
 
 
 
-  SweepWork
-  Processes::compute(const std::vector<SweepGroups::Task>   &tasks,
-                     SweepComputation                       &computation,
+  void
+  Processes::compute(SweepScene                             &scene,
+                     const SweepGroups                      &groups,
+                     const std::vector<std::size_t>         &to_do,
                      const std::function<void(SweepRow &&)> &take)
   {
-    SweepWork  all;
-    const auto add = [&](SweepRow &&row) {
-      all.meshes += row.work.meshes;
-      all.plates += row.work.plates;
-      all.loads += row.work.loads;
-      take(std::move(row));
-    };
-    int        n_others    = rank == 0 ? size - 1 : 0; // that go on
-    const auto take_others = [&](const bool wait, const auto &take) {
-      while (n_others > 0)
-        {
-          const auto bytes = received(wait);
-          if (!bytes)
-            return;
-          if (bytes->empty())
-            --n_others;
-          else
-            take(Utilities::unpack<SweepRow>(*bytes, false));
-        }
-    };
+    // a few tasks for each process, so that all end at about the same time
+    const std::size_t n_parts = size == 1 ? 1 : 8 * size;
+    const auto        tasks =
+      tasks_of(groups.groups,
+               to_do,
+               std::max<std::size_t>(1, to_do.size() / n_parts));
+    SweepComputation computation{scene, groups};
+    int              n_others = rank == 0 ? size - 1 : 0;
     try
       {
         for (std::size_t task; (task = next_task()) < tasks.size();)
@@ -153,25 +378,24 @@ namespace PlateImpact
               SweepRow row = computation.compute(tasks[task].group, index);
               if (rank == 0)
                 {
-                  add(std::move(row));
+                  take(std::move(row));
                   throw_if_interrupted();
-                  take_others(/*wait=*/false, add);
+                  take_others(n_others, /*wait=*/false, take);
                 }
               else
                 send(Utilities::pack(row, false));
             }
         if (rank != 0)
           send({});
-        take_others(/*wait=*/true, add);
+        take_others(n_others, /*wait=*/true, take);
       }
     catch (const ComputationError &)
       {
         // nothing can be written: nothing more is computed
         while (next_task() < tasks.size())
           ;
-        take_others(/*wait=*/true, [](SweepRow &&) {});
+        take_others(n_others, /*wait=*/true, [](SweepRow &&) {});
         throw;
       }
-    return all;
   }
 } // namespace PlateImpact

@@ -45,7 +45,7 @@ namespace PlateImpact
     class CholmodSolver : public LinearSolver
     {
     public:
-      explicit CholmodSolver(SolverWork &work)
+      explicit CholmodSolver(PlateWork &work)
         : LinearSolver(work)
       {
         // threads, four in CHOLMOD whatever the machine has, cost more than
@@ -165,34 +165,15 @@ namespace PlateImpact
       Epetra_LinearProblem               problem;
       std::unique_ptr<Amesos_BaseSolver> solver;
     };
-
-
-
-    struct SolverRow
-    {
-      SolverType  choice;
-      std::string word;
-      std::unique_ptr<LinearSolver> (*make)(SolverWork &work);
-    };
-
-    const std::vector<SolverRow> solvers = {
-      {SolverType::CHOLMOD,
-       "CHOLMOD",
-       make_as<LinearSolver, CholmodSolver, SolverWork &>},
-      {SolverType::KLU, "KLU", make_as<LinearSolver, KluSolver, SolverWork &>}};
   } // namespace
 
 
 
-  template <>
-  const std::vector<Word<SolverType>>
-    Choices<SolverType>::words = words_of(solvers);
-
-
-
   std::unique_ptr<LinearSolver>
-  make_linear_solver(const SolverType type, SolverWork &work)
+  make_linear_solver(const SolverType type, PlateWork &work)
   {
-    return row_of(type, solvers).make(work);
+    if (type == SolverType::KLU)
+      return std::make_unique<KluSolver>(work);
+    return std::make_unique<CholmodSolver>(work);
   }
 } // namespace PlateImpact

@@ -12,15 +12,20 @@ namespace PlateImpact
 {
   namespace
   {
-    /// Until when longer steps are taken, over the time of a peak on ripples.
+    /// Until when ripples are compared, over the time of a peak on them.
     constexpr double past_ripples = 1.1;
 
-    /// Change of a peak over that of the ripples around it: covers 95 of 100
-    /// random heavy impactors.
-    constexpr double peak_over_ripples = 1.25;
 
-    /// Of the force by Ritz vectors that serve its error alone.
-    constexpr double tolerance_of_estimate = 1e-2;
+
+    ContactHistory
+    history_until(const double until, TimeStepper stepper)
+    {
+      const ContactHistory &history = stepper.impact().history;
+      while (history.states.size() <= stepper.scheme.n_steps &&
+             stepper.state().time < until)
+        stepper.advance();
+      return history;
+    }
 
 
 
@@ -42,14 +47,110 @@ namespace PlateImpact
 
 
 
+  DualLoads
+  dual_loads(const ContactHistory &history,
+             const NewmarkScheme  &scheme,
+             const Contact        &contact,
+             const Impactor       &impactor,
+             const PlateResponse  &response)
+  {
+    const std::vector<ContactState> &states      = history.states;
+    const ContactIntegration        &integration = scheme.integration;
+    const Eigen::Index p = &history.peak() - states.data(); // step of the peak
+    Eigen::VectorXd    compliance(p), phi(p);
+    // d phi_k by the approaches at the begin (a) and at the end (b) of a step
+    Eigen::VectorXd a = Eigen::VectorXd::Zero(p), b = a;
+    Contact         followed = contact;
+    double          at_peak  = 0.;
+    for (Eigen::Index k = 0; k < p; ++k)
+      {
+        // the impactor's own: steps after one with the contact force 1
+        const double in_steps =
+          integration.acts_at_begin ? k + 0.5 : std::max(scheme.beta, 1. * k);
+        compliance[k] = response.displacement(k) +
+          scheme.dt * scheme.dt / impactor.mass * in_steps;
+        const double begin = states[k].indentation,
+                     end   = states[k + 1].indentation;
+        phi[k]             = integration.force(followed, begin, end);
+        if (phi[k] != 0.)
+          b[k] = integration.stiffness(followed, begin, end, phi[k]) /
+            followed.approach_derivative(end);
+        // a mean force takes both ends alike
+        if (phi[k] != 0. && integration.acts_at_begin)
+          a[k] = integration.stiffness(followed, end, begin, phi[k]) /
+            followed.approach_derivative(begin);
+        at_peak = followed.stiffness(end) / followed.approach_derivative(end);
+        followed.follow(end);
+      }
+
+    Eigen::VectorXd mu(p);
+    double          y_after = 0.; // y = (R + R_m)^T mu of the step after
+    for (Eigen::Index n = p - 1; n >= 0; --n)
+      {
+        const Eigen::Index n_after = p - 1 - n;
+        const double       of_later =
+          compliance.segment(1, n_after).dot(mu.tail(n_after));
+        double right_hand_side = n == p - 1 ? at_peak : -a[n + 1] * y_after;
+        right_hand_side -= b[n] * of_later;
+        mu[n]   = right_hand_side / (1. + b[n] * compliance[0]);
+        y_after = of_later + compliance[0] * mu[n];
+      }
+    return {phi, mu};
+  }
+
+
+
+  DualMotions
+  dual_motions(const DualLoads     &loads,
+               const NewmarkScheme &scheme,
+               SemidiscreteSystem  &plate,
+               const unsigned int   most_times)
+  {
+    // Forces act in the middle of their steps and displacements are read at the
+    // end: motion and dual motion belong together at times whose sum is half a
+    // step more than that of the peak.
+    const Eigen::Index p      = loads.forces.size(),
+                       stride = 1 + (p - 1) / most_times;
+    const Eigen::Index first = p % stride, n_times = p / stride + 1;
+    DualMotions        result;
+    result.weight = stride;
+    result.motion.setZero(plate.load.size(), n_times);
+    result.dual = result.motion;
+
+    step_under(loads.forces,
+               scheme,
+               plate,
+               [&](const Eigen::Index step, const PlateMotion &motion) {
+                 if (step % stride == first)
+                   // stresses follow strains and, damped, their rates
+                   result.motion.col(step / stride) =
+                     motion.z + plate.damping * motion.v;
+               });
+    step_under(loads.weights.reverse(),
+               scheme,
+               plate,
+               [&](const Eigen::Index step, const PlateMotion &motion) {
+                 const auto column = [&](const Eigen::Index beside) {
+                   return result.dual.col(n_times - 1 - beside / stride);
+                 };
+                 if (step % stride == 0 && step < p)
+                   column(step) += 0.5 * motion.z;
+                 if ((step - 1) % stride == 0)
+                   column(step - 1) += 0.5 * motion.z;
+               });
+    return result;
+  }
+
+
+
   LoadedPlate::LoadedPlate(const Parameters              &impact,
                            std::shared_ptr<RitzReduction> shared)
-    : parameters(impact)
+    : system(shared->system_for(impact))
+    , parameters(impact)
     , scheme(impact.time, impact.contact.integration)
     , reduction(std::move(shared))
     , contact(make_contact(parameters))
     , impactor(make_impactor(parameters.impactor))
-    , system(reduction->system_for(parameters))
   {}
 
 
@@ -96,26 +197,33 @@ namespace PlateImpact
     const bool   is_on_ripples = history.peak_is_on_ripples();
     const double until =
       std::max(time + 3. * scheme.dt, is_on_ripples ? past_ripples * time : 0.);
-    const ContactHistory doubled = in_longer_steps(2, until);
+    const auto in_longer_steps = [&](const unsigned int factor) {
+      TimeParameters longer = parameters.time;
+      longer.time_step      = factor * scheme.dt;
+      longer.end_time =
+        longer.time_step * ((scheme.n_steps + factor - 1) / factor);
+      return history_until(until, steps(longer));
+    };
+    const ContactHistory doubled = in_longer_steps(2);
     double               change  = doubled.peak_of_curve() - peak;
     if (const unsigned int last = scheme.n_steps;
-        time == history.states()[last].time)
+        time == history.states[last].time)
       // a force that grows to the end is compared where both have a state
-      change = doubled.states()[last / 2].force -
-        history.states()[last - last % 2].force;
+      change =
+        doubled.states[last / 2].force - history.states[last - last % 2].force;
     change       = std::abs(change);
-    double decay = std::exp2(scheme.order()); // of changes, as steps halve
+    double decay = std::exp2(scheme.order); // of changes, as steps halve
     if (is_on_ripples)
       {
         // such a peak may change little by accident where the ripples change
-        // much, and these by less than the order tells while their phases do
-        const ContactHistory fourfold = in_longer_steps(4, until);
+        // much, and these by less than the order tells while their phases do;
+        // 1.25 covers 95 of 100 random heavy impactors
+        const ContactHistory fourfold = in_longer_steps(4);
         const double         around = doubled.difference_around(time, history),
                      before         = fourfold.difference_around(time, doubled),
                      change_before  = std::abs(fourfold.peak_of_curve() -
                                               doubled.peak_of_curve());
-        change =
-          std::max({change, change_before / 3., peak_over_ripples * around});
+        change = std::max({change, change_before / 3., 1.25 * around});
         if (before < decay * around)
           decay = std::max(2., before / around);
       }
@@ -127,19 +235,11 @@ namespace PlateImpact
 
 
   ContactHistory
-  LoadedPlate::in_longer_steps(const unsigned int factor,
-                               const double       until) const
+  LoadedPlate::on_other_plate(SemidiscreteSystem   &other,
+                              const ContactHistory &history) const
   {
-    TimeParameters longer = parameters.time;
-    longer.time_step      = factor * scheme.dt;
-    longer.end_time =
-      longer.time_step * ((scheme.n_steps + factor - 1) / factor);
-    TimeStepper           stepper = steps(longer);
-    const ContactHistory &history = stepper.impact().history;
-    while (history.states().size() <= stepper.n_steps() &&
-           stepper.state().time < until)
-      stepper.advance();
-    return history;
+    return history_until(past_ripples * history.peak().time,
+                         {scheme, other, contact, impactor});
   }
 
 
@@ -148,7 +248,7 @@ namespace PlateImpact
   LoadedPlate::sensitivity(const ContactHistory &history) const
   {
     // a plate with large deflections would have to be stepped once more
-    if (history.n_contacts() < 2 || !system.is_linear())
+    if (history.n_contacts() < 2 || !system.is_linear)
       return {};
     const double change = 1e-6, unpredictable = 1e-3;
     Impactor     faster = impactor;
@@ -159,11 +259,11 @@ namespace PlateImpact
         .history;
     const double peak = history.peak().force;
     Sensitivity  result;
-    for (std::size_t step = 0; step < history.states().size(); ++step)
+    for (std::size_t step = 0; step < history.states.size(); ++step)
       {
-        const ContactState &state = history.states()[step];
+        const ContactState &state = history.states[step];
         const double        changed =
-          std::abs(other.states()[step].force - state.force) / peak;
+          std::abs(other.states[step].force - state.force) / peak;
         result.factor = std::max(result.factor, changed / change);
         if (changed > unpredictable && !result.unpredictable_from)
           result.unpredictable_from = state.time;
@@ -176,9 +276,9 @@ namespace PlateImpact
   std::optional<PeakForceProblem>
   LoadedPlate::peak_force_problem(const ContactHistory &history) const
   {
-    if (!scheme.conserves_energy() || !system.is_linear() ||
-        history.peak().force <= 0. ||
-        history.peak().time > most_steps_to_peak * scheme.dt)
+    const double peak = history.peak().time;
+    if (!scheme.conserves_energy || !system.is_linear ||
+        history.peak().force <= 0. || peak > most_steps_to_peak * scheme.dt)
       return {};
     // on the mesh it would take three more transients up to the peak
     std::unique_ptr<RitzReduction> own;
@@ -186,9 +286,11 @@ namespace PlateImpact
       {
         TimeParameters to_peak = parameters.time;
         to_peak.integrator     = IntegratorType::Ritz_vectors;
-        to_peak.end_time       = history.peak().time;
+        to_peak.end_time       = scheme.dt *
+          std::min(1. * scheme.n_steps,
+                   std::ceil(past_ripples * peak / scheme.dt));
         to_peak.time_step      = scheme.dt;
-        to_peak.ritz_tolerance = tolerance_of_estimate;
+        to_peak.ritz_tolerance = 1e-2; // vectors for the error alone
         own = std::make_unique<RitzReduction>(reduction->mesh,
                                               to_peak,
                                               scheme.integration,
@@ -197,14 +299,16 @@ namespace PlateImpact
     RitzReduction       &used     = own ? *own : *reduction;
     SemidiscreteSystem  &of_dual  = used.system_for(parameters);
     const PlateResponse &response = used.response(used.scheme, of_dual);
-    // a motion takes half of what is looked at together
-    const unsigned int most_times =
-      std::max(32u, of_dual.n_states_at_once() / 2);
-    DualMotions motions =
+    return PeakForceProblem{
       dual_motions(dual_loads(history, scheme, contact, impactor, response),
                    scheme,
                    of_dual,
-                   most_times);
-    return PeakForceProblem{std::move(motions), &of_dual, std::move(own)};
+                   // a motion takes half of what is looked at together
+                   std::max(32u, of_dual.n_states_at_once() / 2)),
+      &of_dual,
+      std::move(own),
+      // chosen on random scenes
+      peak >
+        3. * return_of_waves(parameters.plate, make_zener_impact(parameters))};
   }
 } // namespace PlateImpact

@@ -18,9 +18,6 @@ namespace PlateImpact
 {
   namespace
   {
-    /// Numbers in the Ritz vectors of all loads that are kept: 0.8 GB.
-    constexpr double most_kept_numbers = 1e8;
-
     /// Steps in which the end of a contact is looked for.
     constexpr double most_steps_of_contact = 262144.;
 
@@ -73,7 +70,7 @@ namespace PlateImpact
                            std::max(impact.time.end_time, wait.longest) / dt));
       TimeStepper stepper     = plate.steps(coarse);
       bool        is_touching = false;
-      for (unsigned int step = 0; step < stepper.n_steps(); ++step)
+      for (unsigned int step = 0; step < stepper.scheme.n_steps; ++step)
         {
           stepper.advance();
           const ContactState &state = stepper.state();
@@ -111,10 +108,9 @@ namespace PlateImpact
                       needs_states);
     if (reductions.count(key) == 0)
       {
-        // makes room for another load
+        // makes room for another load: of Ritz vectors 0.8 GB are kept
         const unsigned int n_vectors = work().ritz_vectors;
-        if (1. * (n_vectors - n_forgotten_vectors) * plate.n_unknowns() >
-            most_kept_numbers)
+        if (1. * (n_vectors - n_forgotten_vectors) * plate.n_unknowns() > 1e8)
           {
             n_forgotten_vectors = n_vectors;
             reductions.clear();
@@ -125,7 +121,7 @@ namespace PlateImpact
                                           time,
                                           impact.contact.integration,
                                           needs_states);
-        ++n_loads;
+        ++matrices->work.loads;
       }
     return {impact, reductions[key]};
   }
@@ -162,11 +158,21 @@ namespace PlateImpact
     const auto points = on_meshed_part(
       make_load_distribution(contact, impact.impactor.length, finest_cell),
       impact.plate);
-    auto loaded = std::make_shared<LoadedMesh>(LoadedMesh{
-      {matrices,
-       plate.load(points, load_rotation_factor(impact.plate, contact))},
-      {}});
-    assembly_seconds += timer.wall_time();
+    // beta of the functional w + beta div theta, 0 for w alone: a half-space,
+    // or the layer's own patch radius [m^2]
+    double rotation_factor = 0.;
+    if (contact.local_response == LocalResponse::layer)
+      {
+        const double h = impact.plate.thickness;
+        const double beta =
+          LayerResponse(plate.section(), contact.load_distribution)
+            .rotation_factor(contact.patch_radius / h);
+        if (std::abs(beta) > 1e-9)
+          rotation_factor = beta * h * h;
+      }
+    auto loaded = std::make_shared<LoadedMesh>(
+      LoadedMesh{{matrices, plate.load(points, rotation_factor)}, {}});
+    matrices->work.assembly_seconds += timer.wall_time();
     return loaded_meshes[key] = std::move(loaded);
   }
 
@@ -206,26 +212,10 @@ namespace PlateImpact
           }
         matrices = std::move(whole);
         // without what the search for the frequency took to factorize
-        assembly_seconds +=
+        matrices->work.assembly_seconds =
           timer.wall_time() - matrices->work.factorization_seconds;
       }
     return matrices;
-  }
-
-
-
-  PlateModel::Work
-  PlateModel::work() const
-  {
-    Work work;
-    work.loads            = n_loads;
-    work.ritz_vectors     = n_forgotten_vectors;
-    work.assembly_seconds = assembly_seconds;
-    for (const auto &[key, loaded] : loaded_meshes)
-      work.ritz_vectors += loaded->n_vectors();
-    if (matrices != nullptr)
-      static_cast<SolverWork &>(work) = matrices->work;
-    return work;
   }
 
 

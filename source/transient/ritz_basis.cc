@@ -37,10 +37,8 @@ namespace PlateImpact
     TridiagonalMatrix
     continued_mass(const RitzBasis   &basis,
                    const unsigned int n,
-                   unsigned int       n_terminator)
+                   const unsigned int n_terminator)
     {
-      if (basis.is_complete() && n == basis.n_vectors())
-        n_terminator = 0;
       const TridiagonalMatrix T       = basis.mass(n);
       const double            uniform = 0.25 / basis.sigma;
       TridiagonalMatrix       result  = {
@@ -83,9 +81,7 @@ namespace PlateImpact
   void
   RitzBasis::grow(const unsigned int n_wanted)
   {
-    if (n_wanted <= n || complete)
-      return;
-    if (n_wanted > Q.cols())
+    if (n_wanted > Q.cols() && !complete)
       {
         // twice as many, since all are copied; what is not used costs nothing
         const Eigen::Index room = 2 * n_wanted;
@@ -96,47 +92,40 @@ namespace PlateImpact
     while (n < n_wanted && !complete)
       {
         throw_if_interrupted();
-        append();
+        // A times the candidate is what it is solved for
+        A_candidate = n == 0 ? u : M_last;
+        matrices.solve(sigma, A_candidate, candidate);
+        if (n > 0)
+          {
+            candidate -= diagonal[n - 1] * Q.col(n - 1);
+            A_candidate -= diagonal[n - 1] * A_last;
+          }
+        if (n > 1)
+          {
+            candidate -= subdiagonal[n - 2] * Q.col(n - 2);
+            A_candidate -= subdiagonal[n - 2] * A_before;
+          }
+        const double norm = orthogonalize();
+        complete = n == Q.rows() || (n > 0 && norm * sigma <= least_coupling);
+        if (complete)
+          return;
+        Q.col(n) = candidate / norm;
+        A_before.swap(A_last);
+        A_last           = A_candidate / norm;
+        M_last.noalias() = as_eigen(matrices.discretization.mass()) * Q.col(n);
+        diagonal[n]      = Q.col(n).dot(M_last);
+        // T is positive, whatever round-off makes of it
+        last_pivot = diagonal[n] - (n > 0 ? norm * norm / last_pivot : 0.);
+        complete   = !(last_pivot > 0.);
+        if (complete)
+          return;
+        if (n == 0)
+          load_norm = norm;
+        else
+          subdiagonal[n - 1] = norm;
+        ++n;
+        ++matrices.work.ritz_vectors;
       }
-  }
-
-
-
-  void
-  RitzBasis::append()
-  {
-    // A times the candidate is what it is solved for
-    A_candidate = n == 0 ? u : M_last;
-    matrices.solve(sigma, A_candidate, candidate);
-    if (n > 0)
-      {
-        candidate -= diagonal[n - 1] * Q.col(n - 1);
-        A_candidate -= diagonal[n - 1] * A_last;
-      }
-    if (n > 1)
-      {
-        candidate -= subdiagonal[n - 2] * Q.col(n - 2);
-        A_candidate -= subdiagonal[n - 2] * A_before;
-      }
-    const double norm = orthogonalize();
-    complete = n == Q.rows() || (n > 0 && norm * sigma <= least_coupling);
-    if (complete)
-      return;
-    Q.col(n) = candidate / norm;
-    A_before.swap(A_last);
-    A_last           = A_candidate / norm;
-    M_last.noalias() = as_eigen(matrices.discretization.mass()) * Q.col(n);
-    diagonal[n]      = Q.col(n).dot(M_last);
-    // T is positive, whatever round-off makes of it
-    last_pivot = diagonal[n] - (n > 0 ? norm * norm / last_pivot : 0.);
-    complete   = !(last_pivot > 0.);
-    if (complete)
-      return;
-    if (n == 0)
-      load_norm = norm;
-    else
-      subdiagonal[n - 1] = norm;
-    ++n;
   }
 
 
@@ -152,12 +141,10 @@ namespace PlateImpact
     // a factor of 2 on most plates, and of 1e5 on some.
     const Eigen::VectorXd overlap = Q.leftCols(n).transpose() * A_candidate;
     const bool has_lost           = overlap.cwiseAbs().maxCoeff() > 1e-9 * norm;
-    // the recurrence has two vectors to bring overlaps back from
-    const bool is_first = has_lost && !is_second;
-    const bool acts     = has_lost || is_second;
-    is_second           = is_first;
-    if (!acts)
+    if (!has_lost && !is_second)
       return norm;
+    // the recurrence has two vectors to bring overlaps back from
+    is_second = !is_second;
     candidate -= Q.leftCols(n) * overlap;
     A_candidate = as_eigen(matrices.discretization.stiffness()) * candidate +
       sigma * (as_eigen(matrices.discretization.mass()) * candidate);
@@ -182,20 +169,12 @@ namespace PlateImpact
   ReducedSystem::ReducedSystem(const RitzBasis   &basis,
                                const unsigned int n,
                                const unsigned int n_terminator)
-    : ReducedSystem(basis, n, continued_mass(basis, n, n_terminator))
-  {}
-
-
-
-  ReducedSystem::ReducedSystem(const RitzBasis         &basis,
-                               const unsigned int       n,
-                               const TridiagonalMatrix &mass)
     : SemidiscreteSystem(basis.load() *
-                           Eigen::VectorXd::Unit(mass.diagonal.size(), 0),
+                           Eigen::VectorXd::Unit(n + n_terminator, 0),
                          basis.matrices.damping)
     , n_vectors(n)
     , basis(basis)
-    , mass(mass)
+    , mass(continued_mass(basis, n, n_terminator))
     , stiffness{1. - basis.sigma * mass.diagonal.array(),
                 -basis.sigma * mass.beside}
     , compliance(basis.matrices.discretization.is_free() ?

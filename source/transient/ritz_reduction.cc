@@ -14,39 +14,9 @@ namespace PlateImpact
 {
   namespace
   {
-    /// Share of what lies beyond the basis before in the displacements, in the
-    /// norm of K + sigma M, below which eta was that of the mesh within 1 %.
-    constexpr double field_tolerance = 1e-3;
-
-
-
-    /// Steps by which a number of vectors is judged, about: the step hardly
-    /// matters.
-    constexpr double most_steps_to_judge = 2000.;
-
-    /// Of these steps, in a contact of the infinite plate.
-    constexpr double fewest_steps_of_contact = 64.;
-
-
-
-    /// Numbers in the vectors: 1.6 GB.
-    constexpr double most_numbers = 2e8;
-
-
-
     /// Returns of the waves from the nearest edge after which a plate rings,
     /// and no longer time takes more vectors.
     constexpr double returns_until_it_rings = 8.;
-
-
-
-    /// Vectors that cost as much as a number of steps: n + n^2 / 900 solves, as
-    /// measured on 7000 to 37000 unknowns with 180 to 950 vectors.
-    double
-    vectors_worth(const double n_steps)
-    {
-      return std::max(16., 450. * (std::sqrt(1. + n_steps / 225.) - 1.));
-    }
 
 
 
@@ -82,16 +52,15 @@ namespace PlateImpact
     judged(const ContactHistory &history, const Contact &contact)
     {
       const ContactState &peak = history.peak();
-      Eigen::ArrayX2d     result =
-        Eigen::ArrayX2d::Zero(history.states().size(), 2);
+      Eigen::ArrayX2d result = Eigen::ArrayX2d::Zero(history.states.size(), 2);
       if (peak.force <= 0.)
         return result;
       // on the curve of first loading
       const double per_displacement =
         contact.stiffness(peak.indentation) / peak.force;
-      for (std::size_t n = 0; n < history.states().size(); ++n)
+      for (std::size_t n = 0; n < history.states.size(); ++n)
         {
-          const ContactState &state = history.states()[n];
+          const ContactState &state = history.states[n];
           result(n, 0)              = state.force / peak.force;
           result(n, 1)              = state.force > 0. ?
                          std::numeric_limits<double>::quiet_NaN() :
@@ -102,37 +71,41 @@ namespace PlateImpact
 
 
 
-    /// Norm over all times of what coordinates from the first on hold of the
-    /// displacements, relative to that of all.
-    double
-    share_beyond(const unsigned int first, TimeStepper stepper)
+    /// Whether coordinates from the first on hold less than 1e-3 of the
+    /// displacements, in the norm of K + sigma M over all times: then eta was
+    /// that of the mesh within 1 %.
+    bool
+    is_little_beyond(const unsigned int first, TimeStepper stepper)
     {
-      const unsigned int interval = std::max(1u, stepper.n_steps() / 100);
+      const unsigned int interval = std::max(1u, stepper.scheme.n_steps / 100);
       const Eigen::Index n_beyond = stepper.displacement().size() - first;
       double             beyond = 0., all = 0.;
-      for (unsigned int n = interval; n <= stepper.n_steps(); n += interval)
+      for (unsigned int n = interval; n <= stepper.scheme.n_steps;
+           n += interval)
         {
           stepper.advance(interval);
           beyond += stepper.displacement().tail(n_beyond).squaredNorm();
           all += stepper.displacement().squaredNorm();
         }
-      return all > 0. ? std::sqrt(beyond / all) : 0.;
+      return beyond <= 1e-6 * all;
     }
 
 
 
-    /// Longer steps where there are very many, but enough for a contact.
-    /// Schemes that damp would damp more in these, and keep theirs.
+    /// Longer steps where there are very many, but enough for a contact of the
+    /// infinite plate: the step hardly matters. Schemes that damp would damp
+    /// more in these, and keep theirs.
     NewmarkScheme
     scheme_to_judge(const NewmarkScheme &scheme,
                     TimeParameters       time,
                     const double         contact_time)
     {
-      if (scheme.conserves_energy())
+      const double most_steps = 2000., fewest_steps_of_contact = 64.;
+      if (scheme.conserves_energy)
         time.time_step *=
           std::max(1.,
                    std::floor(std::min(
-                     scheme.n_steps / most_steps_to_judge,
+                     scheme.n_steps / most_steps,
                      contact_time / (fewest_steps_of_contact * scheme.dt))));
       return {time, scheme.integration};
     }
@@ -154,16 +127,6 @@ namespace PlateImpact
 
 
 
-    /// When waves are back from the nearest edge. [s]
-    double
-    return_of_waves(const PlateParameters &plate, const ZenerImpact &expected)
-    {
-      return 2. * geometry_of(plate).distance_to_edge /
-        expected.wave().group_speed;
-    }
-
-
-
     /// Whether it is known beforehand that stepping on the mesh takes fewer
     /// solves than vectors would.
     bool
@@ -179,7 +142,7 @@ namespace PlateImpact
       if (n_unknowns < 3. * time.end_time / time.time_step)
         return false;
       const ZenerImpact expected = make_zener_impact(scene);
-      if (!expected.contact.first_loading().hertz_coefficient())
+      if (!expected.loss_factor())
         return false;
       const double back = return_of_waves(scene.plate, expected);
       return time.end_time > back &&
@@ -220,10 +183,19 @@ namespace PlateImpact
 
 
 
+  double
+  return_of_waves(const PlateParameters &plate, const ZenerImpact &expected)
+  {
+    return 2. * geometry_of(plate).distance_to_edge /
+      expected.wave().group_speed;
+  }
+
+
+
   SemidiscreteSystem &
   RitzReduction::system_for(const Parameters &parameters)
   {
-    if (time.integrator == IntegratorType::Newmark || !mesh->system.is_linear())
+    if (time.integrator == IntegratorType::Newmark || !mesh->system.is_linear)
       return mesh->system;
     Parameters rounded          = parameters;
     rounded.time                = time;
@@ -242,7 +214,7 @@ namespace PlateImpact
   SemidiscreteSystem *
   RitzReduction::settle(const Parameters &rounded)
   {
-    const double n_unknowns = mesh->system.load().size();
+    const double n_unknowns = mesh->system.load.size();
     if (steps_are_fewer(rounded, n_unknowns))
       return &mesh->system;
     const Contact     contact  = make_contact(rounded);
@@ -259,11 +231,13 @@ namespace PlateImpact
     const double n_first =
                    std::max(12., 0.24 * std::exp2(0.5 * octave) * followed),
                  growth = 1.15;
-    // once the vectors have cost as much as the steps would, or fill the
-    // memory, the steps are made after all
+    // Once the vectors have cost as much as the steps would, or fill 1.6 GB of
+    // memory, the steps are made after all: n vectors cost n + n^2 / 900
+    // solves, as measured on 7000 to 37000 unknowns with 180 to 950 vectors.
+    const double n_steps = time.end_time / time.time_step;
     const double n_most =
-      std::min(vectors_worth(time.end_time / time.time_step),
-               most_numbers / n_unknowns);
+      std::min(std::max(16., 450. * (std::sqrt(1. + n_steps / 225.) - 1.)),
+               2e8 / n_unknowns);
     if (n_most < std::min(n_first * growth * growth, n_unknowns))
       return &mesh->system;
     const NewmarkScheme judging =
@@ -289,9 +263,8 @@ namespace PlateImpact
                 estimated_error(last_three, 0) <= time.ritz_tolerance &&
                 estimated_error(last_three, 1) <= time.ritz_tolerance &&
                 (!needs_fields ||
-                 share_beyond(n_before,
-                              {judging, reduced, contact, impactor}) <=
-                   field_tolerance))
+                 is_little_beyond(n_before,
+                                  {judging, reduced, contact, impactor})))
               return &reduced;
           }
         catch (const ComputationError &)
@@ -316,14 +289,13 @@ namespace PlateImpact
       mesh->bases.try_emplace(half_octave, mesh->system, omega * omega)
         .first->second;
     basis.grow(n);
+    const unsigned int n_used = std::min(n, basis.n_vectors());
+    const bool holds_all = basis.is_complete() && n_used == basis.n_vectors();
     // a longer terminator changes little
     const unsigned int n_terminator =
-      std::min(500., 7. * omega * time.end_time);
+      holds_all ? 0. : std::min(500., 7. * omega * time.end_time);
     return reduced_systems
-      .try_emplace({half_octave, n},
-                   basis,
-                   std::min(n, basis.n_vectors()),
-                   n_terminator)
+      .try_emplace({half_octave, n}, basis, n_used, n_terminator)
       .first->second;
   }
 
@@ -337,9 +309,10 @@ namespace PlateImpact
                         const unsigned int   n_steps)
   {
     // the work of the force is the plate's energy where nothing dissipates it
-    if (by.conserves_energy() && system.damping() == 0. && system.is_linear())
-      return response(by, system).impact(contact, impactor, n_steps);
-    TimeStepper stepper(by, system, contact, impactor);
+    std::unique_ptr<PlateMotion> motion;
+    if (by.conserves_energy && system.damping == 0. && system.is_linear)
+      motion = std::make_unique<PlateResponse>(response(by, system));
+    TimeStepper stepper(by, system, contact, impactor, std::move(motion));
     stepper.advance(n_steps);
     return stepper.impact();
   }

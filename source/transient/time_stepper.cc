@@ -10,85 +10,21 @@
 
 namespace PlateImpact
 {
-  namespace
-  {
-    /// The motion of a plate under the load by its response, without unknowns.
-    class ConvolvedMotion : public PlateMotion
-    {
-    public:
-      /// @param reversed  must outlive the motion
-      ConvolvedMotion(const NewmarkScheme   &scheme,
-                      const Eigen::VectorXd &reversed)
-        : reversed(reversed)
-        , forces(reversed.size())
-      {
-        // the response has phi at the beginning of the step as well
-        w_of_unit_response = reversed[reversed.size() - 1] /
-          (scheme.integration.acts_at_begin ? 1. + scheme.c2 : 1.);
-      }
-
-      double
-      begin_step(const double begin_force) override
-      {
-        known_force = begin_force;
-        free        = forces.head(n_forces).dot(
-          reversed.segment(reversed.size() - 1 - step, n_forces));
-        return free;
-      }
-
-      std::optional<double>
-      end_step(const double at_begin, const double at_end) override
-      {
-        forces[step++] = at_end;
-        if (at_end != 0.)
-          n_forces = step;
-        const double w_end = free + reversed[reversed.size() - 1] * at_end;
-        work += 0.5 * (known_force + at_begin + at_end) * (w_end - w);
-        w = w_end;
-        return {};
-      }
-
-      double
-      energy() const override
-      {
-        return work;
-      }
-
-    private:
-      const Eigen::VectorXd &reversed;
-      Eigen::VectorXd        forces;       ///< phi of the steps so far
-      Eigen::Index           n_forces = 0; ///< up to the last that is not zero
-      Eigen::Index           step     = 0;
-      double                 known_force = 0., free = 0., work = 0.;
-    };
-  } // namespace
-
-
-
   TimeStepper::TimeStepper(const NewmarkScheme         &scheme,
-                           std::unique_ptr<PlateMotion> motion,
+                           SemidiscreteSystem          &plate,
                            const Contact               &contact,
-                           const Impactor              &impactor)
+                           const Impactor              &impactor,
+                           std::unique_ptr<PlateMotion> motion)
     : scheme(scheme)
     , at_begin(scheme.integration.acts_at_begin ? 1. : 0.)
-    , plate_motion(std::move(motion))
+    , plate(motion == nullptr ? &plate : nullptr)
+    , plate_motion(motion == nullptr ? plate.motion(scheme) : std::move(motion))
     , contact(contact)
     , impactor(impactor)
   {
     current.impactor_velocity = impactor.velocity;
     current.impactor_energy   = impactor.kinetic_energy();
-    so_far.history.add(current);
-  }
-
-
-
-  TimeStepper::TimeStepper(const NewmarkScheme &scheme,
-                           SemidiscreteSystem  &plate,
-                           const Contact       &contact,
-                           const Impactor      &impactor)
-    : TimeStepper(scheme, plate.motion(scheme), contact, impactor)
-  {
-    this->plate = &plate;
+    so_far.history.states.push_back(current);
   }
 
 
@@ -120,7 +56,16 @@ namespace PlateImpact
               }
           }
         end_step(phi);
-        if (!so_far.separation_time && is_out_of_reach())
+        // The plate can never reach the impactor again: without a force average
+        // acceleration keeps its energy E, and the displacement under the load
+        // stays within sqrt(2 E c), c the static compliance. Beyond round-off
+        // in the energy, however far the impactor has flown.
+        const double gap = -current.impactor_displacement;
+        if (!so_far.separation_time && plate != nullptr &&
+            scheme.conserves_energy && current.impactor_velocity <= 0. &&
+            gap > 0. &&
+            gap > std::sqrt(2. * (1. + 1e-6) * current.plate_energy *
+                            plate->static_compliance()))
           so_far.separation_time = current.time;
       }
   }
@@ -137,7 +82,7 @@ namespace PlateImpact
       dt * impactor.velocity -
       dt * dt / impactor.mass * (0.5 - beta) * begin_force;
     const double compliance =
-      (1. + scheme.c2 * at_begin) * plate_motion->unit_displacement() +
+      (1. + scheme.c2 * at_begin) * plate_motion->w_of_unit_response +
       dt * dt / impactor.mass * (beta + (0.5 - beta) * at_begin);
     try
       {
@@ -170,7 +115,7 @@ namespace PlateImpact
       ++so_far.n_contact_steps;
 
     current.time                  = dt * step;
-    current.plate_displacement    = plate_motion->displacement();
+    current.plate_displacement    = plate_motion->w;
     current.impactor_displacement = impactor.displacement;
     current.impactor_velocity     = impactor.velocity;
     current.indentation     = contact.indentation_under(impactor.displacement -
@@ -180,18 +125,7 @@ namespace PlateImpact
     current.contact_energy  = contact.stored_energy(current.indentation);
     current.impactor_energy = impactor.kinetic_energy();
     current.dissipated_energy = contact.dissipated_energy(current.indentation);
-    current.plate_dissipated_energy = plate_motion->dissipated_energy();
-    require_validity();
-    contact.follow(current.indentation);
-    current.permanent_indentation = contact.dent();
-    so_far.history.add(current);
-  }
-
-
-
-  void
-  TimeStepper::require_validity() const
-  {
+    current.plate_dissipated_energy = plate_motion->dissipated;
     for (const auto &[value, quantity] :
          {std::pair(current.plate_displacement, "plate displacement"),
           std::pair(current.total_energy(), "total energy")})
@@ -203,7 +137,7 @@ namespace PlateImpact
           current.time,
           quantity,
           value));
-    if (current.force > contact.largest_force())
+    if (current.force > contact.largest_force)
       throw ComputationError(fmt::format(
         "step {} (t = {}): the contact force, {}, is beyond the limit of the "
         "local response of a layer, {}; choose Contact/Patch radius = 0 or, if "
@@ -211,55 +145,56 @@ namespace PlateImpact
         step,
         number(current.time, "s"),
         number(current.force, "N"),
-        number(contact.largest_force(), "N")));
-  }
-
-
-
-  bool
-  TimeStepper::is_out_of_reach() const
-  {
-    // other schemes do not keep the energy that bounds the displacement
-    if (plate == nullptr || !scheme.conserves_energy() ||
-        current.impactor_velocity > 0. || current.impactor_displacement >= 0.)
-      return false;
-    // beyond round-off in the energy, however far the impactor has flown
-    const double energy = (1. + 1e-6) * current.plate_energy;
-    return -current.impactor_displacement >
-      std::sqrt(2. * energy * plate->static_compliance());
+        number(contact.largest_force, "N")));
+    contact.follow(current.indentation);
+    current.permanent_indentation = contact.dent();
+    so_far.history.states.push_back(current);
   }
 
 
 
   PlateResponse::PlateResponse(const NewmarkScheme &scheme,
                                SemidiscreteSystem  &plate)
-    : scheme(scheme)
-    , reversed(scheme.n_steps)
+    : reversed(scheme.n_steps)
+    , forces(Eigen::VectorXd::Zero(scheme.n_steps))
   {
     step_under(Eigen::VectorXd::Unit(scheme.n_steps, 0),
                scheme,
                plate,
-               [this](const Eigen::Index step, const PlateStepper &stepper) {
-                 reversed[reversed.size() - step] = stepper.displacement();
+               [this](const Eigen::Index step, const PlateMotion &motion) {
+                 reversed[reversed.size() - step] = motion.w;
                });
     if (!reversed.allFinite())
       throw ComputationError(
         "the response of the plate to a unit force is not finite; try a "
         "smaller Time/Time step");
+    // the response has phi at the beginning of the step as well
+    w_of_unit_response = displacement(0) /
+      (scheme.integration.acts_at_begin ? 1. + scheme.c2 : 1.);
   }
 
 
 
-  Impact
-  PlateResponse::impact(const Contact     &contact,
-                        const Impactor    &impactor,
-                        const unsigned int n_steps) const
+  double
+  PlateResponse::begin_step(const double begin_force)
   {
-    TimeStepper stepper(scheme,
-                        std::make_unique<ConvolvedMotion>(scheme, reversed),
-                        contact,
-                        impactor);
-    stepper.advance(n_steps);
-    return stepper.impact();
+    known_force = begin_force;
+    free        = forces.head(n_forces).dot(
+      reversed.segment(reversed.size() - 1 - step, n_forces));
+    return free;
+  }
+
+
+
+  std::optional<double>
+  PlateResponse::end_step(const double at_begin, const double at_end)
+  {
+    forces[step++] = at_end;
+    if (at_end != 0.)
+      n_forces = step;
+    const double w_end = free + displacement(0) * at_end;
+    work += 0.5 * (known_force + at_begin + at_end) * (w_end - w);
+    w = w_end;
+    return {};
   }
 } // namespace PlateImpact

@@ -168,9 +168,9 @@ namespace PlateImpact
       Stages          stages(state.range(0));
       FullSystem      plate = stages.plate();
       Eigen::VectorXd x;
-      plate.solve(shift, plate.load(), x);
+      plate.solve(shift, plate.load, x);
       for (auto _ : state)
-        plate.solve(shift, plate.load(), x);
+        plate.solve(shift, plate.load, x);
       count(state, stages);
       state.SetBytesProcessed(state.iterations() * 2 *
                               factor_size(stages.model.stiffness()));

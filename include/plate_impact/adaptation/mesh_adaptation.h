@@ -15,43 +15,54 @@ namespace PlateImpact
   // Sizes of cells.
 
   /// Sizes that follow from the error of each cell (Table 1 of the paper),
-  /// h_new = h / xi'^phi with phi = size_exponent(), infinite without an error.
-  /// By active index. Whether a cell is coarsened is decided on these, its size
-  /// by allowed_size(). [m]
+  /// h_new = h / xi'^phi with phi = CellSizing::exponent, infinite without an
+  /// error. By active index. Whether a cell is coarsened is decided on these,
+  /// its size by CellSizing::allowed(). [m]
   std::vector<double>
   target_sizes(const dealii::Triangulation<2> &mesh,
                const ErrorRatios              &error,
                const AdaptivityParameters     &adaptivity);
 
-  /// phi of a cell: that of the scene, 1/p, or 1/lambda in a cell that touches
-  /// a singular point of strength lambda, whose error falls with h^lambda
-  /// (Table 1 of the paper; Zienkiewicz & Zhu 1987, doi:10.1002/nme.1620240206)
-  /// and four at most.
-  double
-  size_exponent(const dealii::Triangulation<2>::cell_iterator &cell,
-                const AdaptivityParameters                    &adaptivity);
-
-  /// The size at a place in a cell which needs the given one: the same, but
-  /// where it touches a singular point growing with the distance from that, so
-  /// that new cells have errors alike. [m]
-  double
-  size_at(const dealii::Point<2>                        &position,
-          double                                         size,
-          const dealii::Triangulation<2>::cell_iterator &cell,
-          const AdaptivityParameters                    &adaptivity);
-
-  /// Of the scene; where the program has chosen it, for the load, a millionth
-  /// of it at other singular points. [m]
-  double
-  minimum_cell_size(const dealii::Triangulation<2>::cell_iterator &cell,
-                    const AdaptivityParameters                    &adaptivity);
-
-  /// The size nearest to one that is wanted, between the minimum and the
-  /// maximum cell size; where the minimum is the larger one, the maximum. [m]
-  double
-  allowed_size(double                                         size,
-               const dealii::Triangulation<2>::cell_iterator &cell,
+  /// What a scene says of the size of a cell.
+  struct CellSizing
+  {
+    CellSizing(const dealii::Triangulation<2>::cell_iterator &cell,
                const AdaptivityParameters                    &adaptivity);
+
+    /// The size nearest to one that is wanted, between the minimum and the
+    /// maximum; where the minimum is the larger one, the maximum. [m]
+    double
+    allowed(const double size) const
+    {
+      return std::clamp(size, std::min(minimum, maximum), maximum);
+    }
+
+    /// The size at a place in a cell which needs the given one: the same, but
+    /// where it touches a singular point growing with the distance from that,
+    /// so that new cells have errors alike. [m]
+    double
+    at(const dealii::Point<2> &position, double size) const;
+
+    /// The strongest of the singular points that the cell touches, or null.
+    const SingularPoint *singular = nullptr;
+
+    /// phi: that of the scene, 1/p, or 1/lambda in a cell that touches a
+    /// singular point of strength lambda, whose error falls with h^lambda
+    /// (Table 1 of the paper; Zienkiewicz & Zhu 1987,
+    /// doi:10.1002/nme.1620240206) and four at most.
+    double exponent;
+
+    /// Of the scene; where the program has chosen it, for the load, a millionth
+    /// of it at other singular points. [m]
+    double minimum;
+
+    double maximum; ///< [m]
+
+    /// q in h(r) ~ r^q, by which cells around the singular point have equal
+    /// errors: that of a cell at a distance r is as h^{p+1} r^{lambda-1-p}.
+    double grading = 0.;
+  };
+
 
   /// About how many cells have the area of the mesh when each gives way to
   /// cells of the allowed size next to its target, by active index [m].
@@ -131,13 +142,6 @@ namespace PlateImpact
   sizes_for_remeshing(const dealii::Triangulation<2> &mesh,
                       const ErrorRatios              &error,
                       const AdaptivityParameters     &adaptivity);
-
-  /// A mesh chosen before anything is known of its error: cells are at most
-  /// theta r large, r the distance of their centre from the contact, down to
-  /// the minimum cell size. The ratio theta is 1 first and halved from mesh to
-  /// mesh.
-  bool
-  refine_graded(const Adapting &adapting);
 
   /// Refines cells until those at the load are no larger than its patch, or the
   /// thickness, and others no larger than their distance from it, or 5000 cells

@@ -29,8 +29,6 @@ namespace PlateImpact
     }
 
     GmshSession(const GmshSession &) = delete;
-    GmshSession &
-    operator=(const GmshSession &) = delete;
   };
 
 

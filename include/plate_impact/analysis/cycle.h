@@ -66,18 +66,11 @@ namespace PlateImpact
     std::optional<Snapshot> peak_state;
     std::vector<Snapshot>   frames;
 
-    PlateModel::Work work; ///< on the mesh, those of transients before included
-    unsigned int     contact_steps = 0; ///< with a force other than zero
+    PlateWork    work; ///< on the mesh, those of transients before included
+    unsigned int contact_steps = 0; ///< with a force other than zero
 
     /// For this force alone: what the choice of steps or vectors is judged by.
     unsigned int new_vectors = 0, new_solves = 0;
-  };
-
-  /// The peak force again, on the mesh with every cell halved.
-  struct Verification
-  {
-    unsigned int cells;
-    double       peak_force; ///< [N]
   };
 
   /// What an observation is worth, by the targets of the scene.
@@ -118,7 +111,8 @@ namespace PlateImpact
 
     std::vector<double> natural_frequencies; ///< where asked for [Hz]
 
-    std::optional<Verification> verification; ///< where asked for
+    /// Where asked for: again, on the mesh with every cell halved.
+    std::optional<PeakOnMesh> verification;
 
     Seconds seconds;             ///< on this mesh
     double  seconds_before = 0.; ///< of all meshes before
@@ -150,47 +144,12 @@ namespace PlateImpact
   };
 
 
-  /// Charges wall time to the stages of a transient. Matrices and
-  /// factorizations are made when they are first needed: their seconds are
-  /// taken out of the stage in which that was.
-  class StageCharges
-  {
-  public:
-    /// Both must outlive this object.
-    StageCharges(const PlateModel &plate, Seconds &seconds)
-      : plate(plate)
-      , seconds(seconds)
-      , noted(plate.work())
-    {}
-
-    /// Since the last charge, or since this object was made.
-    void
-    charge(double Seconds::*stage)
-    {
-      seconds.*stage += timer.wall_time();
-      timer.restart();
-      const PlateModel::Work work = plate.work();
-      const double assembly = work.assembly_seconds - noted.assembly_seconds;
-      const double factorization =
-        work.factorization_seconds - noted.factorization_seconds;
-      seconds.assembly += assembly;
-      seconds.factorization += factorization;
-      seconds.*stage -= assembly + factorization;
-      noted = work;
-    }
-
-  private:
-    const PlateModel &plate;
-    Seconds          &seconds;
-    PlateModel::Work  noted;
-    dealii::Timer     timer;
-  };
-
-
   /// A mesh of an analysis with all that is made on it, and the result. What
   /// belongs to a mesh lives and dies with its cycle.
   class Cycle
   {
+    dealii::Timer timer; ///< from before the plate is made, for charge()
+
   public:
     /// @param number  from 1
     Cycle(unsigned int                              number,
@@ -213,6 +172,12 @@ namespace PlateImpact
     const StressRecovery &
     recovery() const;
 
+    /// Charges the wall time since the last charge, or since the cycle began,
+    /// to a stage of the result. Matrices and factorizations are made when they
+    /// are first needed: their seconds are charged to their own stages.
+    void
+    charge(double Seconds::*stage);
+
     /// Strikes the plate; the seconds are charged to the result.
     /// @param impact    the scene with end time and step of the transient
     /// @param listener  told of stages and steps
@@ -227,6 +192,7 @@ namespace PlateImpact
     CycleResult       result;
 
   private:
+    PlateWork                             charged; ///< until the last charge
     mutable std::optional<StressRecovery> stress_recovery;
   };
 } // namespace PlateImpact

@@ -88,22 +88,16 @@ namespace PlateImpact
     std::optional<Outcome>
     adapt(AdaptationControl &control, AnalysisListener &listener);
 
-    /// What a mesh is compared with.
-    struct Struck : PeakOnMesh
-    {
-      ContactHistory history;
-    };
-
-    const Parameters                 parameters;
+    Parameters                       parameters; ///< with singular points
     const Wanted                     wanted;
     const std::optional<TimeControl> time_control; ///< of an impactor
 
     std::unique_ptr<dealii::Triangulation<2>> mesh; ///< the next one
-    std::unique_ptr<Cycle> current;                 ///< null before the first
-    unsigned int           n_cycles         = 0;
-    double                 seconds_for_mesh = 0.;
-    std::optional<Struck>  before; ///< of the mesh before the current one
-    Window                 window; ///< the last, or the next
+    std::unique_ptr<Cycle>    current;              ///< null before the first
+    unsigned int              n_cycles         = 0;
+    double                    seconds_for_mesh = 0.;
+    std::optional<PeakOnMesh> before; ///< on the mesh before the current one
+    Window                    window; ///< the last, or the next
 
     /// Of a mesh on which Ritz vectors were more than steps, or nearly so: a
     /// finer mesh needs more vectors, and one of about its size as many.

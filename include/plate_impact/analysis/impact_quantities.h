@@ -20,15 +20,17 @@ namespace PlateImpact
     const ZenerImpact    &expected;
     const CycleResult    &result; ///< with a history
     const ContactHistory &history = *result.history;
-    const ContactState   &first   = history.states().front();
+    const ContactState   &first   = history.states.front();
     const ContactState   &peak    = history.peak();
-    const ContactState   &last    = history.states().back();
+    const ContactState   &last    = history.states.back();
 
-    const PlateParameters    &plate    = parameters.plate;
-    const ImpactorParameters &impactor = parameters.impactor;
-    const ContactParameters  &contact  = parameters.contact;
-    const PlateSection       &section  = expected.section;
-    const ContactBodies       bodies{parameters, section};
+    const PlateParameters      &plate      = parameters.plate;
+    const ImpactorParameters   &impactor   = parameters.impactor;
+    const ContactParameters    &contact    = parameters.contact;
+    const TimeParameters       &time       = parameters.time;
+    const AdaptivityParameters &adaptivity = parameters.adaptivity;
+    const PlateSection         &section    = expected.section;
+    const ContactBodies         bodies{parameters, section};
   };
 
 

@@ -54,21 +54,18 @@ namespace PlateImpact
     {
       const TimeParameters &time = scene.time;
       const bool            waves_return =
-        time.end_time == 0. || time.end_time > return_of_waves;
-      return {!is_for_peak   ? Extent::whole :
-                waves_return ? Extent::peak_search :
-                               Extent::to_peak,
+        time.end_time == 0. || time.end_time > waves_are_back;
+      return {!scene.adaptivity.is_for_peak_force() ? Extent::whole :
+                waves_return                        ? Extent::peak_search :
+                                                      Extent::to_peak,
               time.time_step,
-              length_of_rise};
+              2.5 * expected.peak.time}; // with some reserve
     }
 
-    /// The first window on a finer mesh than that of the last one, which has
-    /// shown a history.
+    /// The window after one that has shown the time of the peak, the first on a
+    /// finer mesh as well; to the end of the contact where the peak is late.
     Window
-    on_next_mesh(const Window &last, const ContactHistory &history) const
-    {
-      return is_for_peak ? with_peak(last, history) : last;
-    }
+    with_peak(const Window &last, const ContactHistory &history) const;
 
     /// The next window on the same mesh, after what the last one has shown;
     /// empty where that is enough to judge the mesh.
@@ -81,21 +78,14 @@ namespace PlateImpact
     {
       const double end = scene.time.end_time; // 0 for that of the contact
       return window.extent == Extent::whole ||
-        (end > 0. && seen.history->states().back().time >= (1. - 1e-9) * end);
+        (end > 0. && seen.history->states.back().time >= (1. - 1e-9) * end);
     }
 
-    /// How often waves are back from the nearest edge before the peak.
-    double
-    returns_before_peak(const ContactHistory &history) const
-    {
-      return history.peak().time / return_of_waves;
-    }
-
-    /// Whether they are back at all.
+    /// Whether waves are back from the nearest edge before the peak.
     bool
     is_late(const ContactHistory &history) const
     {
-      return returns_before_peak(history) > 1.;
+      return history.peak().time > waves_are_back;
     }
 
     /// The scene with the end time and the step of a window.
@@ -107,19 +97,12 @@ namespace PlateImpact
     const ZenerImpact expected; ///< of the scene
 
   private:
-    /// A window on the way to a peak that is known about; to the end of the
-    /// contact where it is late.
-    Window
-    with_peak(const Window &last, const ContactHistory &history) const;
-
     /// The step for a share of the target; that of the window where it keeps
     /// to it.
     double
     wanted_step(const Window &window, const CycleResult &seen) const;
 
     const Parameters scene;
-    const bool       is_for_peak;
-    const double     length_of_rise;  ///< expected, with some reserve [s]
-    const double     return_of_waves; ///< when waves are back [s]
+    const double     waves_are_back; ///< when they are [s]
   };
 } // namespace PlateImpact

@@ -4,6 +4,8 @@
 
 #include "plate_impact/analysis/impact_quantities.h"
 
+#include <algorithm>
+#include <fmt/format.h>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,6 +29,9 @@ namespace PlateImpact
     /// The quantity that passes its limit by most, over the limit; 1 or less
     /// inside of the model.
     double farthest_from_model = 0.;
+
+    /// Whether a quantity passes a limit beyond which the error is not known.
+    bool is_beyond_limits = false;
 
     /// As far as the parts of the model were compared (doc/validation.md).
     std::vector<ModelError> model_errors;
@@ -57,6 +62,39 @@ namespace PlateImpact
       return sum;
     }
 
+    /// Notes what a part of the model leaves of the peak force.
+    void
+    leaves(const std::string &part, const std::optional<double> &relative)
+    {
+      model_errors.push_back({part, relative});
+    }
+
+    /// Notes where the impact leaves the model, with {} for each number.
+    template <typename... Numbers>
+    void
+    warn(const double over_limit,
+         const char  *sentence,
+         const Numbers &...numbers)
+    {
+      model.push_back(fmt::format(sentence, numbers...));
+      farthest_from_model = std::max(farthest_from_model, over_limit);
+    }
+
+    /// The same where a quantity passes its limit, beyond which the error is
+    /// not known.
+    template <typename... Numbers>
+    void
+    limit(const double quantity,
+          const double limit,
+          const char  *sentence,
+          const Numbers &...numbers)
+    {
+      if (quantity <= limit)
+        return;
+      warn(quantity / limit, sentence, numbers...);
+      is_beyond_limits = true;
+    }
+
     /// The numerical ones first.
     std::vector<std::string>
     all() const
@@ -69,8 +107,9 @@ namespace PlateImpact
 
   /// Where an impact leaves what the model can tell, on whatever mesh: the area
   /// of the load, deflection, yield, indentation.
+  /// @param before  those to add to
   Warnings
-  model_warnings(const ComputedImpact &impact);
+  model_warnings(const ComputedImpact &impact, const Warnings &before = {});
 
   /// The same, and where end time, time step and mesh leave the peak force
   /// open.

@@ -1,14 +1,12 @@
 #pragma once
 
-#include <memory>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 /// What an entry of a scene may choose from. A word, its enumerator and what it
-/// makes are one row of one table, beside what makes it; what a word means is
-/// said where the entry is declared.
+/// makes are one row of one table, beside what makes it; words that make
+/// nothing are here. What a word means is said where the entry is declared.
 namespace PlateImpact
 {
   enum class PlateOutline
@@ -157,19 +155,25 @@ namespace PlateImpact
   template <>
   const std::vector<Word<InPlaneSupport>> Choices<InPlaneSupport>::words;
   template <>
-  const std::vector<Word<ImpactorShape>> Choices<ImpactorShape>::words;
+  inline const std::vector<Word<ImpactorShape>> Choices<ImpactorShape>::words =
+    {{ImpactorShape::sphere, "sphere"},
+     {ImpactorShape::cylinder, "cylinder"},
+     {ImpactorShape::none, "none"}};
   template <>
   const std::vector<Word<ForceLaw>> Choices<ForceLaw>::words;
   template <>
-  const std::vector<Word<LocalResponse>> Choices<LocalResponse>::words;
+  inline const std::vector<Word<LocalResponse>> Choices<LocalResponse>::words =
+    {{LocalResponse::layer, "layer"},
+     {LocalResponse::half_space, "half-space"}};
   template <>
-  const std::vector<Word<LoadShape>> Choices<LoadShape>::words;
-  template <>
-  const std::vector<Word<PlateOutline>> Choices<PlateOutline>::words;
+  inline const std::vector<Word<LoadShape>> Choices<LoadShape>::words = {
+    {LoadShape::point, "point"},
+    {LoadShape::Hertz_disc, "Hertz disc"},
+    {LoadShape::uniform_disc, "uniform disc"},
+    {LoadShape::line, "line"},
+    {LoadShape::strip, "strip"}};
   template <>
   const std::vector<Word<ElementType>> Choices<ElementType>::words;
-  template <>
-  const std::vector<Word<SolverType>> Choices<SolverType>::words;
   template <>
   const std::vector<Word<ErrorIndicator>> Choices<ErrorIndicator>::words;
   template <>
@@ -191,14 +195,6 @@ namespace PlateImpact
   word_for(const Choice choice)
   {
     return row_of(choice, Choices<Choice>::words).word;
-  }
-
-  /// Makes what a row stands for, an object of a class behind an interface.
-  template <typename Interface, typename Class, typename... Arguments>
-  std::unique_ptr<Interface>
-  make_as(Arguments... arguments)
-  {
-    return std::make_unique<Class>(std::forward<Arguments>(arguments)...);
   }
 
   /// The words of a table.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
@@ -113,6 +114,19 @@ namespace PlateImpact
       about(ratio) + " times";
   }
 
+  /// The whole text as a finite number; no other word than a number matches.
+  template <typename T>
+  bool
+  to_number(const std::string &text, T &value)
+  {
+    const char *begin = text.data(), *end = begin + text.size();
+    if (text.size() > 1 && text[0] == '+' && text[1] != '-')
+      ++begin;
+    const auto [last, error] = std::from_chars(begin, end, value);
+    return error == std::errc() && last == end &&
+      std::isfinite(static_cast<double>(value));
+  }
+
   /// The shortest text that reads back as the same number.
   std::string
   shortest(double value);
@@ -146,7 +160,7 @@ namespace PlateImpact
     return fmt::format("{:>{}}", word, width);
   }
 
-  /// A number, or a dash, at the right end.
+  /// A number, or a dash for none and NaN, at the right end.
   /// @param format  of {fmt}, as "{:.2f}"
   inline std::string
   column(const std::size_t            width,
@@ -155,6 +169,9 @@ namespace PlateImpact
   {
     // never without a blank before it
     return ' ' +
-      right(width - 1, value ? fmt::format(fmt::runtime(format), *value) : "-");
+      right(width - 1,
+            value && !std::isnan(*value) ?
+              fmt::format(fmt::runtime(format), *value) :
+              "-");
   }
 } // namespace PlateImpact

@@ -2,8 +2,9 @@
 
 #include "plate_impact/base/choices.h"
 #include "plate_impact/contact/contact_law.h"
-#include "plate_impact/contact/unloading.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -80,11 +81,30 @@ namespace PlateImpact
 
     /// What the contact gives back from an indentation on. [J]
     double
-    stored_energy(double indentation) const;
+    stored_energy(const double indentation) const
+    {
+      const double F         = force(indentation);
+      const double in_series = 0.5 * compliance * F * F;
+      if (unloading == nullptr)
+        return law->potential(indentation) + in_series;
+      const double largest = std::max(indentation, reload.end);
+      return F == 0. ? 0. :
+                       F * (indentation - unloading->dent(largest)) /
+            (unloading->power(largest) + 1.) +
+          in_series;
+    }
 
     /// What it has dissipated when it reaches an indentation. [J]
     double
-    dissipated_energy(double indentation) const;
+    dissipated_energy(const double indentation) const
+    {
+      if (unloading == nullptr)
+        return 0.;
+      const double work = mean_force(last, indentation) *
+        (approach(indentation) - approach(last));
+      return dissipated + work -
+        (stored_energy(indentation) - stored_energy(last));
+    }
 
     /// alpha_0, up to which the bodies no longer touch. [m]
     double
@@ -98,11 +118,7 @@ namespace PlateImpact
     follow(double indentation);
 
     /// Force up to which the series holds; infinite unless C is negative. [N]
-    double
-    largest_force() const
-    {
-      return force_limit;
-    }
+    double largest_force = std::numeric_limits<double>::infinity();
 
     /// The same, before first touch, with more that gives way in series.
     /// @param more  [m/N]
@@ -123,18 +139,17 @@ namespace PlateImpact
     /// What the force follows at an indentation, unloading, reloading or the
     /// law; and its argument there, less the dent of a curve.
     std::pair<const ContactLaw &, double>
-    followed(double indentation) const;
-
-    using Mean = double (ContactLaw::*)(double, double) const;
-
-    /// The mean between two indentations by those of what is followed.
-    double
-    mean(double a, double b, Mean mean_of) const;
+    followed(const double indentation) const
+    {
+      for (const UnloadingCurve *curve : {&unload, &reload})
+        if (indentation <= curve->end)
+          return {*curve, indentation - curve->dent};
+      return {*law, indentation};
+    }
 
     std::shared_ptr<const ContactLaw> law;
     std::shared_ptr<const Unloading>  unloading;
     double                            compliance;
-    double force_limit = std::numeric_limits<double>::infinity(); ///< [N]
 
     UnloadingCurve unload, reload; ///< below the largest indentation
     double         last = 0., dissipated = 0.; ///< where the last step ended
@@ -170,9 +185,22 @@ namespace PlateImpact
     /// @param force  for these indentations [N]
     double
     stiffness(const Contact &contact,
-              double         begin,
-              double         end,
-              double         force) const;
+              const double   begin,
+              const double   end,
+              const double   force) const
+    {
+      if (!acts_at_begin)
+        return contact.stiffness(end);
+      // The quotient is exact but cancels for close indentations; there half
+      // the stiffness in the middle is its limit.
+      const double distance = end - begin;
+      if (std::abs(distance) < 1e-4 * (std::abs(begin) + std::abs(end)))
+        return 0.5 * contact.stiffness(0.5 * (begin + end));
+      return std::max(0.,
+                      (contact.force(end) - force) *
+                        contact.approach_derivative(end) /
+                        (contact.approach(end) - contact.approach(begin)));
+    }
 
     /// Whether phi acts at the beginning of the step as well, in place of the
     /// law's force there.

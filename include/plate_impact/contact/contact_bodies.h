@@ -2,6 +2,8 @@
 
 #include <boost/math/constants/constants.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace PlateImpact
@@ -13,7 +15,9 @@ namespace PlateImpact
   struct YieldingBody
   {
     double yield_strength; ///< Y [Pa]
-    double poissons_ratio;
+    /// Of the contact from which on it yields, C Y (ContactBodies), under a
+    /// cylinder 1.67 Y (Johnson, sec. 6.1). [Pa]
+    double first_yield_pressure;
     double share_of_compliance; ///< E* (1 - nu^2) / E
   };
 
@@ -35,19 +39,33 @@ namespace PlateImpact
     /// strength.
     std::optional<YieldingBody> weaker;
 
-    /// Indentation from which on the contact of a sphere yields; empty for
-    /// cylinders and where no yield strength is given. [m]
+    /// Indentation alpha_y from which on the contact of a sphere yields,
+    ///   alpha_y = r (pi C Y / (2 E*))^2,  C = 1.295 exp(0.736 nu),
+    /// with Y and nu of the body that yields (Green 2005,
+    /// doi:10.1016/j.ijmecsci.2005.03.001; Jackson & Green 2005,
+    /// doi:10.1115/1.1866166); empty for cylinders and where no yield strength
+    /// is given. [m]
     std::optional<double> yield_indentation;
 
     /// Radius of a sphere's contact, sqrt(r alpha) (Johnson, Contact Mechanics,
     /// eqs. 4.22 and 4.23), of one that yields from w = alpha / alpha_y = 1.9
     /// on sqrt(r alpha (w / 1.9)^B), B = 0.14 exp(23 Y / E*) (Jackson & Green
-    /// 2005, doi:10.1115/1.1866166); half-width of a cylinder's, sqrt(4 F r /
-    /// (pi E* l)). [m]
+    /// 2005); half-width of a cylinder's, sqrt(4 F r / (pi E* l)). [m]
     /// @param force        [N]
     /// @param indentation  under that force [m]
     double
-    radius(double force, double indentation) const;
+    radius(const double force, const double indentation) const
+    {
+      if (length > 0.)
+        return std::sqrt(4. * force * radius_of_impactor /
+                         (pi * modulus * length));
+      double squared = radius_of_impactor * std::max(0., indentation);
+      if (yield_indentation && indentation > 1.9 * *yield_indentation)
+        squared *=
+          std::pow(indentation / (1.9 * *yield_indentation),
+                   0.14 * std::exp(23. * weaker->yield_strength / modulus));
+      return std::sqrt(squared);
+    }
 
     /// Force over the area of the contact. [Pa]
     /// @param force        [N]
@@ -67,12 +85,8 @@ namespace PlateImpact
       return (length > 0. ? 4. / pi : 1.5) * mean_pressure(force, indentation);
     }
 
-    /// Pressure from which on the weaker body yields; set only where there is
-    /// one: its strength times yield_pressure_ratio(), under a cylinder 1.67
-    /// (Johnson, sec. 6.1). [Pa]
-    double first_yield_pressure = 0.;
-
-    /// The same over the strength, of the bodies whose strength is not given.
+    /// First yield pressure over the strength, of the bodies whose strength is
+    /// not given.
     double pressure_over_strength;
 
   private:

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iosfwd>
 #include <limits>
 #include <optional>
+#include <ostream>
 #include <vector>
 
 namespace PlateImpact
@@ -62,71 +62,115 @@ namespace PlateImpact
 
   /// The states of a transient at t = 0 and after every step, in order, and
   /// what an engineer reads from them. Forces are zero between contacts.
-  class ContactHistory
+  struct ContactHistory
   {
-  public:
-    void
-    add(const ContactState &state)
-    {
-      history.push_back(state);
-    }
-
-    const std::vector<ContactState> &
-    states() const
-    {
-      return history;
-    }
+    std::vector<ContactState> states;
 
     /// The state of the largest force.
     const ContactState &
-    peak() const;
+    peak() const
+    {
+      return *std::max_element(states.begin(),
+                               states.end(),
+                               [](const auto &a, const auto &b) {
+                                 return a.force < b.force;
+                               });
+    }
 
     /// Largest force of the history as a curve: of the parabola through the
     /// peak and the states beside it. [N]
     double
-    peak_of_curve() const;
+    peak_of_curve() const
+    {
+      const std::size_t n = &peak() - states.data();
+      if (n == 0 || n + 1 == states.size())
+        return states[n].force;
+      const double slope = 0.5 * (states[n + 1].force - states[n - 1].force),
+                   curvature = states[n + 1].force - 2. * states[n].force +
+        states[n - 1].force;
+      return curvature < 0. ?
+        states[n].force - 0.5 * slope * slope / curvature :
+        states[n].force;
+    }
 
     /// Whether the force falls on its way to the peak: other humps lead there.
     bool
-    peak_is_on_ripples() const;
+    peak_is_on_ripples() const
+    {
+      return !std::is_sorted(states.data(),
+                             &peak() + 1,
+                             [](const auto &a, const auto &b) {
+                               return a.force < b.force;
+                             });
+    }
 
     /// Root of the mean square of the difference to the force of another
     /// history, interpolated, from 0.9 to 1.1 of a time; 0 where one of them
     /// does not reach it. [N]
     double
-    difference_around(double time, const ContactHistory &other) const;
+    difference_around(const double time, const ContactHistory &other) const
+    {
+      const double        neighbourhood = 0.1;
+      double              squares       = 0.;
+      unsigned int        n_states      = 0;
+      const ContactState *after         = other.states.data(),
+                         *end           = after + other.states.size();
+      for (const ContactState &state : states)
+        {
+          if (std::abs(state.time - time) > neighbourhood * time)
+            continue;
+          // against round-off of equal times
+          while (after != end && after->time < state.time - 1e-9 * time)
+            ++after;
+          if (after == end)
+            break;
+          const double before     = after == other.states.data() ?
+                0. :
+                (after->time - state.time) / (after->time - after[-1].time),
+                       difference = state.force - after->force +
+            (before > 0. ? before * (after->force - after[-1].force) : 0.);
+          squares += difference * difference;
+          ++n_states;
+        }
+      return n_states > 0 ? std::sqrt(squares / n_states) : 0.;
+    }
 
     /// From the last state without contact before the peak to it. [s]
     double
     rise_time() const
     {
       const ContactState *touch = &peak();
-      while (touch != history.data() && touch->overlap() > 0.)
+      while (touch != states.data() && touch->overlap() > 0.)
         --touch;
       return peak().time - touch->time;
     }
 
-    /// By a linear interpolation of the indentation; empty when the contact
-    /// lasts to the end of the history or when there is none. [s]
+    /// End of the first contact, by a linear interpolation of the indentation;
+    /// empty when it lasts to the end of the history or when there is none. [s]
+    /// @param is_held  whether the plate throws the impactor back at last: then
+    ///                 of the first contact after which it moves away, since
+    ///                 waves may interrupt that of a heavy one
     std::optional<double>
-    first_contact_end() const
+    end_of_impact(const bool is_held = false) const
     {
-      return end_of_impact(/*is_held=*/false);
+      for (std::size_t n = 1; n < states.size(); ++n)
+        {
+          const ContactState &before = states[n - 1], &after = states[n];
+          const bool ends = before.overlap() > 0. && after.overlap() <= 0.;
+          if (ends && (!is_held || after.impactor_velocity <= 0.))
+            return before.time +
+              (after.time - before.time) * before.overlap() /
+              (before.overlap() - after.overlap());
+        }
+      return {};
     }
-
-    /// The same of the first contact after which the impactor moves away: waves
-    /// may interrupt that of a heavy one. [s]
-    /// @param is_held  whether the plate throws it back at last; if not, the
-    ///                 impact ends with the first contact
-    std::optional<double>
-    end_of_impact(bool is_held) const;
 
     unsigned int
     n_contacts() const
     {
       unsigned int n_contacts = 0;
-      for (std::size_t n = 1; n < history.size(); ++n)
-        if (history[n].overlap() > 0. && history[n - 1].overlap() <= 0.)
+      for (std::size_t n = 1; n < states.size(); ++n)
+        if (states[n].overlap() > 0. && states[n - 1].overlap() <= 0.)
           ++n_contacts;
       return n_contacts;
     }
@@ -137,7 +181,7 @@ namespace PlateImpact
       const double until = std::numeric_limits<double>::infinity()) const
     {
       double largest = 0.;
-      for (const ContactState &state : history)
+      for (const ContactState &state : states)
         if (state.time <= until)
           largest = std::max(largest, std::abs(state.plate_displacement));
       return largest;
@@ -148,26 +192,44 @@ namespace PlateImpact
     double
     relative_energy_drift() const
     {
-      const double initial = history.front().total_energy();
+      const double initial = states.front().total_energy();
       double       drift   = 0.;
-      for (const ContactState &state : history)
+      for (const ContactState &state : states)
         drift = std::max(drift, std::abs(state.total_energy() - initial));
       return drift / initial;
     }
 
     /// A table with the names above; the last three where energy is dissipated.
     void
-    write(std::ostream &out) const;
+    write(std::ostream &out) const
+    {
+      const bool with_memory = states.back().dissipated_energy != 0.,
+                 is_damped   = states.back().plate_dissipated_energy != 0.;
+      out.precision(17);
+      out << "time,force,indentation,plate_displacement,impactor_displacement,"
+             "impactor_velocity,plate_energy,contact_energy,impactor_energy"
+          << (with_memory ? ",dissipated_energy,permanent_indentation" : "")
+          << (is_damped ? ",plate_dissipated_energy\n" : "\n");
+      for (const ContactState &s : states)
+        {
+          out << s.time << ',' << s.force << ',' << s.indentation << ','
+              << s.plate_displacement << ',' << s.impactor_displacement << ','
+              << s.impactor_velocity << ',' << s.plate_energy << ','
+              << s.contact_energy << ',' << s.impactor_energy;
+          if (with_memory)
+            out << ',' << s.dissipated_energy << ',' << s.permanent_indentation;
+          if (is_damped)
+            out << ',' << s.plate_dissipated_energy;
+          out << '\n';
+        }
+    }
 
     /// For the way from one process to another.
     template <typename Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &history;
+      archive &states;
     }
-
-  private:
-    std::vector<ContactState> history;
   };
 } // namespace PlateImpact

@@ -31,12 +31,11 @@ namespace PlateImpact
             const double half_length,
             const double modulus,
             const double constant = constant_of_half_space)
-      : constant(constant)
-      , compliance(1. / (pi * half_length * modulus))
+      : compliance(1. / (pi * half_length * modulus))
       , force_scale(half_length * half_length * half_length * pi * modulus /
-                    (2. * radius))
+                    (2. * radius) * std::exp(2. * constant))
       , least_logarithm(std::max(1., constant))
-      , tangent_force(force_scale * std::exp(2. * (constant - least_logarithm)))
+      , tangent_force(force_scale * std::exp(-2. * least_logarithm))
       , largest_indentation(compliance * tangent_force * least_logarithm)
     {}
 
@@ -49,13 +48,12 @@ namespace PlateImpact
         return tangent_force +
           (indentation - largest_indentation) * stiffness(indentation);
 
-      // alpha = -C/2 g ln g, g = F / (force_scale e^{2 c}), C = compliance
-      // force_scale e^{2 c}: ln g = W_{-1}(-2 alpha / C)
-      const double scale = force_scale * std::exp(2. * constant);
-      const double q     = 2. * indentation / (compliance * scale);
+      // alpha = -C/2 g ln g, g = F / force_scale, C = compliance force_scale:
+      // ln g = W_{-1}(-2 alpha / C)
+      const double q = 2. * indentation / (compliance * force_scale);
       if (q < std::numeric_limits<double>::min())
         return 0.;
-      return -scale * q / boost::math::lambert_wm1(-q);
+      return -force_scale * q / boost::math::lambert_wm1(-q);
     }
 
     double
@@ -63,14 +61,12 @@ namespace PlateImpact
     {
       if (indentation <= 0.)
         return 0.;
-      // constant + ln(l/a), with a^2 / l^2 = F / force_scale
       double logarithm = least_logarithm;
       if (indentation < largest_indentation)
-        logarithm = constant -
-          0.5 *
-            std::log(
-              std::max(force(indentation), std::numeric_limits<double>::min()) /
-              force_scale);
+        logarithm = -0.5 *
+          std::log(
+            std::max(force(indentation), std::numeric_limits<double>::min()) /
+            force_scale);
       return 1. / (compliance * (logarithm - 0.5));
     }
 
@@ -88,10 +84,9 @@ namespace PlateImpact
   private:
     static constexpr double pi = boost::math::double_constants::pi;
 
-    const double constant;
     const double compliance;          ///< 1 / (pi l E*) [m/N]
-    const double force_scale;         ///< force at which a = l [N]
-    const double least_logarithm;     ///< where the tangent begins
+    const double force_scale;         ///< at which c + ln(l/a) = 0 [N]
+    const double least_logarithm;     ///< of these, where the tangent begins
     const double tangent_force;       ///< there [N]
     const double largest_indentation; ///< there [m]
   };

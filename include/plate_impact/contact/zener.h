@@ -4,12 +4,12 @@
 #include "plate_impact/contact/contact_history.h"
 #include "plate_impact/plate/plate_section.h"
 
+#include <cmath>
+#include <limits>
 #include <optional>
 
 namespace PlateImpact
 {
-  struct TimeParameters;
-
   /// The bending wave of a thin plate that a contact sends out.
   struct BendingWave
   {
@@ -50,7 +50,12 @@ namespace PlateImpact
 
     /// The peak on a plate that does not move.
     ContactState
-    peak_on_rigid_plate() const;
+    peak_on_rigid_plate() const
+    {
+      PlateSection immovable = section;
+      immovable.mass_per_area *= 1e12;
+      return ZenerImpact(contact, impactor, immovable).peak;
+    }
 
     /// Up to the end of the contact, or to a time; to an infinite one no
     /// further than a millionth of the energy remains, for a plate that gives
@@ -60,7 +65,13 @@ namespace PlateImpact
 
     /// Rebound speed over impact speed; 0 below a thousandth.
     double
-    restitution() const;
+    restitution() const
+    {
+      const ContactState last =
+        history(std::numeric_limits<double>::infinity()).states.back();
+      return last.overlap() < 0. ? -last.impactor_velocity / impactor.velocity :
+                                   0.;
+    }
 
     /// Zener's dimensionless loss factor for a sphere under Hertz's law,
     ///   lambda = m / (8 T sqrt(D rho t)),  T = (m / (k sqrt(v)))^{2/5},
@@ -68,9 +79,9 @@ namespace PlateImpact
     std::optional<double>
     loss_factor() const;
 
-    /// The step with which the peak force keeps to time.step_tolerance. [s]
+    /// The step with which the peak force keeps to a relative tolerance. [s]
     double
-    chosen_time_step(const TimeParameters &time) const;
+    chosen_time_step(double tolerance) const;
 
     /// The wave whose half period is the contact time: phase speed sqrt(omega)
     /// (D / rho t)^{1/4}, group speed twice that (Graff, Wave Motion in Elastic
@@ -83,6 +94,13 @@ namespace PlateImpact
 
     /// The same for another contact time. [s]
     BendingWave
-    wave_of(double contact_time) const;
+    wave_of(const double contact_time) const
+    {
+      const double frequency = std::acos(-1.) / contact_time;
+      const double speed     = std::sqrt(frequency) *
+        std::pow(section.mean_bending_stiffness() / section.mass_per_area,
+                 0.25);
+      return {2. * contact_time * speed, 2. * speed};
+    }
   };
 } // namespace PlateImpact

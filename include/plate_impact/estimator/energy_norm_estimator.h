@@ -1,7 +1,8 @@
 #pragma once
 
+#include <deal.II/base/point.h>
+
 #include "plate_impact/base/choices.h"
-#include "plate_impact/estimator/recovered_field.h"
 #include "plate_impact/estimator/stress_recovery.h"
 #include "plate_impact/plate/plate_discretization.h"
 
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 namespace PlateImpact
@@ -84,10 +86,9 @@ namespace PlateImpact
   template <typename Value>
   struct TimeIntegral
   {
-    explicit TimeIntegral(const Value &zero)
-      : integral(zero)
-      , last(zero)
-    {}
+    Value  last; ///< integrand; at first zero
+    Value  integral = last;
+    double time     = 0.; ///< of the last integrand [s]
 
     void
     add(const double at, const Value &integrand)
@@ -96,9 +97,6 @@ namespace PlateImpact
       time = at;
       last = integrand;
     }
-
-    Value  integral, last; ///< so far, and the last integrand
-    double time = 0.;      ///< of the last one [s]
   };
 
 
@@ -117,6 +115,42 @@ namespace PlateImpact
     return qr.householderQ() *
       Eigen::MatrixXd::Identity(coordinates.rows(), qr.rank());
   }
+
+
+  /// Resultants of n fields at the quadrature points of a cell, or what the
+  /// recovery changes of them, as the roots of energies: the squares of a
+  /// column, a row per point and resultant, sum up to the integral over the
+  /// cell.
+  using EnergyRoots = Eigen::Map<const RowMajorMatrix>;
+
+  /// Takes the roots of a cell and what recovers the field, scaled like them.
+  using EnergyVisitor = std::function<void(const RecoveredField::Cell &cell,
+                                           const EnergyRoots &resultants,
+                                           const EnergyRoots &errors,
+                                           RecoveredField    &recovered)>;
+
+  /// Calls a function with every cell.
+  /// @param fields  unknowns of the plate, a column per field
+  void
+  visit_energies(const PlateDiscretization &discretization,
+                 const StressRecovery      &recovery,
+                 const Eigen::MatrixXd     &fields,
+                 const EnergyVisitor       &visit);
+
+
+  /// Where the error is, by the jumps across the sides of cells instead of a
+  /// recovered field (Kelly, Gago, Zienkiewicz & Babuska 1983,
+  /// doi:10.1002/nme.1620191103; deal.II's KellyErrorEstimator):
+  ///   eta_i^2 = h_i/24 sum over sides int (kappa G t [dw/dn]^2 + D
+  ///   [dtheta/dn]^2),
+  /// with the shear and bending stiffness, so that both jumps count as
+  /// energies. The jumps only rank the cells: how large the error is together
+  /// stays what EnergyNormEstimator says. For teaching what the recovery adds.
+  /// @param states  unknowns of the plate, a column each
+  /// @return eta_i by active index, a column per state, each times some factor
+  Eigen::MatrixXd
+  jumps_of_cells(const PlateDiscretization &discretization,
+                 const Eigen::MatrixXd     &states);
 
 
   /// Zienkiewicz-Zhu error of a transient, integrated over time (Table 1 of the
@@ -173,9 +207,6 @@ namespace PlateImpact
     estimate() const;
 
   private:
-    /// ||e||, (||u||^2 + ||e||^2)^{1/2} without singular cells, and with them.
-    using Norms = Eigen::Vector4d;
-
     /// Takes states as combinations of fields.
     void
     evaluate(const std::vector<double> &times,
@@ -194,9 +225,36 @@ namespace PlateImpact
     const ErrorIndicator       indicator;
     Eigen::VectorXd            is_regular; ///< 0 for singular cells
 
-    TimeIntegral<Norms>           norms;
+    /// ||e||, (||u||^2 + ||e||^2)^{1/2} without singular cells, and with them.
+    TimeIntegral<Eigen::Vector4d> norms;
     TimeIntegral<Eigen::VectorXd> relative; ///< ||e||_i by the norm
     TimeIntegral<Eigen::VectorXd> ranks;    ///< of an indicator
     ErrorEstimate                 samples;  ///< stresses, errors over time
+  };
+
+
+  /// Error of a transient in the energy norm against that on a much finer mesh,
+  ///   int ||sigma_ref - sigma_h|| dt / int ||sigma_ref|| dt,
+  /// what ErrorEstimate::eta estimates. Stress resultants are compared at the
+  /// quadrature points of the fine mesh, wherever they fall in the other: there
+  /// the resultants of the cell are interpolated between its own quadrature
+  /// points, exactly on parallelograms. Needs no relation between the meshes.
+  class ReferenceError
+  {
+  public:
+    /// @param snapshots  of the fine mesh, the plate at rest before
+    ReferenceError(const PlateDiscretization   &fine,
+                   const std::vector<Snapshot> &snapshots);
+
+    /// @param snapshots  at the times of those of the fine mesh
+    double
+    of(const PlateDiscretization   &discretization,
+       const std::vector<Snapshot> &snapshots) const;
+
+  private:
+    std::vector<dealii::Point<2>> points;
+    std::vector<double>           weights; ///< [m^2]
+    Eigen::MatrixXd     exact; ///< m point + resultant, scaled, by times
+    std::vector<double> times; ///< [s]
   };
 } // namespace PlateImpact

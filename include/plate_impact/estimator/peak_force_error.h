@@ -2,67 +2,77 @@
 
 #include "plate_impact/estimator/stress_recovery.h"
 #include "plate_impact/plate/plate_discretization.h"
-#include "plate_impact/transient/peak_force_dual.h"
-#include "plate_impact/transient/semidiscrete_system.h"
+#include "plate_impact/transient/loaded_plate.h"
 
 #include <Eigen/Core>
 
-#include <numeric>
+#include <cstddef>
 #include <optional>
-#include <vector>
 
 namespace PlateImpact
 {
-  /// Covers what the cells miss: calibrated on random scenes (doc/theory.md).
-  constexpr double safety_of_bar = 1.55;
+  /// Covers what estimates miss: calibrated on random scenes (doc/theory.md).
+  constexpr double safety_of_bar = 1.55, safety_of_late_bar = 1.45;
 
   /// Estimated error of the peak force by the mesh: computed less exact,
   /// relative to the peak.
   struct PeakForceError
   {
-    /// What the cells contribute, by active index, with their signs; and its
-    /// sums over rings around the load, which one wave reaches at one time.
-    std::vector<double> cells, rings;
+    /// What the cells contribute to first order, by active index, with their
+    /// signs.
+    Eigen::VectorXd cells;
 
-    double
-    sum() const
-    {
-      return std::accumulate(cells.begin(), cells.end(), 0.);
-    }
+    /// Of a peak that comes after waves are back from an edge: how far the
+    /// force moves where the plate is softer by the energies that the recovery
+    /// finds missing. The larger of the change of its peak, and of a share of
+    /// the root mean square around it, since one force may agree by accident.
+    std::optional<double> of_softer_plate;
 
-    /// The mesh's part of the error bar, of absolute values: contributions of
-    /// an assumed shear strain may have the wrong sign.
+    /// The mesh's part of the error bar. Where waves pass once it is the sum of
+    /// absolute values, since contributions of an assumed shear strain may have
+    /// the wrong sign. What they bring that have come back adds up with either
+    /// sign, and not to first order alone.
     double
     bar() const
     {
-      return safety_of_bar *
-        Eigen::Map<const Eigen::VectorXd>(cells.data(), cells.size())
-          .lpNorm<1>();
-    }
-
-    /// The same of rings whose signs are random: two standard deviations of
-    /// their sum.
-    double
-    bar_of_random_signs() const
-    {
-      return 2. *
-        Eigen::Map<const Eigen::VectorXd>(rings.data(), rings.size()).norm();
+      return of_softer_plate ? safety_of_late_bar * *of_softer_plate :
+                               safety_of_bar * cells.lpNorm<1>();
     }
   };
 
+
   /// The dual weighted residual of the peak force (Bangerth & Rannacher 2003,
   /// doi:10.1007/978-3-0348-7605-6), with the errors of both motions taken from
-  /// patch recovery: sum over times of
-  ///   int_i (sigma* - sigma)^T_motion D^-1 (sigma* - sigma)_dual.
+  /// patch recovery.
+  struct DualWeightedErrors
+  {
+    /// By active index, sums over times of
+    ///   int_i (sigma* - sigma)^T_motion D^-1 (sigma* - sigma)_dual. [N]
+    Eigen::VectorXd cells;
+
+    /// Motions that those above are combinations of, states of the system, a
+    /// column each, and for every pair of them
+    ///   int (sigma* - sigma)^T_i D^-1 (sigma* - sigma)_j
+    /// over the plate. [J]
+    Eigen::MatrixXd motions, missed_energies;
+  };
+
   /// @param recovery  of the mesh
   /// @param system    that the motions are states of
-  /// @param peak      [N]
-  PeakForceError
+  DualWeightedErrors
+  dual_weighted_errors(const PlateDiscretization &discretization,
+                       const StressRecovery      &recovery,
+                       const SemidiscreteSystem  &system,
+                       const DualMotions         &motions);
+
+  /// Empty where LoadedPlate::peak_force_problem() is.
+  /// @param recovery  of the mesh
+  /// @param history   of the impact
+  std::optional<PeakForceError>
   estimated_peak_force_error(const PlateDiscretization &discretization,
                              const StressRecovery      &recovery,
-                             const SemidiscreteSystem  &system,
-                             const DualMotions         &motions,
-                             double                     peak);
+                             const LoadedPlate         &loaded,
+                             const ContactHistory      &history);
 
 
   /// How far the computed peak force may be from that of the equations, by mesh
@@ -78,7 +88,7 @@ namespace PlateImpact
     }
   };
 
-  /// The peak on a mesh, for the next one.
+  /// The peak on a mesh.
   struct PeakOnMesh
   {
     double                force = 0.; ///< [N]
@@ -90,21 +100,10 @@ namespace PlateImpact
   /// resolved, no less than the change of the force from the mesh before, if
   /// that was more than the bar there; and empty on a first mesh, as is any
   /// estimate above a twentieth of the force there.
-  ///
-  /// What waves bring that have come back several times adds up with either
-  /// sign, and the sum of absolute values is many times the error: there it is
-  /// bar_of_random_signs(), and no more than the force has changed from the
-  /// mesh before if there are half as many cells again, or a third of this if
-  /// there are four times as many, as when every cell is halved.
   /// @param resolves_load  whether cells at the load are no larger than it
-  /// @param returns        how often waves are back before the peak
-  /// @param change         of the force around the peak from the mesh before,
-  ///                       over the peak
   std::optional<double>
   peak_force_error_by_mesh(const PeakForceError            &estimate,
                            double                           peak,
                            const std::optional<PeakOnMesh> &before,
-                           bool                             resolves_load,
-                           double                           returns = 0.,
-                           const std::optional<double>     &change  = {});
+                           bool                             resolves_load);
 } // namespace PlateImpact

@@ -16,6 +16,7 @@ namespace PlateImpact
   class OutsideMarking : public AdaptationControl
   {
   public:
+    /// @param command     empty: the cells are marked by their errors
     /// @param adaptivity  with a strategy that gives cells the wanted sizes
     /// @param directory   for the files; must outlive this object
     OutsideMarking(const std::string          &command,

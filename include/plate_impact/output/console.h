@@ -1,28 +1,22 @@
 #pragma once
 
-#include <chrono>
+#include <deal.II/base/timer.h>
+
 #include <cstddef>
+#include <fmt/color.h>
 #include <string>
 #include <unistd.h>
 #include <vector>
 
 namespace PlateImpact
 {
-  enum class Emphasis
-  {
-    good,
-    warning,
-    error,
-    bold
-  };
-
   /// The text in colour; as it is in pipes and files, on terminals without
   /// colours, and where NO_COLOR is set and not empty (no-color.org).
   /// @param stream  that it goes to, by its descriptor
   std::string
-  emphasized(const std::string &text,
-             Emphasis           emphasis,
-             int                stream = STDOUT_FILENO);
+  emphasized(const std::string     &text,
+             const fmt::text_style &style,
+             int                    stream = STDOUT_FILENO);
 
   /// To the standard error, a line each.
   void
@@ -50,7 +44,11 @@ namespace PlateImpact
     /// What is done now, until something else is shown or printed; on
     /// terminals.
     void
-    show(const std::string &stage);
+    show(const std::string &stage)
+    {
+      if (overwrites)
+        print(stage);
+    }
 
     /// The same of a count, with the time that the rest takes; twice a second
     /// at most.
@@ -59,10 +57,8 @@ namespace PlateImpact
     show(const std::string &what, std::size_t n_done, std::size_t n);
 
   private:
-    using Clock = std::chrono::steady_clock;
-
-    const bool        quiet, overwrites;
-    std::string       counted;
-    Clock::time_point begin_of_count, last;
+    const bool    quiet, overwrites;
+    std::string   counted;
+    dealii::Timer since_begin, since_shown; ///< of the count
   };
 } // namespace PlateImpact

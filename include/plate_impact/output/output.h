@@ -8,7 +8,6 @@
 #include "plate_impact/scene/scene.h"
 
 #include <string>
-#include <vector>
 
 namespace PlateImpact
 {
@@ -30,10 +29,7 @@ namespace PlateImpact
     /// The fields of the last cycle, where the scene asks for them,
     /// summary.json and report.html.
     void
-    finish(Outcome                         outcome,
-           const std::vector<std::string> &warnings,
-           const Verdict                  &verdict,
-           Cycle                          &last);
+    finish(Outcome outcome, const Verdict &verdict, Cycle &last);
 
     /// summary.json of a run that failed, with the cycles before.
     void
@@ -48,9 +44,7 @@ namespace PlateImpact
 
   private:
     Json
-    write_summary(const std::string              &outcome,
-                  const std::vector<std::string> &warnings,
-                  const Verdict                  &verdict);
+    write_summary(const std::string &outcome, const Verdict &verdict);
 
     const Scene &scene;
     Json         cycles = Json::array();

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 #include <functional>
-#include <iosfwd>
+#include <ostream>
 #include <string>
 
 namespace PlateImpact
@@ -30,6 +30,11 @@ namespace PlateImpact
     void
     write_file(const std::string                         &name,
                const std::function<void(std::ostream &)> &write) const;
+    void
+    write_file(const std::string &name, const std::string &text) const
+    {
+      write_file(name, [&text](std::ostream &out) { out << text; });
+    }
 
     /// scene.prm: every value used.
     /// @param scene  its name

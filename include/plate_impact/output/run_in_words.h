@@ -30,7 +30,10 @@ namespace PlateImpact
   };
 
   template <>
-  const std::vector<Word<Trust>> Choices<Trust>::words;
+  inline const std::vector<Word<Trust>> Choices<Trust>::words = {
+    {Trust::good, "good"},
+    {Trust::doubtful, "doubtful"},
+    {Trust::none, "none"}};
 
 
   /// What a reader must know before any other number, in two parts that have

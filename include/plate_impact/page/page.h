@@ -6,7 +6,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -22,13 +21,13 @@ namespace PlateImpact
     std::string words; ///< all that a reader without JavaScript sees
   };
 
-  /// Writes a study in one file that any browser shows without a network:
-  /// report.html, comparison.html, sweep.html.
+  /// A study as one file that any browser shows without a network: report.html,
+  /// comparison.html, sweep.html.
   /// @param study  numbers and words; `study` says which of the scripts of
   ///               source/page shows it: run.js, comparison.js or sweep.js,
   ///               where its keys can be looked up
-  void
-  write_page(std::ostream &out, const PageText &text, const Json &study);
+  std::string
+  page(const PageText &text, const Json &study);
 
   /// Numbers for a page, which shows no more than six digits; null for what is
   /// not finite.

@@ -23,8 +23,9 @@ namespace PlateImpact
     /// Where the strain is tied, on the reference cell.
     dealii::Quadrature<2> tying_points;
 
-    /// The assumed strain, two Cartesian components a point.
-    /// @param tied    strains from deflection and rotations at the tying points
+    /// The assumed strain: of all points the component along x, then that
+    /// along y.
+    /// @param tied    the same from deflection and rotations at tying points
     /// @param tying   FEValues there, with Jacobians
     /// @param values  FEValues at the points of the result, with inverse
     /// Jacobians
@@ -78,20 +79,13 @@ namespace PlateImpact
     const Eigen::MatrixXd &
     slopes();
 
-    /// The covariant strains, from slopes.
-    inline Eigen::VectorXd
-    squares(const Eigen::Ref<const Eigen::VectorXd> &slopes)
+    /// The covariant strains, from slopes, a column per state or cell.
+    inline Eigen::MatrixXd
+    squares(const Eigen::MatrixXd &slopes)
     {
-      return slopes.head<n_squares>().cwiseProduct(slopes.tail<n_squares>());
+      return slopes.topRows<n_squares>().cwiseProduct(
+        slopes.bottomRows<n_squares>());
     }
-
-    /// Their derivative with respect to the nine deflections.
-    Eigen::MatrixXd
-    derivative(const Eigen::Ref<const Eigen::VectorXd> &slopes);
-
-    /// Second derivative of forces . squares with respect to the deflections.
-    Eigen::MatrixXd
-    second_derivative(const Eigen::Ref<const Eigen::VectorXd> &forces);
 
     /// Strains at points of a cell, three rows each, from the covariant ones:
     /// 3 n x n_squares.

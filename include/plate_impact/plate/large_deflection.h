@@ -10,13 +10,12 @@
 
 namespace PlateImpact
 {
-  /// A state of a plate with large deflections, at the quadrature points of
-  /// its cells, a column each.
+  /// A state of a plate with large deflections, a column per cell.
   struct StretchedPlate
   {
     Eigen::MatrixXd slopes;  ///< of the deflection, as SlopeSquares has them
-    Eigen::MatrixXd strains; ///< of the middle surface, by their squares
-    Eigen::MatrixXd forces;  ///< membrane forces of the linear plate, weighted
+    Eigen::MatrixXd squares; ///< SlopeSquares::squares() of them
+    Eigen::MatrixXd forces;  ///< conjugate to squares, of the linear plate
     double          energy = 0.; ///< beyond that of the linear plate [J]
   };
 
@@ -66,22 +65,21 @@ namespace PlateImpact
                 Epetra_CrsMatrix     &sum) const;
 
   private:
-    /// Weighted membrane forces of strains at the quadrature points of a cell.
-    Eigen::VectorXd
-    forces_of(Eigen::Index                             cell,
-              const Eigen::Ref<const Eigen::VectorXd> &strains) const;
+    /// Forces conjugate to squares of slopes, of cells of one shape, per dof of
+    /// the cell and per square.
+    struct Forces
+    {
+      Eigen::MatrixXd per_dof, per_square;
+    };
 
-    /// Weighted forces of the linear plate, three a point, by the dofs of a
-    /// cell that cause some.
-    const Eigen::MatrixXd &
-    forces_of_unknowns(const Eigen::Index cell) const
+    const Forces &
+    forces_of(const Eigen::Index cell) const
     {
       return by_shape.at(&plate.shape(cell));
     }
 
-    const PlateDiscretization &plate;
-    /// Among the dofs of a cell: of the deflection, and that cause forces.
-    std::vector<unsigned int>                    deflections, causes;
-    std::map<const CellShape *, Eigen::MatrixXd> by_shape;
+    const PlateDiscretization          &plate;
+    const std::vector<unsigned int>     deflections; ///< dofs of a cell
+    std::map<const CellShape *, Forces> by_shape;
   };
 } // namespace PlateImpact

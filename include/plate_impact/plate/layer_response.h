@@ -2,6 +2,8 @@
 
 #include "plate_impact/base/parameters.h"
 
+#include <boost/math/constants/constants.hpp>
+
 namespace PlateImpact
 {
   struct PlateSection;
@@ -43,19 +45,26 @@ namespace PlateImpact
     /// Lambda of the compliance Lambda / (G h) in series with the law of a
     /// sphere, negative: layer less half-space less plate.
     double
-    sphere_constant(double radius) const;
+    sphere_constant(const double radius) const
+    {
+      return integral(radius, /*is_line=*/false) /
+        boost::math::double_constants::two_pi;
+    }
 
     /// Lambda of the plate's side of a line contact, F' (1 - nu) / (pi G) (ln
     /// (h/a) + Lambda), with F' the force per length and a the half-width of
     /// the contact.
     double
-    line_constant(double radius) const;
+    line_constant(const double radius) const
+    {
+      return boost::math::double_constants::ln_two + 0.5 +
+        integral(radius, /*is_line=*/true) / (1. - poissons_ratio);
+    }
 
   private:
-    /// G/h [C(k) - (1-nu)/(G k) - C_R(k)] y at y = k h, C_R the compliance of
-    /// plate theory under the patch.
+    /// What C(k) has beyond half-space and plate theory, over all wavenumbers.
     double
-    excess(double y, double radius) const;
+    integral(double radius, bool is_line) const;
 
     const double    poissons_ratio;
     const double    shear_correction;
@@ -64,10 +73,4 @@ namespace PlateImpact
     /// The transform of the pressure has the square 1 - x^2 / spread + ...
     const double spread;
   };
-
-  /// beta of the functional w + beta div theta that load and reading of a scene
-  /// use, 0 for w alone: a half-space, or the layer's own patch radius. [m^2]
-  double
-  load_rotation_factor(const PlateParameters   &plate,
-                       const ContactParameters &contact);
 } // namespace PlateImpact

@@ -3,28 +3,22 @@
 #include <deal.II/base/point.h>
 #include <deal.II/grid/tria_description.h>
 
-#include <array>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace PlateImpact
 {
-  /// What a plate needs of a mesh of Gmsh. Nodes are numbered from 0 as they
-  /// come in the file.
+  /// What a plate needs of a mesh of Gmsh.
   struct MshFile
   {
-    /// A line of two nodes, once for each physical group that it is in.
-    struct Side
-    {
-      std::array<unsigned int, 2> nodes;
-      unsigned int                group;
-    };
-
-    std::vector<dealii::Point<3>>       nodes;
-    std::vector<dealii::CellData<2>>    cells;
-    std::vector<Side>                   sides;
-    std::map<unsigned int, std::string> groups; ///< of curves, and their names
+    std::vector<dealii::Point<3>> vertices; ///< nodes of cells, in their
+                                            ///< order there
+    std::vector<dealii::CellData<2>> cells;
+    std::vector<std::string>         edges; ///< physical groups of curves
+    /// Their numbers, of the sides that they have; the lower vertex first.
+    std::map<std::pair<unsigned int, unsigned int>, unsigned int> edge_of_side;
   };
 
 
@@ -37,8 +31,4 @@ namespace PlateImpact
   /// @throws InputError  a sentence that goes on from the name of the file
   MshFile
   read_msh_file(const std::string &path);
-
-  /// @throws InputError  a sentence that goes on from the name of the file
-  [[noreturn]] void
-  refuse_file(const std::string &sentence);
 } // namespace PlateImpact

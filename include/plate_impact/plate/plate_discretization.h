@@ -171,17 +171,24 @@ namespace PlateImpact
     }
 
   private:
+    /// Constrains what supports and planes of symmetry hold. On an edge that
+    /// runs in any direction a rotation is held along its tangent, an arc's
+    /// too, and a displacement along tangent or normal; where such edges hold
+    /// two directions, both components.
+    void
+    hold_edges(const PlateParameters &plate);
+
     void
     number_unknowns();
 
     /// Unknowns of a cell, in ascending order.
-    std::vector<dealii::types::global_dof_index>
+    std::vector<int>
     unknowns_of(unsigned int cell) const;
 
     const PlateSection                plate_section;
     dealii::DoFHandler<2>             dofs;
     dealii::AffineConstraints<double> constraints;
-    bool                              holds_deflection; ///< some edge
+    bool                              holds_deflection = false; ///< some edge
 
     std::vector<dealii::types::global_dof_index> dof_of_unknown;
     std::vector<unsigned int> components_of; ///< of an unknown, a bit each

@@ -107,8 +107,5 @@ namespace PlateImpact
     /// Consistent mass with rotary inertia. [kg, kg m^2 by the components]
     Eigen::MatrixXd
     mass(const CellShape &shape, const PlateSection &section) const;
-
-  private:
-    const AssumedShear assumed_shear;
   };
 } // namespace PlateImpact

@@ -16,14 +16,6 @@ namespace PlateImpact
     double           radius;
   };
 
-  /// Makes sides of one edge that are chords of a circle, nine or more to a
-  /// full turn, parts of arcs: their manifold id is the number of an arc. On a
-  /// polygon a simple support is another (Babuska's paradox).
-  /// @param mesh  of one level, with boundary ids
-  std::vector<Arc>
-  find_arcs(dealii::Triangulation<2> &mesh);
-
-
   /// The outline and the first mesh of a plate that a file of Gmsh holds.
   /// In metres.
   struct PlateFile
@@ -42,14 +34,6 @@ namespace PlateImpact
     dealii::Point<2>      centre;   ///< of that
     double                area;
 
-    /// From a point to the nearest edge; negative outside of the plate.
-    double
-    distance_to_edge(const dealii::Point<2> &point) const;
-
-    /// The same along an axis, either way.
-    double
-    distance_to_edge(const dealii::Point<2> &point, unsigned int axis) const;
-
     /// The boundary with short chords in place of arcs.
     std::vector<std::array<dealii::Point<2>, 2>> outline;
   };
@@ -57,7 +41,7 @@ namespace PlateImpact
 
   /// Reads a mesh of quadrilaterals that Gmsh has written (read_msh_file()).
   /// Physical groups of curves name the edges, and chords into which Gmsh has
-  /// cut an arc become one again (find_arcs()).
+  /// cut an arc become one again.
   ///
   /// @throws InputError  a sentence that goes on from the name of the file
   std::shared_ptr<const PlateFile>

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace PlateImpact
@@ -25,6 +26,53 @@ namespace PlateImpact
     large   ///< slopes whose squares count
   };
 
+  /// A ply in three dimensions and in its own axes: 1 along the fibres, 2
+  /// across them, 3 through the thickness.
+  class Ply
+  {
+  public:
+    /// Those of E_3, nu_13 and nu_23 that are 0 become those of a ply that is
+    /// the same in all directions across its fibres: E_2, nu_12 and E_2 / (2
+    /// G_23) - 1.
+    explicit Ply(const PlyParameters &given);
+
+    const PlyParameters constants;
+
+    /// Whether every strain costs energy.
+    bool
+    is_elastic() const;
+
+    /// Q of plane stress, of e_1, e_2 and gamma_12. [Pa]
+    Eigen::Matrix3d
+    plane_stiffness() const;
+
+    /// E* that many turned plies have together as a half-space under a sphere,
+    /// where the contact is one to four plies wide:
+    ///   1 / E* = (1 / E_bulk + 1 / E_face) / 2,
+    /// E_bulk of the mean of all directions, E_face of the struck ply alone,
+    /// both from the closed form of a half-space that is transversely isotropic
+    /// across its surface (Turner, Int. J. Solids Struct. 16, 1980, p. 409).
+    /// Half and half is empirical (doc/theory.md). E / (1 - nu^2) where the ply
+    /// is isotropic. [Pa]
+    double
+    half_space_modulus() const;
+
+    /// nu of the isotropic layer that squeezed through its thickness widens as
+    /// much as turned plies: nu / (1 - nu) = (C_13 + C_23) / (2 C_33).
+    double
+    layer_poissons_ratio() const
+    {
+      const double widening =
+        (stiffness(0, 2) + stiffness(1, 2)) / (2. * stiffness(2, 2));
+      return widening / (1. + widening);
+    }
+
+  private:
+    const Eigen::Matrix3d stiffness; ///< C_ij of the normal strains
+  };
+
+
+
   /// The section of a Reissner-Mindlin plate, homogeneous and isotropic or a
   /// laminate (classical lamination theory with first-order shear, Reddy,
   /// Mechanics of Laminated Composite Plates and Shells, 2nd ed., secs. 2.4 and
@@ -38,18 +86,18 @@ namespace PlateImpact
 
     /// Moments per curvature: of an isotropic plate D = E t^3 / (12 (1 -
     /// nu^2)) times the plane stress matrix. [N m]
-    Eigen::Matrix3d bending_stiffness;
+    Eigen::Matrix3d bending_stiffness = Eigen::Matrix3d::Zero();
 
     /// Shear forces per shear strains: kappa times the integral of the shear
-    /// moduli, or what equilibrium asks for (Ply). [N/m]
-    Eigen::Matrix2d shear_stiffness;
+    /// moduli, or what equilibrium asks for. [N/m]
+    Eigen::Matrix2d shear_stiffness = Eigen::Matrix2d::Zero();
 
     /// Membrane forces per strain of the middle surface. [N/m]
-    Eigen::Matrix3d membrane_stiffness;
+    Eigen::Matrix3d membrane_stiffness = Eigen::Matrix3d::Zero();
 
     /// Membrane forces per curvature, none of a symmetric section: a fibre at z
     /// from the middle to the far face is strained by -z times it. [N]
-    Eigen::Matrix3d coupling_stiffness;
+    Eigen::Matrix3d coupling_stiffness = Eigen::Matrix3d::Zero();
 
     /// rho t. [kg/m^2]
     double mass_per_area;
@@ -113,17 +161,13 @@ namespace PlateImpact
       return stretching == Stretching::none ? 5 : 8;
     }
 
-    /// sigma^T D^-1 sigma of resultants, the square of the energy norm in Table
-    /// 1 of the paper per area: twice their strain energy. [J/m^2]
-    double
-    squared_energy_norm(
-      const Eigen::Ref<const Eigen::VectorXd> &resultants) const;
-
     /// Resultants per strains; its bending part is bending_stiffness.
     Eigen::MatrixXd
     stiffness() const;
 
-    /// R, upper triangular, with squared_energy_norm(s) = |R s|^2.
+    /// R, upper triangular: of resultants s, |R s|^2 = s^T D^-1 s is the square
+    /// of the energy norm in Table 1 of the paper per area, twice their strain
+    /// energy. [J/m^2]
     Eigen::MatrixXd
     root_of_compliance() const
     {
@@ -137,9 +181,10 @@ namespace PlateImpact
       return stretching == Stretching::none ? 3 : 8;
     }
 
-    /// Names of the stresses at the faces: the paper's effective stress, von
-    /// Mises; of a ply those along and across its fibres, and its shear stress.
-    const std::vector<std::string> &
+    /// Names in files of the stresses at the faces, and in words: the paper's
+    /// effective stress, von Mises; of a ply those along and across its fibres,
+    /// and its shear stress.
+    const std::vector<std::pair<std::string, std::string>> &
     stress_names() const;
 
     /// Their magnitudes, the larger of both faces: a row a ply, a column a

@@ -66,17 +66,44 @@ namespace PlateImpact
     /// The value of every entry at a point. In a product the values of the last
     /// entry change fastest.
     std::vector<std::string>
-    values(std::size_t point) const;
+    values(std::size_t point) const
+    {
+      std::vector<std::string> result(entries.size());
+      for (std::size_t i = entries.size(); i-- > 0;)
+        {
+          const std::vector<std::string> &values = entries[i].values;
+          result[i] = values[is_product ? point % values.size() : point];
+          point     = is_product ? point / values.size() : point;
+        }
+      return result;
+    }
 
     std::vector<SweptEntry> entries;
 
     /// Every value with every other, as opposed to lists that are paired up.
     bool        is_product;
     std::size_t n_points = 0; ///< 0 without an entry, or with mistakes
+  };
 
-  private:
-    void
-    read_entry(const std::string &number, SceneReader &reader);
+
+  /// Points of a sweep that share a plate on one mesh, those with the same load
+  /// and time steps next to each other. What a point is made for follows from
+  /// the names of the swept entries:
+  /// - the impactor and the contact law: nothing else changes; but the shear
+  ///   stiffness of a laminate follows the law;
+  /// - other entries of the contact and the time: the load or the response;
+  /// - everything else: the plate, its mesh or what the mesh adapts to.
+  ///
+  /// A mesh that adapts depends on the load and the time as well, so that
+  /// adaptive points share a mesh only where both are the same.
+  struct SweepGroups
+  {
+    /// @param parameters  of what is not swept
+    SweepGroups(const SweepPlan &plan, const Parameters &parameters);
+
+    std::vector<std::vector<std::size_t>> groups; ///< of points
+
+    std::size_t n_loads; ///< with their time steps, in all groups together
   };
 
 

@@ -58,10 +58,6 @@ namespace PlateImpact
     // checks of entries against each other, from read_plate() on in
     // plate_checker.cc
 
-    /// Asks about a modulus in GPa and a density in g/cm^3.
-    /// @param body  Plate or Impactor
-    void
-    ask_for_units(const std::string &body, double modulus, double density);
     void
     check_contact();
     void
@@ -82,10 +78,10 @@ namespace PlateImpact
     /// Outline, supports and what must lie within; needs the load's shape.
     void
     check_shape();
-    /// @param named  the edges that the entry names
+    /// The edges that an entry of supports names.
+    template <typename Supports>
     void
-    check_edges(const std::string              &entry,
-                const std::vector<std::string> &named);
+    check_edges(const std::string &entry, const Supports &supports);
 
     // what is 0, in scene_completion.cc
 
@@ -98,11 +94,6 @@ namespace PlateImpact
     complete_layer();
     void
     complete_mesh();
-    /// Moves the singular points that the scene names to where the mesh has
-    /// them.
-    /// @param turn  of the plate about its centre [rad]
-    void
-    place_singular_points(double turn);
 
     SceneReader &reader;
     Entries     &entries = reader.entries;

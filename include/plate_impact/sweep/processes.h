@@ -2,7 +2,8 @@
 
 #include <deal.II/base/mpi.h>
 
-#include "plate_impact/sweep/sweep_computation.h"
+#include "plate_impact/scene/scene.h"
+#include "plate_impact/sweep/sweep_results.h"
 
 #include <cstddef>
 #include <functional>
@@ -29,15 +30,20 @@ namespace PlateImpact
         numbers = dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, numbers);
     }
 
-    /// Computes the tasks, a share of them on each process.
-    /// @param take  called on the first process with every point, whoever has
+    /// Computes points, a share of them on each process: those of one group
+    /// after another on one struck plate, if adaptive on the last mesh of the
+    /// worst, the one with the shortest contact in Zener's equation, then with
+    /// the largest force. Whatever goes wrong with a point becomes the failure
+    /// of its row.
+    /// @param to_do  in ascending order
+    /// @param take   called on the first process with every point, whoever has
     ///              computed it
-    /// @return on the first process what was made by all
     /// @throws Interruption, between two points
     /// @throws ComputationError that `take` throws, after which nobody goes on
-    SweepWork
-    compute(const std::vector<SweepGroups::Task>   &tasks,
-            SweepComputation                       &computation,
+    void
+    compute(SweepScene                             &scene,
+            const SweepGroups                      &groups,
+            const std::vector<std::size_t>         &to_do,
             const std::function<void(SweepRow &&)> &take);
 
     int size = 1, rank = 0; ///< rank 0 is the first process

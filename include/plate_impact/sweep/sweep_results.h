@@ -1,11 +1,9 @@
 #pragma once
 
 #include "plate_impact/contact/contact_history.h"
-#include "plate_impact/output/result_directory.h"
 #include "plate_impact/scene/scene.h"
 
 #include <cstddef>
-#include <fstream>
 #include <map>
 #include <optional>
 #include <string>
@@ -43,45 +41,6 @@ namespace PlateImpact
   };
 
 
-  /// sweep.csv: a row per point with the swept values, the quantities of the
-  /// impact, warnings, and `ok` or the reason of the failure. Rows are appended
-  /// as they come; finish() puts them in the order of the points.
-  class SweepTable
-  {
-  public:
-    /// Begins a table, or continues the one that an interrupted sweep has left
-    /// in the directory: its points that succeeded are taken over.
-    /// @param directory, plan  must outlive the table
-    /// @throws ComputationError, as all members, when it cannot be written
-    SweepTable(const ResultDirectory &directory,
-               const SweepPlan       &plan,
-               bool                   resume);
-
-    void
-    add(const SweepRow &row);
-
-    void
-    finish()
-    {
-      out.close();
-      write();
-    }
-
-    /// By point; empty for points to come.
-    std::vector<std::optional<SweepRow>> rows;
-
-  private:
-    void
-    read();
-    void
-    write() const;
-
-    const ResultDirectory &directory;
-    const SweepPlan       &plan;
-    std::ofstream          out;
-  };
-
-
   /// How many points of a sweep failed, and how many have warnings that differ
   /// in their numbers only, with the first of each kind.
   std::vector<std::string>
@@ -91,10 +50,9 @@ namespace PlateImpact
   /// swept values, histories and the table.
   /// @param rows       of all points
   /// @param histories  of some points
-  void
-  write_sweep_page(std::ostream                                &out,
-                   const SweepScene                            &scene,
-                   const std::vector<std::optional<SweepRow>>  &rows,
-                   const std::map<std::size_t, ContactHistory> &histories,
-                   const SweepWork                             &work);
+  std::string
+  sweep_page(const SweepScene                            &scene,
+             const std::vector<std::optional<SweepRow>>  &rows,
+             const std::map<std::size_t, ContactHistory> &histories,
+             const SweepWork                             &work);
 } // namespace PlateImpact

@@ -16,7 +16,9 @@ namespace PlateImpact
     /// @param load  u, as PlateDiscretization::load() returns it
     FullSystem(std::shared_ptr<EffectiveStiffness> matrices,
                const Eigen::VectorXd              &load)
-      : SemidiscreteSystem(load, matrices->damping)
+      : SemidiscreteSystem(load,
+                           matrices->damping,
+                           !matrices->discretization.is_nonlinear())
       , matrices(std::move(matrices))
     {}
 
@@ -38,12 +40,6 @@ namespace PlateImpact
     /// it.
     double
     static_compliance() override;
-
-    bool
-    is_linear() const override
-    {
-      return !matrices->discretization.is_nonlinear();
-    }
 
     std::unique_ptr<PlateMotion>
     motion(const NewmarkScheme &scheme) override;

@@ -20,11 +20,14 @@ namespace PlateImpact
   as_eigen(const Epetra_CrsMatrix &matrix);
 
 
-  /// What solvers have done.
-  struct SolverWork
+  /// What was made of a plate so far. Times are wall times.
+  struct PlateWork
   {
+    unsigned int loads          = 0; ///< with time steps
+    unsigned int ritz_vectors   = 0; ///< a solve each
     unsigned int factorizations = 0, linear_solves = 0;
-    double       factorization_seconds = 0.; ///< wall time [s]
+    double       assembly_seconds      = 0.; ///< of matrices and loads
+    double       factorization_seconds = 0.;
   };
 
 
@@ -33,7 +36,7 @@ namespace PlateImpact
   {
   public:
     /// @param work  is added to; must outlive this object
-    explicit LinearSolver(SolverWork &work)
+    explicit LinearSolver(PlateWork &work)
       : work(work)
     {}
 
@@ -66,14 +69,14 @@ namespace PlateImpact
     solve_factorized(const Eigen::VectorXd &right_hand_side,
                      Eigen::VectorXd       &x) = 0;
 
-    SolverWork                       &work;
+    PlateWork                        &work;
     std::unique_ptr<Epetra_CrsMatrix> factorized;
   };
 
   /// The solver that the scene names: `CHOLMOD` (supernodal Cholesky, minimum
   /// degree ordering) or `KLU` (LU of Trilinos' Amesos).
   std::unique_ptr<LinearSolver>
-  make_linear_solver(SolverType type, SolverWork &work);
+  make_linear_solver(SolverType type, PlateWork &work);
 
 
 
@@ -96,9 +99,7 @@ namespace PlateImpact
       if (c == factorized_for)
         return;
       factorized_for.reset();
-      auto sum = std::make_unique<Epetra_CrsMatrix>(discretization.stiffness());
-      add_mass(c, *sum);
-      solver->factorize(std::move(sum));
+      solver->factorize(sum(1., c));
       factorized_for = c;
     }
 
@@ -110,22 +111,24 @@ namespace PlateImpact
       solver->solve(b, x);
     }
 
-    /// Adds c M to a matrix with the entries of K, which are more.
-    void
-    add_mass(const double c, Epetra_CrsMatrix &matrix) const
+    /// a K + c M, with the entries of K, which are more.
+    std::unique_ptr<Epetra_CrsMatrix>
+    sum(const double a, const double c) const
     {
+      auto sum = std::make_unique<Epetra_CrsMatrix>(discretization.stiffness());
       EpetraExt::MatrixMatrix::Add(discretization.mass(),
                                    /*transpose=*/false,
                                    c,
-                                   matrix,
-                                   1.);
+                                   *sum,
+                                   a);
+      return sum;
     }
 
     const PlateDiscretization &discretization;
 
-    double damping = 0.; ///< as SemidiscreteSystem::damping() [s]
+    double damping = 0.; ///< as SemidiscreteSystem::damping [s]
 
-    SolverWork       work;
+    PlateWork        work;
     const SolverType solver_type;
 
   private:

@@ -1,9 +1,10 @@
 #pragma once
 
 #include "plate_impact/base/parameters.h"
-#include "plate_impact/transient/peak_force_dual.h"
 #include "plate_impact/transient/ritz_reduction.h"
 #include "plate_impact/transient/time_stepper.h"
+
+#include <Eigen/Core>
 
 #include <functional>
 #include <memory>
@@ -28,12 +29,58 @@ namespace PlateImpact
   };
 
 
+  /// What moves a plate up to the peak force, and in the dual problem.
+  struct DualLoads
+  {
+    Eigen::VectorXd forces;  ///< phi_1 ... phi_p of the contact [N]
+    Eigen::VectorXd weights; ///< mu_1 ... mu_p of the displacements [N/m]
+  };
+
+
+  /// The forces, and what displacements of the plate weigh in the peak force:
+  /// were those after the steps 1 ... p, p that of the peak, larger by dw_n,
+  /// the peak would be smaller by sum mu_n dw_n, to first order. The linearized
+  /// discrete Volterra equation of the contact,
+  ///   d delta_n = -dw_n - sum_{k <= n} (R + R_m)_{n-k} d phi_k,
+  ///   d phi_k   = a_k d delta_{k-1} + b_k d delta_k,
+  /// with the impactor's response R_m, transposed and solved backwards. Of a
+  /// law with memory the curve that a step runs on is held fixed.
+  /// @param response  of the plate, by a scheme that conserves energy
+  DualLoads
+  dual_loads(const ContactHistory &history,
+             const NewmarkScheme  &scheme,
+             const Contact        &contact,
+             const Impactor       &impactor,
+             const PlateResponse  &response);
+
+  /// The motion of a plate up to the peak force and the dual one, that under
+  /// the weights above in reversed order, at times that belong together: an
+  /// error e of the plate's response to both is worth
+  ///   sum mu_n dw_n = sum_c weight K(e_motion,c, e_dual,c)
+  /// in the peak force, up to higher orders in the cell size, by Galerkin
+  /// orthogonality (Verdugo, Pares & Diez 2014,
+  /// doi:10.1007/s00466-014-0988-2).
+  struct DualMotions
+  {
+    Eigen::MatrixXd motion, dual; ///< states of the system, a column per time
+    double          weight;       ///< of a time
+  };
+
+  /// @param most_times  columns at most
+  DualMotions
+  dual_motions(const DualLoads     &loads,
+               const NewmarkScheme &scheme,
+               SemidiscreteSystem  &plate,
+               unsigned int         most_times);
+
+
   /// For the error of the peak force: motions, and the system that they are of.
   struct PeakForceProblem
   {
     DualMotions                    motions;
-    const SemidiscreteSystem      *system;
+    SemidiscreteSystem            *system;
     std::unique_ptr<RitzReduction> own_reduction; ///< null: shared
+    bool peak_is_late; ///< after waves are back from an edge
   };
 
 
@@ -81,12 +128,14 @@ namespace PlateImpact
     std::optional<PeakForceProblem>
     peak_force_problem(const ContactHistory &history) const;
 
-    /// Lives as long as the loaded plate.
-    const SemidiscreteSystem &
-    stepped_system() const
-    {
-      return system;
-    }
+    /// The force up to its peak and a tenth past it, if the plate were another.
+    /// @param history  of this impact
+    ContactHistory
+    on_other_plate(SemidiscreteSystem   &other,
+                   const ContactHistory &history) const;
+
+    /// That is stepped; lives as long as the loaded plate.
+    SemidiscreteSystem &system;
 
     /// Whether Ritz vectors would cost more than the steps.
     bool
@@ -103,15 +152,10 @@ namespace PlateImpact
     }
 
   private:
-    /// In a multiple of the step, no further than until a time.
-    ContactHistory
-    in_longer_steps(unsigned int factor, double until) const;
-
     const Parameters                     parameters;
     const NewmarkScheme                  scheme;
     const std::shared_ptr<RitzReduction> reduction;
     const Contact                        contact;
     const Impactor                       impactor;
-    SemidiscreteSystem                  &system; ///< that is stepped
   };
 } // namespace PlateImpact

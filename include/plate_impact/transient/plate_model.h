@@ -48,16 +48,11 @@ namespace PlateImpact
       return plate;
     }
 
-    /// What was made so far.
-    struct Work : SolverWork
+    PlateWork
+    work() const
     {
-      unsigned int loads            = 0;  ///< with time steps
-      unsigned int ritz_vectors     = 0;  ///< a solve each
-      double       assembly_seconds = 0.; ///< of matrices and loads, wall time
-    };
-
-    Work
-    work() const;
+      return matrices == nullptr ? PlateWork() : matrices->work;
+    }
 
   private:
     /// All of an impact that a load depends on, and its steps.
@@ -87,8 +82,7 @@ namespace PlateImpact
     std::shared_ptr<EffectiveStiffness>            matrices; ///< of assembled()
     std::map<MeshKey, std::shared_ptr<LoadedMesh>> loaded_meshes;
     std::map<LoadKey, std::shared_ptr<RitzReduction>> reductions;
-    unsigned int n_loads = 0, n_forgotten_vectors = 0;
-    double       assembly_seconds = 0.;
+    unsigned int                                      n_forgotten_vectors = 0;
   };
 
 

@@ -35,7 +35,7 @@ namespace PlateImpact
     RitzBasis(FullSystem &system, double sigma)
       : matrices(*system.matrices)
       , sigma(sigma)
-      , u(system.load())
+      , u(system.load)
     {}
 
     EffectiveStiffness &matrices; ///< of the plate
@@ -80,9 +80,6 @@ namespace PlateImpact
     }
 
   private:
-    /// Adds a vector, unless nothing is left of it.
-    void
-    append();
     /// Removes what round-off has left of earlier vectors in the candidate.
     /// @return norm_of_candidate() after that; 0 when that is round-off too
     double
@@ -115,8 +112,7 @@ namespace PlateImpact
   public:
     /// @param basis        must outlive the system
     /// @param n            vectors used, at most basis.n_vectors()
-    /// @param n_terminator  length of the terminator; none is joined to all
-    ///                      vectors of a complete basis
+    /// @param n_terminator  length of the terminator
     ReducedSystem(const RitzBasis &basis,
                   unsigned int     n,
                   unsigned int     n_terminator = 0);
@@ -139,6 +135,16 @@ namespace PlateImpact
       return {basis.vectors().leftCols(n_vectors), states.topRows(n_vectors)};
     }
 
+    Eigen::MatrixXd
+    states(const Span & /*span*/,
+           const Eigen::MatrixXd &coordinates) const override
+    {
+      Eigen::MatrixXd result =
+        Eigen::MatrixXd::Zero(load.size(), coordinates.cols());
+      result.topRows(n_vectors) = coordinates;
+      return result;
+    }
+
     unsigned int
     n_states_at_once() const override
     {
@@ -148,10 +154,6 @@ namespace PlateImpact
     const unsigned int n_vectors; ///< used
 
   private:
-    ReducedSystem(const RitzBasis         &basis,
-                  unsigned int             n,
-                  const TridiagonalMatrix &mass);
-
     const RitzBasis        &basis;
     const TridiagonalMatrix mass;      ///< T [s^2], with what is joined to it
     const TridiagonalMatrix stiffness; ///< I - sigma T
@@ -168,14 +170,5 @@ namespace PlateImpact
   {
     FullSystem               system;
     std::map<int, RitzBasis> bases;
-
-    unsigned int
-    n_vectors() const
-    {
-      unsigned int n = 0;
-      for (const auto &[half_octave, basis] : bases)
-        n += basis.n_vectors();
-      return n;
-    }
   };
 } // namespace PlateImpact

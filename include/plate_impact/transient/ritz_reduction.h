@@ -1,6 +1,7 @@
 #pragma once
 
 #include "plate_impact/base/parameters.h"
+#include "plate_impact/contact/zener.h"
 #include "plate_impact/transient/ritz_basis.h"
 #include "plate_impact/transient/time_stepper.h"
 
@@ -11,6 +12,11 @@
 
 namespace PlateImpact
 {
+  /// When waves are back from the nearest edge. [s]
+  double
+  return_of_waves(const PlateParameters &plate, const ZenerImpact &expected);
+
+
   /// What Newmark's method integrates for one impactor after another, with one
   /// load, time step and integration of the contact force: the system of the
   /// mesh, if `time.integrator` names it and for plates with large deflections,

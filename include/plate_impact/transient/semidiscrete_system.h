@@ -1,16 +1,61 @@
 #pragma once
 
-#include "plate_impact/transient/newmark_scheme.h"
+#include "plate_impact/base/parameters.h"
+#include "plate_impact/contact/contact.h"
 
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <optional>
 
 namespace PlateImpact
 {
+  /// Newmark's method for a transient of equal steps: eqs. 3-7 of the paper in
+  /// increments d, which keep digits that the total form loses on small steps,
+  ///   K* d = f_1 + c_2 f_0 - (1 + c_2) K z + c_1 M v,   K* = K + c_0 M.
+  struct NewmarkScheme
+  {
+    /// The smallest number of steps, none longer than the scene's.
+    NewmarkScheme(const TimeParameters     &time,
+                  const ContactIntegration &integration)
+      : beta(time.newmark_beta)
+      , gamma(time.newmark_gamma)
+      , conserves_energy(time.is_average_acceleration())
+      , order(gamma == 0.5 ? 2 : 1)
+      , integration(integration)
+      , n_steps(
+          std::max(1., std::ceil(time.end_time / time.time_step * (1 - 1e-9))))
+      // the scene's own where the end time is a multiple of it, so that longer
+      // transients take the same steps to the last digit
+      , dt(std::abs(time.end_time / n_steps - time.time_step) <=
+               1e-9 * (time.end_time / n_steps) ?
+             time.time_step :
+             time.end_time / n_steps)
+      , c0(1. / (beta * dt * dt))
+      , c1(1. / (beta * dt))
+      , c2(1. / (2. * beta) - 1.)
+    {}
+
+    const double beta, gamma;
+
+    /// Of a linear system, but for the work of the load: average acceleration.
+    const bool conserves_energy;
+
+    /// Of the error in the step: gamma other than 1/2 damps, to first order.
+    const unsigned int order;
+
+    const ContactIntegration integration;
+    const unsigned int       n_steps;
+    const double             dt; ///< [s]
+    const double             c0; ///< 1/(beta dt^2) [1/s^2]
+    const double             c1; ///< 1/(beta dt) [1/s]
+    const double             c2; ///< 1/(2 beta) - 1
+  };
+
+
   /// The plate's side of a transient, from rest: steps of Newmark's method
   /// under forces at their beginning and end, linear in that at the end, or
   /// made so again until the step is in equilibrium.
@@ -25,14 +70,6 @@ namespace PlateImpact
     virtual double
     begin_step(double begin_force) = 0;
 
-    /// Displacement under the load at the end of a step for a unit force
-    /// there. [m/N]
-    double
-    unit_displacement() const
-    {
-      return w_of_unit_response;
-    }
-
     /// Ends the step.
     /// @param at_begin  further force at its beginning [N]
     /// @param at_end    force at its end [N]
@@ -43,13 +80,6 @@ namespace PlateImpact
     virtual std::optional<double>
     end_step(double at_begin, double at_end) = 0;
 
-    /// Under the load. [m]
-    double
-    displacement() const
-    {
-      return w;
-    }
-
     /// [J]
     virtual double
     energy() const
@@ -57,25 +87,20 @@ namespace PlateImpact
       return 0.5 * (v.dot(Mv) + z.dot(Kz));
     }
 
-    /// By damping, so far; exact where the scheme conserves energy. [J]
-    double
-    dissipated_energy() const
-    {
-      return dissipated;
-    }
+    Eigen::VectorXd z, v;   ///< the unknowns of the plate, and their rates
+    double          w = 0.; ///< displacement under the load [m]
 
-    /// z, the unknowns of the plate.
-    const Eigen::VectorXd &
-    unknowns() const
-    {
-      return z;
-    }
+    /// Displacement under the load at the end of a step for a unit force
+    /// there. [m/N]
+    double w_of_unit_response = 0.;
+
+    /// By damping, so far; exact where the scheme conserves energy. [J]
+    double dissipated = 0.;
 
   protected:
-    Eigen::VectorXd z, v, Kz, Mv; ///< v: rates of z
-    Eigen::VectorXd increment;    ///< of z in the step
+    Eigen::VectorXd Kz, Mv;
+    Eigen::VectorXd increment; ///< of z in the step
     Eigen::VectorXd unit_response;
-    double          w = 0., w_of_unit_response = 0., dissipated = 0.;
   };
 
 
@@ -84,29 +109,24 @@ namespace PlateImpact
   class SemidiscreteSystem
   {
   public:
-    /// @param load     u, the forces conjugate to the unknowns for a unit
-    ///                 contact force
-    /// @param damping  b, of a material that answers to strains and their rates
-    ///                 (Kelvin and Voigt); 0 without damping [s]
     explicit SemidiscreteSystem(const Eigen::VectorXd &load,
-                                const double           damping = 0.)
-      : u(load)
-      , b(damping)
+                                const double           damping   = 0.,
+                                const bool             is_linear = true)
+      : load(load)
+      , damping(damping)
+      , is_linear(is_linear)
     {}
 
     virtual ~SemidiscreteSystem() = default;
 
-    const Eigen::VectorXd &
-    load() const
-    {
-      return u;
-    }
+    /// u, the forces conjugate to the unknowns for a unit contact force.
+    const Eigen::VectorXd load;
 
-    double
-    damping() const
-    {
-      return b;
-    }
+    /// b, of a material that answers to strains and their rates (Kelvin and
+    /// Voigt); 0 without damping. [s]
+    const double damping;
+
+    const bool is_linear; ///< responses may be added up
 
     /// y = K x.
     virtual void
@@ -122,15 +142,8 @@ namespace PlateImpact
     virtual double
     static_compliance() = 0;
 
-    /// Whether responses may be added up.
-    virtual bool
-    is_linear() const
-    {
-      return true;
-    }
-
-    /// From rest, in steps of a scheme; by default a PlateStepper. The system
-    /// must outlive it.
+    /// From rest, in steps of a scheme; by default the motion of a linear
+    /// plate. The system must outlive it.
     virtual std::unique_ptr<PlateMotion>
     motion(const NewmarkScheme &scheme);
 
@@ -150,6 +163,14 @@ namespace PlateImpact
       return {states, Eigen::MatrixXd::Identity(states.cols(), states.cols())};
     }
 
+    /// The states whose unknowns are combinations of the vectors of a span.
+    /// @param coordinates  a row per vector, a column per state
+    virtual Eigen::MatrixXd
+    states(const Span &span, const Eigen::MatrixXd &coordinates) const
+    {
+      return span.vectors * coordinates;
+    }
+
     /// Those unknowns, a column per state.
     Eigen::MatrixXd
     unknowns(const Eigen::Ref<const Eigen::MatrixXd> &states) const
@@ -163,48 +184,8 @@ namespace PlateImpact
     virtual unsigned int
     n_states_at_once() const
     {
-      return std::clamp<Eigen::Index>(2400000 / load().size(), 1, 16);
+      return std::clamp<Eigen::Index>(2400000 / load.size(), 1, 16);
     }
-
-  private:
-    const Eigen::VectorXd u;
-    const double          b;
-  };
-
-
-
-  /// The motion of a linear plate. A damping b K adds g b K, g =
-  /// gamma/(beta dt), to the matrix of a step, which stays K + c M up to a
-  /// factor. K z and M v follow from the solution of the step itself, so that a
-  /// step costs one solve, one product with K and scalar products.
-  class PlateStepper : public PlateMotion
-  {
-  public:
-    /// Computes the unit response.
-    /// @param plate  must outlive the stepper
-    PlateStepper(const NewmarkScheme &scheme, SemidiscreteSystem &plate);
-
-    double
-    begin_step(double begin_force) override;
-
-    std::optional<double>
-    end_step(double at_begin, double at_end) override;
-
-    /// v, their rates.
-    const Eigen::VectorXd &
-    rates() const
-    {
-      return v;
-    }
-
-  private:
-    const NewmarkScheme scheme;
-    SemidiscreteSystem &plate;
-    const double        damping;    ///< b [s]
-    const double        stiffening; ///< 1 + g b
-
-    Eigen::VectorXd a, Kv, Ka, Ma; ///< K v and K a: with damping
-    Eigen::VectorXd right_hand_side, K_increment;
   };
 
 
@@ -213,8 +194,8 @@ namespace PlateImpact
   /// @param show    called after every step, counted from 1
   void
   step_under(
-    const Eigen::VectorXd                                         &forces,
-    const NewmarkScheme                                           &scheme,
-    SemidiscreteSystem                                            &plate,
-    const std::function<void(Eigen::Index, const PlateStepper &)> &show);
+    const Eigen::VectorXd                                        &forces,
+    const NewmarkScheme                                          &scheme,
+    SemidiscreteSystem                                           &plate,
+    const std::function<void(Eigen::Index, const PlateMotion &)> &show);
 } // namespace PlateImpact

@@ -32,24 +32,16 @@ namespace PlateImpact
   class TimeStepper
   {
   public:
-    /// The plate must outlive the stepper.
-    TimeStepper(const NewmarkScheme &scheme,
-                SemidiscreteSystem  &plate,
-                const Contact       &contact,
-                const Impactor      &impactor);
-
-    /// Of a plate whose static compliance is not known.
+    /// @param plate   must outlive the stepper
+    /// @param motion  null: that of the plate; with another one no separation
+    ///                time is looked for
     TimeStepper(const NewmarkScheme         &scheme,
-                std::unique_ptr<PlateMotion> plate_motion,
+                SemidiscreteSystem          &plate,
                 const Contact               &contact,
-                const Impactor              &impactor);
+                const Impactor              &impactor,
+                std::unique_ptr<PlateMotion> motion = nullptr);
 
-    /// Steps that it takes to the end time.
-    unsigned int
-    n_steps() const
-    {
-      return scheme.n_steps;
-    }
+    const NewmarkScheme scheme;
 
     /// Takes steps.
     /// @throws ComputationError naming step and quantity when a value is not
@@ -67,7 +59,7 @@ namespace PlateImpact
     const Eigen::VectorXd &
     displacement() const
     {
-      return plate_motion->unknowns();
+      return plate_motion->z;
     }
 
     /// So far.
@@ -85,17 +77,9 @@ namespace PlateImpact
     /// Moves the impactor under phi and notes the state at the end of the step.
     void
     end_step(double phi);
-    void
-    require_validity() const;
-    /// Whether the plate can never reach the impactor again: without a force
-    /// average acceleration keeps its energy E, and the displacement under the
-    /// load stays within sqrt(2 E c), c the static compliance.
-    bool
-    is_out_of_reach() const;
 
-    const NewmarkScheme          scheme;
     const double                 at_begin; ///< phi there, per phi at the end
-    SemidiscreteSystem          *plate = nullptr;
+    SemidiscreteSystem          *plate;    ///< null: for a motion of its own
     std::unique_ptr<PlateMotion> plate_motion;
     Contact                      contact;
     Impactor                     impactor;
@@ -114,8 +98,9 @@ namespace PlateImpact
   /// a discrete Volterra equation of the second kind (Linz 1985,
   /// doi:10.1137/1.9781611970852): the recurrence of the time stepper, summed
   /// in another order. The plate's energy is the work of the force, which
-  /// average acceleration makes equal.
-  class PlateResponse
+  /// average acceleration makes equal. A motion without unknowns, at rest: who
+  /// follows one under forces has a copy.
+  class PlateResponse : public PlateMotion
   {
   public:
     /// Steps the plate to the end time.
@@ -129,15 +114,23 @@ namespace PlateImpact
       return reversed[reversed.size() - 1 - j];
     }
 
-    /// @param n_steps  at most those of the response
-    /// @throws ComputationError naming step and quantity
-    Impact
-    impact(const Contact  &contact,
-           const Impactor &impactor,
-           unsigned int    n_steps) const;
+    double
+    begin_step(double begin_force) override;
+
+    std::optional<double>
+    end_step(double at_begin, double at_end) override;
+
+    double
+    energy() const override
+    {
+      return work;
+    }
 
   private:
-    const NewmarkScheme scheme;
-    Eigen::VectorXd     reversed; ///< R_{n_steps - 1} ... R_0 [m/N]
+    Eigen::VectorXd reversed;        ///< R_{n_steps - 1} ... R_0 [m/N]
+    Eigen::VectorXd forces;          ///< phi of the steps so far
+    Eigen::Index    n_forces    = 0; ///< up to the last that is not zero
+    Eigen::Index    step        = 0;
+    double          known_force = 0., free = 0., work = 0.;
   };
 } // namespace PlateImpact
