@@ -119,10 +119,16 @@ namespace PlateImpact
                       "step=2.0407e-5' --set Adaptivity/Strategy=none"),
                 0)
         << err;
-      EXPECT_NE(err.find("2 of 2 points; the first: from t = "),
-                std::string::npos)
-        << err;
-      EXPECT_NE(err.find("cannot be predicted"), std::string::npos) << err;
+      // whether the peak comes earlier or later is beyond prediction as well:
+      // both points have one sentence, or each its own
+      const std::regex told(
+        "(1|2) of 2 points; the first: from t = [^:]* cannot be predicted:");
+      int n_points = 0;
+      for (std::sregex_iterator found(err.begin(), err.end(), told), none;
+           found != none;
+           ++found)
+        n_points += std::stoi((*found)[1]);
+      EXPECT_EQ(n_points, 2) << err;
     }
 
 
@@ -426,47 +432,6 @@ namespace PlateImpact
       const std::string mistake = "Plate/Density = -1 is not allowed";
       EXPECT_NE(err.find(mistake), std::string::npos);
       EXPECT_EQ(err.find(mistake), err.rfind(mistake));
-    }
-
-
-
-    TEST_F(Sweep, VelocityStudyOfThePaper)
-    {
-      const std::string scene = SCENES "/paper-velocity-study.prm";
-      ASSERT_EQ(sweep(scene), 0) << err;
-      std::vector<double> eta;
-      for (const Row &row : rows())
-        eta.push_back(std::stod(row.at("discretization_error")));
-      ASSERT_EQ(eta.size(), 3u);
-      EXPECT_LT(eta[0], eta[1]);
-      EXPECT_LT(eta[1], eta[2]);
-      EXPECT_TRUE(fs::exists(results() / "contact_history_point_3.csv"));
-      EXPECT_TRUE(fs::exists(results() / "sweep.html"));
-
-      ASSERT_EQ(sweep(scene, "--set 'Adaptivity/Strategy=hanging nodes'"), 0)
-        << err;
-      // high-order reference: P3_Al_1mps, P3_Al_5mps
-      EXPECT_NEAR(std::stod(rows()[0].at("peak_force")) / 445.2319, 1., 3e-4);
-      EXPECT_NEAR(std::stod(rows()[2].at("peak_force")) / 2762.535, 1., 3e-4);
-    }
-
-
-
-    TEST_F(Sweep, MassStudyOfThePaper)
-    {
-      const std::string scene = SCENES "/paper-mass-study.prm";
-      ASSERT_EQ(sweep(scene), 0) << err;
-      std::vector<double> eta;
-      for (const Row &row : rows())
-        eta.push_back(std::stod(row.at("discretization_error")));
-      ASSERT_EQ(eta.size(), 3u);
-      EXPECT_GT(eta[0], eta[1]);
-      EXPECT_GT(eta[1], eta[2]);
-
-      ASSERT_EQ(sweep(scene, "--set 'Adaptivity/Strategy=hanging nodes'"), 0)
-        << err;
-      // high-order reference: P4_mass0.037_steelE
-      EXPECT_NEAR(std::stod(rows()[1].at("peak_force")) / 768.8869, 1., 3e-4);
     }
   } // namespace
 } // namespace PlateImpact

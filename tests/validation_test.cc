@@ -195,5 +195,46 @@ namespace PlateImpact
       expect(SCENES "/paper-table-2.prm", {0.406, 0.420, 0.437});
       expect(SCENES "/paper-table-3.prm", {0.406, 0.381, 0.370});
     }
+
+
+
+    TEST_F(Validation, VelocityStudyOfThePaper)
+    {
+      const std::string scene = SCENES "/paper-velocity-study.prm";
+      ASSERT_EQ(sweep(scene), 0) << err;
+      std::vector<double> eta;
+      for (const Row &row : rows())
+        eta.push_back(std::stod(row.at("discretization_error")));
+      ASSERT_EQ(eta.size(), 3u);
+      EXPECT_LT(eta[0], eta[1]);
+      EXPECT_LT(eta[1], eta[2]);
+      EXPECT_TRUE(fs::exists(results() / "contact_history_point_3.csv"));
+      EXPECT_TRUE(fs::exists(results() / "sweep.html"));
+
+      ASSERT_EQ(sweep(scene, "--set 'Adaptivity/Strategy=hanging nodes'"), 0)
+        << err;
+      // high-order reference: P3_Al_1mps, P3_Al_5mps
+      EXPECT_NEAR(std::stod(rows()[0].at("peak_force")) / 445.2319, 1., 3e-4);
+      EXPECT_NEAR(std::stod(rows()[2].at("peak_force")) / 2762.535, 1., 3e-4);
+    }
+
+
+
+    TEST_F(Validation, MassStudyOfThePaper)
+    {
+      const std::string scene = SCENES "/paper-mass-study.prm";
+      ASSERT_EQ(sweep(scene), 0) << err;
+      std::vector<double> eta;
+      for (const Row &row : rows())
+        eta.push_back(std::stod(row.at("discretization_error")));
+      ASSERT_EQ(eta.size(), 3u);
+      EXPECT_GT(eta[0], eta[1]);
+      EXPECT_GT(eta[1], eta[2]);
+
+      ASSERT_EQ(sweep(scene, "--set 'Adaptivity/Strategy=hanging nodes'"), 0)
+        << err;
+      // high-order reference: P4_mass0.037_steelE
+      EXPECT_NEAR(std::stod(rows()[1].at("peak_force")) / 768.8869, 1., 3e-4);
+    }
   } // namespace
 } // namespace PlateImpact

@@ -20,13 +20,12 @@ namespace PlateImpact
 
     /// On a uniform mesh of the best element.
     PlateModel
-    coarse_plate(const Parameters                  &parameters,
+    coarse_plate(Parameters                         parameters,
                  const std::array<unsigned int, 2> &n_cells)
     {
-      DiscretizationParameters discretization = parameters.discretization;
-      discretization.element                  = ElementType::MITC9;
+      parameters.discretization.element = ElementType::MITC9;
       return {parameters.plate,
-              discretization,
+              parameters.discretization,
               make_plate_mesh(parameters.plate, n_cells)};
     }
 
@@ -79,12 +78,9 @@ namespace PlateImpact
     std::pair<double, double>
     cost_by_two_meshes(Parameters parameters)
     {
-      // by which the bar falls when every cell is halved: the median of random
-      // heavy impactors, whose peaks are late (doc/make/error_bars.py)
-      constexpr double      fall_by_halved_cells = 9.;
-      AdaptivityParameters &adaptivity           = parameters.adaptivity;
-      const bool            has_more = adaptivity.maximum_cycles > 2;
-      adaptivity.maximum_cycles      = std::min(2u, adaptivity.maximum_cycles);
+      AdaptivityParameters &adaptivity = parameters.adaptivity;
+      const bool            has_more   = adaptivity.maximum_cycles > 2;
+      adaptivity.maximum_cycles = std::min(2u, adaptivity.maximum_cycles);
       ImpactAnalysis analysis(parameters, nullptr, Wanted{true, false, 0});
       analysis.run();
       const CycleResult &result = analysis.last_cycle().result;
@@ -93,11 +89,11 @@ namespace PlateImpact
       if (has_more && !adaptivity.is_for_peak_force())
         growth = std::max(1., result.error->eta / adaptivity.target_error);
       else if (has_more && bar && bar->total() > adaptivity.target())
-        growth =
-          std::pow(4., // once at least
-                   std::max(1.,
-                            std::log(bar->total() / adaptivity.target()) /
-                              std::log(fall_by_halved_cells)));
+        // halved once at least, each time the bar falls to a ninth: the median
+        // of random heavy impactors (doc/make/error_bars.py)
+        growth = std::max(4.,
+                          std::pow(bar->total() / adaptivity.target(),
+                                   std::log(4.) / std::log(9.)));
       return {has_more ?
                 std::min(growth * result.cells, 1. * adaptivity.maximum_cells) :
                 result.cells,
@@ -395,10 +391,9 @@ namespace PlateImpact
       void
       add_sweep()
       {
-        const Parameters &given    = scene.given;
-        const SweepPlan  &plan     = scene.sweep;
-        const std::size_t n_points = plan.n_points;
-        if (n_points == 0)
+        const Parameters &given = scene.given;
+        const SweepPlan  &plan  = scene.sweep;
+        if (plan.n_points == 0)
           return;
         const bool is_adaptive = plan.may_adapt(given);
         const bool has_own_meshes =
@@ -406,16 +401,17 @@ namespace PlateImpact
         const SweepGroups groups(plan, given);
         const std::string reason = what_keeps_loads_apart(given, plan);
         const std::size_t n_plates =
-          has_own_meshes ? n_points : groups.groups.size();
+          has_own_meshes ? plan.n_points : groups.groups.size();
         // what impactors choose is rounded, so that they differ in some hundred
         // ways
         const bool has_own_loads = has_own_meshes || given.sweep.estimate_error;
-        const std::size_t n_loads = has_own_loads ? n_points :
+        const std::size_t n_loads = has_own_loads ? plan.n_points :
           reason.empty()                          ? groups.n_loads :
-                           std::min(n_points, 200 * groups.n_loads);
+                           std::min(plan.n_points, 200 * groups.n_loads);
 
         text += "\nSweep\n";
-        line("points", counted(n_points, "impact") + " of " + plan.names());
+        line("points",
+             counted(plan.n_points, "impact") + " of " + plan.names());
         line("models",
              format(
                "{}{}{}{} to a load{}",

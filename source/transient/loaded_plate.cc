@@ -280,15 +280,19 @@ namespace PlateImpact
     if (!scheme.conserves_energy || !system.is_linear ||
         history.peak().force <= 0. || peak > most_steps_to_peak * scheme.dt)
       return {};
+    // from where on the sum of absolute values says too much, on random scenes
+    const bool is_late = peak >
+      3. * return_of_waves(parameters.plate, make_zener_impact(parameters));
     // on the mesh it would take three more transients up to the peak
     std::unique_ptr<RitzReduction> own;
     if (is_stepped_on_the_mesh())
       {
         TimeParameters to_peak = parameters.time;
         to_peak.integrator     = IntegratorType::Ritz_vectors;
-        to_peak.end_time       = scheme.dt *
-          std::min(1. * scheme.n_steps,
-                   std::ceil(past_ripples * peak / scheme.dt));
+        to_peak.end_time       = is_late ? scheme.dt *
+            std::min(1. * scheme.n_steps,
+                     std::ceil(past_ripples * peak / scheme.dt)) :
+                                           peak;
         to_peak.time_step      = scheme.dt;
         to_peak.ritz_tolerance = 1e-2; // vectors for the error alone
         own = std::make_unique<RitzReduction>(reduction->mesh,
@@ -307,8 +311,6 @@ namespace PlateImpact
                    std::max(32u, of_dual.n_states_at_once() / 2)),
       &of_dual,
       std::move(own),
-      // chosen on random scenes
-      peak >
-        3. * return_of_waves(parameters.plate, make_zener_impact(parameters))};
+      is_late};
   }
 } // namespace PlateImpact

@@ -27,15 +27,15 @@ namespace PlateImpact
     const Eigen::ArrayXd energies = apart.eigenvalues();
     const Eigen::Index   n_apart =
       (energies > 1e-8 * energies.maxCoeff()).count();
+    if (n_apart == 0 || !energies.allFinite() || !missed.allFinite())
+      throw ComputationError(
+        "the energies that the mesh misses are not finite");
     const Eigen::MatrixXd unit = apart.eigenvectors().rightCols(n_apart) *
       energies.tail(n_apart).rsqrt().matrix().asDiagonal();
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> of_missed(
       unit.transpose() * missed.selfadjointView<Eigen::Lower>() * unit);
     const Eigen::ArrayXd of_each = of_missed.eigenvalues(),
                          loss    = of_each / (1. + of_each);
-    if (n_apart == 0 || !loss.allFinite())
-      throw ComputationError(
-        "the energies that the mesh misses are not finite");
     // the last ones: no force shows less
     const Eigen::Index n = (loss > 1e-7).count();
     lost = forces * unit * of_missed.eigenvectors().rightCols(n) *

@@ -22,7 +22,7 @@ namespace PlateImpact
     /// signs.
     Eigen::VectorXd cells;
 
-    /// Of a peak that comes after waves are back from an edge: how far the
+    /// Of a peak that comes after waves are back three times: how far the
     /// force moves where the plate is softer by the energies that the recovery
     /// finds missing. The larger of the change of its peak, and of a share of
     /// the root mean square around it, since one force may agree by accident.

@@ -80,7 +80,7 @@ namespace PlateImpact
     DualMotions                    motions;
     SemidiscreteSystem            *system;
     std::unique_ptr<RitzReduction> own_reduction; ///< null: shared
-    bool peak_is_late; ///< after waves are back from an edge
+    bool peak_is_late; ///< after waves are back three times
   };
 
 
