@@ -167,7 +167,7 @@ def damped_scene(number):
 CLASSES = {"elastic": (random_scene, 200, TRUE_TARGETS),
            "laminates": (laminate_scene, 60, TRUE_TARGETS),
            "yielding": (yielding_scene, 100, TRUE_TARGETS),
-           "late peaks": (late_scene, 170, LATE_TARGETS),
+           "heavy impactors": (late_scene, 170, LATE_TARGETS),
            "damped": (damped_scene, 30, LATE_TARGETS)}
 
 
@@ -245,6 +245,7 @@ def bars_of_scene(program, number, known=None, of_class="elastic"):
                     {"run": name, "cells": cycle["cells"], "bar": bar, "error": error,
                      "space": cycle.get("peak_force_error_space"),
                      "time": cycle.get("peak_force_error_time"), "last": is_last,
+                     "late": cycle["returns_of_waves"] > 1,
                      "outcome": summary["outcome"] if is_last else ""})
     return result
 
@@ -254,6 +255,13 @@ def judged(meshes):
     ratios = [mesh["bar"] / max(mesh["error"], 1e-12) for mesh in meshes]
     return {"bars": len(ratios), "held": sum(ratio >= 1 for ratio in ratios),
             "median": statistics.median(ratios) if ratios else None}
+
+
+def of_peaks(scenes, late):
+    """Bars of all peaks that come before waves are back from the edges, or after."""
+    meshes = [mesh for scene in scenes for mesh in scene["meshes"]
+              if mesh.get("bar") and mesh["late"] == late]
+    return {"all": judged(meshes), "ends": judged([mesh for mesh in meshes if mesh["last"]])}
 
 
 def summary(scenes):

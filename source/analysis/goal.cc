@@ -68,7 +68,7 @@ namespace PlateImpact
     // ripples of the force tell what that was worth. Halfway to the ratio of
     // halving at least, in the order of before, by which some strategies
     // choose.
-    else if (result.peak_force_bar && result.peak_is_late &&
+    else if (result.peak_force_bar && result.returns_of_waves > 1. &&
              result.history->peak_is_on_ripples())
       {
         for (double &ratio : ratios.elements)

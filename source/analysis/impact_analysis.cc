@@ -158,7 +158,7 @@ namespace PlateImpact
                              " steps; choose a larger Time/Time step, or "
                              "Adaptivity/Goal = energy norm");
     Judgement worth;
-    worth.peak_is_late     = time_control->is_late(*result.history);
+    worth.returns_of_waves = time_control->returns_of_waves(*result.history);
     worth.mesh_part_of_bar = mesh_part_of_bar();
     if (worth.mesh_part_of_bar && result.time_error)
       worth.peak_force_bar = PeakForceBar{*worth.mesh_part_of_bar,

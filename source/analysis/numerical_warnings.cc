@@ -47,7 +47,7 @@ namespace PlateImpact
             // the mesh has its share of a target for the force
             const double error  = *result.time_error,
                          wanted = adaptivity.is_for_peak_force() ?
-              share_of_step(result.peak_is_late) *
+              share_of_step(result.returns_of_waves) *
                 adaptivity.target_peak_force_error :
               1e-3;
             if (error <= (adaptivity.is_for_peak_force() ?

@@ -51,7 +51,7 @@ namespace PlateImpact
     Window       next{Extent::to_peak,
                 last.step,
                 std::max(last.to_peak, reserve * peak)};
-    if (!is_late(history))
+    if (returns_of_waves(history) <= 1.)
       return next;
     // waves that return may bring a larger force as long as the contact lasts
     if (scene.time.end_time == 0.)
@@ -76,7 +76,7 @@ namespace PlateImpact
     if (last.extent == Extent::peak_search)
       {
         next.extent = Extent::to_peak;
-        if (!is_late(*seen.history))
+        if (returns_of_waves(*seen.history) <= 1.)
           return next;
         next = with_peak(last, *seen.history);
         if (scene.time.step_is_chosen)
@@ -107,7 +107,7 @@ namespace PlateImpact
     const double mesh_error = seen.peak_force_bar ? seen.peak_force_bar->space :
       seen.peak_force_error ? seen.peak_force_error->bar() :
                               0.;
-    const double share      = share_of_step(is_late(*seen.history));
+    const double share      = share_of_step(returns_of_waves(*seen.history));
     const double most =
       std::max(share * scene.adaptivity.target_peak_force_error,
                0.1 * mesh_error);

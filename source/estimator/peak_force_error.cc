@@ -12,22 +12,23 @@ namespace PlateImpact
   namespace
   {
     /// How far the force moves on a plate that is softer by what recovery finds
-    /// missing, relative to its peak.
+    /// missing, relative to its peak. One force may agree by accident, so all
+    /// around it count, the less the more waves sum up in them.
     double
     change_on_softer_plate(const LoadedPlate        &loaded,
-                           SemidiscreteSystem       &system,
+                           const PeakForceProblem   &problem,
                            const DualWeightedErrors &errors,
                            const ContactHistory     &history)
     {
+      SemidiscreteSystem &system = *problem.system;
       SoftenedSystem softer(system, errors.motions, errors.missed_energies);
       const ContactHistory of_softer = loaded.on_other_plate(softer, history);
-      // vectors that serve the estimate alone have errors of their own
-      const ContactHistory here = &system == &loaded.system ?
-        history :
-        loaded.on_other_plate(system, history);
+      // in the same steps and vectors, which have errors of their own
+      const ContactHistory here = loaded.on_other_plate(system, history);
       const ContactState  &peak = here.peak();
       return std::max(std::abs(of_softer.peak().force - peak.force),
-                      0.3 * of_softer.difference_around(peak.time, here)) /
+                      of_softer.difference_around(peak.time, here) /
+                        std::sqrt(problem.returns_of_waves)) /
         peak.force;
     }
   } // namespace
@@ -93,9 +94,9 @@ namespace PlateImpact
     // the sum of absolute values, which is larger, stays where that fails
     try
       {
-        if (problem->peak_is_late)
+        if (problem->returns_of_waves > 1.)
           result.of_softer_plate =
-            change_on_softer_plate(loaded, *problem->system, errors, history);
+            change_on_softer_plate(loaded, *problem, errors, history);
       }
     catch (const ComputationError &)
       {}

@@ -215,7 +215,8 @@ namespace PlateImpact
       cycle["plate_displacement_at_peak"] = impact.peak.plate_displacement;
       if (result.error)
         add_stresses(impact, cycle);
-      cycle.update({{"steps", result.steps},
+      cycle.update({{"returns_of_waves", result.returns_of_waves},
+                    {"steps", result.steps},
                     {"end_time", end_time},
                     {"time_step", end_time / result.steps},
                     {"work",

@@ -238,8 +238,15 @@ namespace PlateImpact
   LoadedPlate::on_other_plate(SemidiscreteSystem   &other,
                               const ContactHistory &history) const
   {
-    return history_until(past_ripples * history.peak().time,
-                         {scheme, other, contact, impactor});
+    const double   peak   = history.peak().time;
+    TimeParameters longer = parameters.time;
+    // a difference needs no steps as small as the force itself
+    longer.time_step =
+      scheme.dt * std::max(1., std::floor(peak / (4000. * scheme.dt)));
+    longer.end_time = past_ripples * peak;
+    return history_until(
+      longer.end_time,
+      {{longer, scheme.integration}, other, contact, impactor});
   }
 
 
@@ -280,19 +287,18 @@ namespace PlateImpact
     if (!scheme.conserves_energy || !system.is_linear ||
         history.peak().force <= 0. || peak > most_steps_to_peak * scheme.dt)
       return {};
-    // from where on the sum of absolute values says too much, on random scenes
-    const bool is_late = peak >
-      3. * return_of_waves(parameters.plate, make_zener_impact(parameters));
+    const double returns_of_waves =
+      peak / return_of_waves(parameters.plate, make_zener_impact(parameters));
     // on the mesh it would take three more transients up to the peak
     std::unique_ptr<RitzReduction> own;
     if (is_stepped_on_the_mesh())
       {
         TimeParameters to_peak = parameters.time;
         to_peak.integrator     = IntegratorType::Ritz_vectors;
-        to_peak.end_time       = is_late ? scheme.dt *
+        to_peak.end_time       = returns_of_waves > 1. ? scheme.dt *
             std::min(1. * scheme.n_steps,
                      std::ceil(past_ripples * peak / scheme.dt)) :
-                                           peak;
+                                                         peak;
         to_peak.time_step      = scheme.dt;
         to_peak.ritz_tolerance = 1e-2; // vectors for the error alone
         own = std::make_unique<RitzReduction>(reduction->mesh,
@@ -311,6 +317,6 @@ namespace PlateImpact
                    std::max(32u, of_dual.n_states_at_once() / 2)),
       &of_dual,
       std::move(own),
-      is_late};
+      returns_of_waves};
   }
 } // namespace PlateImpact

@@ -83,7 +83,7 @@ namespace PlateImpact
     /// none on blind meshes.
     std::optional<double>       mesh_part_of_bar;
     std::optional<PeakForceBar> peak_force_bar;
-    bool peak_is_late = false; ///< after waves are back from the edges
+    double returns_of_waves = 0.; ///< from the nearest edge before the peak
   };
 
   /// Result of one mesh: the last transient on it, and what it is worth.

@@ -30,9 +30,9 @@ namespace PlateImpact
   /// before a late peak, where a step costs next to nothing in Ritz vectors, it
   /// is less.
   constexpr double
-  share_of_step(const bool peak_is_late)
+  share_of_step(const double returns_of_waves)
   {
-    return peak_is_late ? 0.1 : 0.3;
+    return returns_of_waves > 1. ? 0.1 : 0.3;
   }
 
 
@@ -81,11 +81,11 @@ namespace PlateImpact
         (end > 0. && seen.history->states.back().time >= (1. - 1e-9) * end);
     }
 
-    /// Whether waves are back from the nearest edge before the peak.
-    bool
-    is_late(const ContactHistory &history) const
+    /// How many times waves are back from the nearest edge before the peak.
+    double
+    returns_of_waves(const ContactHistory &history) const
     {
-      return history.peak().time > waves_are_back;
+      return history.peak().time / waves_are_back;
     }
 
     /// The scene with the end time and the step of a window.

@@ -12,7 +12,7 @@
 namespace PlateImpact
 {
   /// Covers what estimates miss: calibrated on random scenes (doc/theory.md).
-  constexpr double safety_of_bar = 1.55, safety_of_late_bar = 1.45;
+  constexpr double safety_of_bar = 1.55, safety_of_late_bar = 1.4;
 
   /// Estimated error of the peak force by the mesh: computed less exact,
   /// relative to the peak.
@@ -22,10 +22,10 @@ namespace PlateImpact
     /// signs.
     Eigen::VectorXd cells;
 
-    /// Of a peak that comes after waves are back three times: how far the
-    /// force moves where the plate is softer by the energies that the recovery
-    /// finds missing. The larger of the change of its peak, and of a share of
-    /// the root mean square around it, since one force may agree by accident.
+    /// Of a peak that comes after waves are back: how far the force moves where
+    /// the plate is softer by the energies that the recovery finds missing. The
+    /// larger of the change of its peak, and of a share of the root mean square
+    /// around it.
     std::optional<double> of_softer_plate;
 
     /// The mesh's part of the error bar. Where waves pass once it is the sum of
