@@ -36,12 +36,6 @@ namespace PlateImpact
         x = (K + c * M).llt().solve(b);
       }
 
-      double
-      static_compliance() override
-      {
-        return K.inverse()(0, 0);
-      }
-
       const Eigen::MatrixXd K, M;
     };
 

@@ -208,7 +208,8 @@ def true_force(program, entries, targets):
         if change > bar:
             return None, None, f"not confirmed: {last['verification']}, bar {bar}"
         # what halving the cells has changed, and what it has not touched
-        left = 1.5 * change + bar - last["peak_force_error_space"]
+        left = 1.5 * change + max(bar - last["peak_force_error_space"],
+                                  last["peak_force_error_time"])
         return last["peak_force"], min(bar, left), ""
     return None, None, "; ".join(why)
 

@@ -161,9 +161,11 @@ namespace PlateImpact
     worth.returns_of_waves = time_control->returns_of_waves(*result.history);
     worth.mesh_part_of_bar = mesh_part_of_bar();
     if (worth.mesh_part_of_bar && result.time_error)
-      worth.peak_force_bar = PeakForceBar{*worth.mesh_part_of_bar,
-                                          *result.time_error,
-                                          result.vector_error};
+      worth.peak_force_bar =
+        PeakForceBar{*worth.mesh_part_of_bar,
+                     *result.time_error,
+                     result.vector_error,
+                     result.peak_force_error->of_softer_plate.has_value()};
     if (!result.error)
       return worth;
     worth.error_ratios = result.error->ratios(adaptivity.target_error);

@@ -44,15 +44,13 @@ namespace PlateImpact
       {
         if (result.time_error)
           {
+            const double error = *result.time_error;
             // the mesh has its share of a target for the force
-            const double error  = *result.time_error,
-                         wanted = adaptivity.is_for_peak_force() ?
-              share_of_step(result.returns_of_waves) *
-                adaptivity.target_peak_force_error :
-              1e-3;
-            if (error <= (adaptivity.is_for_peak_force() ?
-                            0.5 * adaptivity.target() :
-                            wanted))
+            const auto [most, wanted] = adaptivity.is_for_peak_force() ?
+              std::pair(0.5 * adaptivity.target(),
+                        share_of_step * adaptivity.target()) :
+              std::pair(1e-3, 1e-3);
+            if (error <= most)
               return;
             const unsigned int order =
               NewmarkScheme(time, contact.integration).order;

@@ -107,9 +107,8 @@ namespace PlateImpact
     const double mesh_error = seen.peak_force_bar ? seen.peak_force_bar->space :
       seen.peak_force_error ? seen.peak_force_error->bar() :
                               0.;
-    const double share      = share_of_step(returns_of_waves(*seen.history));
     const double most =
-      std::max(share * scene.adaptivity.target_peak_force_error,
+      std::max(share_of_step * scene.adaptivity.target_peak_force_error,
                0.1 * mesh_error);
     // without an estimate the step is of the order of the rise
     const double error = seen.time_error.value_or(16. * most);

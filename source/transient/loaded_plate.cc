@@ -17,18 +17,6 @@ namespace PlateImpact
 
 
 
-    ContactHistory
-    history_until(const double until, TimeStepper stepper)
-    {
-      const ContactHistory &history = stepper.impact().history;
-      while (history.states.size() <= stepper.scheme.n_steps &&
-             stepper.state().time < until)
-        stepper.advance();
-      return history;
-    }
-
-
-
     void
     require_energy(const Parameters &parameters, const ContactHistory &history)
     {
@@ -196,15 +184,10 @@ namespace PlateImpact
     // three states make a peak
     const bool   is_on_ripples = history.peak_is_on_ripples();
     const double until =
-      std::max(time + 3. * scheme.dt, is_on_ripples ? past_ripples * time : 0.);
-    const auto in_longer_steps = [&](const unsigned int factor) {
-      TimeParameters longer = parameters.time;
-      longer.time_step      = factor * scheme.dt;
-      longer.end_time =
-        longer.time_step * ((scheme.n_steps + factor - 1) / factor);
-      return history_until(until, steps(longer));
-    };
-    const ContactHistory doubled = in_longer_steps(2);
+      std::min(scheme.n_steps * scheme.dt,
+               std::max(time + 3. * scheme.dt,
+                        is_on_ripples ? past_ripples * time : 0.));
+    const ContactHistory doubled = in_longer_steps(2, system, until);
     double               change  = doubled.peak_of_curve() - peak;
     if (const unsigned int last = scheme.n_steps;
         time == history.states[last].time)
@@ -218,7 +201,7 @@ namespace PlateImpact
         // such a peak may change little by accident where the ripples change
         // much, and these by less than the order tells while their phases do;
         // 1.25 covers 95 of 100 random heavy impactors
-        const ContactHistory fourfold = in_longer_steps(4);
+        const ContactHistory fourfold = in_longer_steps(4, system, until);
         const double         around = doubled.difference_around(time, history),
                      before         = fourfold.difference_around(time, doubled),
                      change_before  = std::abs(fourfold.peak_of_curve() -
@@ -238,15 +221,28 @@ namespace PlateImpact
   LoadedPlate::on_other_plate(SemidiscreteSystem   &other,
                               const ContactHistory &history) const
   {
-    const double   peak   = history.peak().time;
-    TimeParameters longer = parameters.time;
+    const double peak = history.peak().time;
     // a difference needs no steps as small as the force itself
-    longer.time_step =
-      scheme.dt * std::max(1., std::floor(peak / (4000. * scheme.dt)));
-    longer.end_time = past_ripples * peak;
-    return history_until(
-      longer.end_time,
-      {{longer, scheme.integration}, other, contact, impactor});
+    return in_longer_steps(std::max(1., peak / (4000. * scheme.dt)),
+                           other,
+                           past_ripples * peak);
+  }
+
+
+
+  ContactHistory
+  LoadedPlate::in_longer_steps(const unsigned int  factor,
+                               SemidiscreteSystem &plate,
+                               const double        until) const
+  {
+    TimeParameters longer = parameters.time;
+    longer.time_step      = factor * scheme.dt;
+    longer.end_time =
+      longer.time_step * std::ceil(until / longer.time_step * (1. - 1e-9));
+    TimeStepper stepper({longer, scheme.integration}, plate, contact, impactor);
+    for (unsigned int n = 0; n < stepper.scheme.n_steps; ++n)
+      stepper.advance();
+    return stepper.impact().history;
   }
 
 
@@ -295,10 +291,9 @@ namespace PlateImpact
       {
         TimeParameters to_peak = parameters.time;
         to_peak.integrator     = IntegratorType::Ritz_vectors;
-        to_peak.end_time       = returns_of_waves > 1. ? scheme.dt *
-            std::min(1. * scheme.n_steps,
-                     std::ceil(past_ripples * peak / scheme.dt)) :
-                                                         peak;
+        to_peak.end_time       = scheme.dt *
+          std::round((returns_of_waves > 1. ? past_ripples : 1.) * peak /
+                     scheme.dt);
         to_peak.time_step      = scheme.dt;
         to_peak.ritz_tolerance = 1e-2; // vectors for the error alone
         own = std::make_unique<RitzReduction>(reduction->mesh,

@@ -26,14 +26,8 @@ namespace PlateImpact
   };
 
 
-  /// The part of a target for the peak force that the time step may take;
-  /// before a late peak, where a step costs next to nothing in Ritz vectors, it
-  /// is less.
-  constexpr double
-  share_of_step(const double returns_of_waves)
-  {
-    return returns_of_waves > 1. ? 0.1 : 0.3;
-  }
+  /// The part of a target for the peak force that the time step may take.
+  constexpr double share_of_step = 0.3;
 
 
   /// How long a plate is watched on a mesh and in which steps: with the goal

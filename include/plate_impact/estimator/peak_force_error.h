@@ -6,13 +6,14 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <cstddef>
 #include <optional>
 
 namespace PlateImpact
 {
   /// Covers what estimates miss: calibrated on random scenes (doc/theory.md).
-  constexpr double safety_of_bar = 1.55, safety_of_late_bar = 1.4;
+  constexpr double safety_of_bar = 1.55;
 
   /// Estimated error of the peak force by the mesh: computed less exact,
   /// relative to the peak.
@@ -35,8 +36,7 @@ namespace PlateImpact
     double
     bar() const
     {
-      return of_softer_plate ? safety_of_late_bar * *of_softer_plate :
-                               safety_of_bar * cells.lpNorm<1>();
+      return safety_of_bar * of_softer_plate.value_or(cells.lpNorm<1>());
     }
   };
 
@@ -80,11 +80,15 @@ namespace PlateImpact
   struct PeakForceBar
   {
     double space = 0., time = 0., vectors = 0.;
+    bool   is_on_softer_plate = false; ///< space
 
+    /// Of late peaks, which move with the ripples that they are on, errors by
+    /// mesh and step have either sign.
     double
     total() const
     {
-      return space + time + vectors;
+      return (is_on_softer_plate ? std::hypot(space, time) : space + time) +
+        vectors;
     }
   };
 

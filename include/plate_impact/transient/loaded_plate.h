@@ -153,6 +153,11 @@ namespace PlateImpact
     }
 
   private:
+    ContactHistory
+    in_longer_steps(unsigned int        factor,
+                    SemidiscreteSystem &plate,
+                    double              until) const;
+
     const Parameters                     parameters;
     const NewmarkScheme                  scheme;
     const std::shared_ptr<RitzReduction> reduction;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -138,9 +139,13 @@ namespace PlateImpact
     solve(double c, const Eigen::VectorXd &b, Eigen::VectorXd &x) = 0;
 
     /// u^T K^-1 u, the displacement under a constant unit force, or any bound
-    /// above it; infinite for a plate that is free to move. [m/N]
+    /// above it; infinite where none is known, or the plate is free to move.
+    /// [m/N]
     virtual double
-    static_compliance() = 0;
+    static_compliance()
+    {
+      return std::numeric_limits<double>::infinity();
+    }
 
     /// From rest, in steps of a scheme; by default the motion of a linear
     /// plate. The system must outlive it.

@@ -4,7 +4,6 @@
 
 #include <Eigen/Core>
 
-#include <limits>
 #include <optional>
 
 namespace PlateImpact
@@ -33,13 +32,6 @@ namespace PlateImpact
 
     void
     solve(double c, const Eigen::VectorXd &b, Eigen::VectorXd &x) override;
-
-    /// No bound is known.
-    double
-    static_compliance() override
-    {
-      return std::numeric_limits<double>::infinity();
-    }
 
   private:
     SemidiscreteSystem   &plate;
