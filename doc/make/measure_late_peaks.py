@@ -61,7 +61,7 @@ def process(program, more, scene=BALL):
 def beside_equal_cells(program, scene):
     """The mesh of the goal, and equal cells of about the same number in the same steps."""
     goal = process(program, {**GOAL, TARGET: 0.01}, scene)
-    near = process(program, {**GOAL, TARGET: 1e-3, "Adaptivity/Verify": "true",
+    near = process(program, {**GOAL, TARGET: 2e-3, "Adaptivity/Verify": "true",
                              "Adaptivity/Maximum cycles": 30}, scene)
     # a quarter of a circle is made of three parts
     parts = 3 if "Plate/Outline" in scene else 1
