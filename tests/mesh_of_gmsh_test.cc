@@ -46,6 +46,21 @@ namespace PlateImpact
         gmsh::write(path.string());
         return text(path);
       }
+
+      /// The sentence that a file is refused with.
+      std::string
+      refusal(const std::string &text)
+      {
+        try
+          {
+            read_plate_file(write(text));
+          }
+        catch (const InputError &error)
+          {
+            return error.what();
+          }
+        return "";
+      }
     };
 
 
@@ -185,19 +200,40 @@ namespace PlateImpact
 
 
 
+    TEST_F(MeshOfGmsh, IsRefusedWhereItIsNoPlate)
+    {
+      const std::string nodes =
+        "$Nodes\n11\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 2 0 0\n6 1 0 0\n"
+        "7 2 1 0\n8 3 0 0\n9 4 0 0\n10 4 1 0\n11 3 1 0\n$EndNodes\n";
+      const auto elements = [](const std::string &lines) {
+        return "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n@$Elements\n" + lines +
+          "$EndElements\n";
+      };
+      const std::string square = "1 3 2 1 1 1 2 3 4\n";
+      const std::vector<std::pair<std::string, std::string>> cases = {
+        {"nothing", "is no mesh of Gmsh"},
+        {elements("1\n1 2 2 1 1 1 2 3\n"), "Triangle"},
+        {elements("1\n1 1 2 1 1 1 2\n"), "no quadrilaterals"},
+        {elements("1\n1 3 2 1 1 1 2 4 3\n"), "convex"},
+        {elements("2\n" + square + "2 3 2 1 1 6 5 7 3\n"), "crack"},
+        {elements("2\n" + square + "2 3 2 1 1 8 9 10 11\n"), "do not touch"},
+        {elements("3\n" + square + "2 3 2 1 1 2 5 7 3\n3 1 2 7 7 2 3\n"),
+         "'7' that is no edge"}};
+      for (const auto &[content, words] : cases)
+        {
+          std::string file = content;
+          if (const auto at = file.find('@'); at != std::string::npos)
+            file.replace(at, 1, nodes);
+          EXPECT_NE(refusal(file).find(words), std::string::npos)
+            << words << ": " << refusal(file);
+        }
+      EXPECT_EQ(refusal(text(meshes.front())), "");
+    }
+
+
+
     TEST_F(MeshOfGmsh, OtherKindsAreRefusedWithWhatToSave)
     {
-      const auto refusal = [this](const std::string &content) {
-        try
-          {
-            read_plate_file(write(content));
-            return std::string();
-          }
-        catch (const InputError &error)
-          {
-            return std::string(error.what());
-          }
-      };
       const std::string &mesh = meshes.front();
       for (const auto &[content, words] :
            {std::pair(written_by_gmsh(mesh, 1.), "no mesh of Gmsh"),

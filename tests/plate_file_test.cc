@@ -3,7 +3,6 @@
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold_lib.h>
 
-#include "plate_impact/base/exceptions.h"
 #include "plate_impact/plate/plate_file.h"
 #include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
@@ -45,21 +44,6 @@ namespace PlateImpact
       {
         EXPECT_EQ(run(main_scene, sets), 0) << err;
         return last_cycle();
-      }
-
-      /// The sentence that a file is refused with.
-      std::string
-      refusal(const std::string &text)
-      {
-        try
-          {
-            read_plate_file(write(text));
-          }
-        catch (const InputError &error)
-          {
-            return error.what();
-          }
-        return "";
       }
     };
 
@@ -366,40 +350,6 @@ namespace PlateImpact
         << err;
       EXPECT_NE((out + err).find("rectangles only"), std::string::npos)
         << out << err;
-    }
-
-
-
-    TEST_F(PlateFromFile, RefusesWhatIsNoPlate)
-    {
-      const std::string nodes =
-        "$Nodes\n11\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 2 0 0\n6 1 0 0\n"
-        "7 2 1 0\n8 3 0 0\n9 4 0 0\n10 4 1 0\n11 3 1 0\n$EndNodes\n";
-      const auto elements = [](const std::string &lines) {
-        return "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n@$Elements\n" + lines +
-          "$EndElements\n";
-      };
-      const std::string square = "1 3 2 1 1 1 2 3 4\n";
-      const std::vector<std::pair<std::string, std::string>> cases = {
-        {"nothing", "is no mesh of Gmsh"},
-        {elements("1\n1 2 2 1 1 1 2 3\n"), "Triangle"},
-        {elements("1\n1 1 2 1 1 1 2\n"), "no quadrilaterals"},
-        {elements("1\n1 3 2 1 1 1 2 4 3\n"), "convex"},
-        {elements("2\n" + square + "2 3 2 1 1 6 5 7 3\n"), "crack"},
-        {elements("2\n" + square + "2 3 2 1 1 8 9 10 11\n"), "do not touch"},
-        {elements("3\n" + square + "2 3 2 1 1 2 5 7 3\n3 1 2 7 7 2 3\n"),
-         "'7' that is no edge"}};
-      for (const auto &[text, words] : cases)
-        {
-          std::string file = text;
-          if (const auto at = file.find('@'); at != std::string::npos)
-            file.replace(at, 1, nodes);
-          EXPECT_NE(refusal(file).find(words), std::string::npos)
-            << words << ": " << refusal(file);
-        }
-      Triangulation<2> mesh;
-      make_square(mesh, 1);
-      EXPECT_EQ(refusal(msh(mesh, {})), "");
     }
 
 

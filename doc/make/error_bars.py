@@ -258,11 +258,16 @@ def judged(meshes):
             "median": statistics.median(ratios) if ratios else None}
 
 
+def all_and_ends(meshes):
+    """Of all meshes, and of the last ones of their runs."""
+    return {"all": judged(meshes), "ends": judged([mesh for mesh in meshes if mesh["last"]])}
+
+
 def of_peaks(scenes, late):
     """Bars of all peaks that come before waves are back from the edges, or after."""
     meshes = [mesh for scene in scenes for mesh in scene["meshes"]
               if mesh.get("bar") and mesh["late"] == late]
-    return {"all": judged(meshes), "ends": judged([mesh for mesh in meshes if mesh["last"]])}
+    return all_and_ends(meshes)
 
 
 def summary(scenes):
@@ -274,8 +279,7 @@ def summary(scenes):
             "known": sum(scene["force"] is not None for scene in scenes),
             "failed": sum("failure" in mesh for mesh in meshes),
             "blind": sum("failure" not in mesh and mesh["bar"] is None for mesh in meshes),
-            "all": judged(with_bar),
-            "ends": judged([mesh for mesh in with_bar if mesh["last"]]),
+            **all_and_ends(with_bar),
             "elements": {element: judged([mesh for scene in scenes for mesh in scene["meshes"]
                                           if mesh.get("bar") and scene["element"] == element])
                          for element in sorted({scene["element"] for scene in scenes})},
