@@ -84,6 +84,39 @@ namespace PlateImpact
 
 
 
+    TEST(MeshAdaptation, EqualizedCellsAreNoLargerThanEqualOnes)
+    {
+      const auto mesh          = unit_square(4);
+      const auto hanging_nodes = adaptivity(AdaptationStrategy::hanging_nodes);
+      // cells half and twice as large are asked for: 4 and 1/4 for one, so
+      // that 34 equal cells are as many
+      ErrorRatios estimate =
+        errors(*mesh, [](const Point<2> &p) { return p[0] < 0.5 ? 4. : 0.25; });
+      EXPECT_TRUE(equalize(*mesh, estimate, hanging_nodes));
+      for (const double size : target_sizes(*mesh, estimate, hanging_nodes))
+        EXPECT_LE(size, 1. / std::sqrt(34.) + 1e-12);
+      EXPECT_EQ(*std::max_element(estimate.elements.begin(),
+                                  estimate.elements.end()),
+                4.);
+
+      // few cells are wanted, but there are many, of two sizes: the larger ones
+      // may have up to sqrt(2) times the size of equal ones
+      for (const double share_of_large : {0.25, 0.75})
+        {
+          const auto uneven = unit_square(4);
+          for (const auto &cell : uneven->active_cell_iterators())
+            if (cell->center()[0] > share_of_large)
+              cell->set_refine_flag();
+          uneven->execute_coarsening_and_refinement();
+          ErrorRatios little =
+            errors(*uneven, [](const Point<2> &) { return 0.01; });
+          EXPECT_EQ(equalize(*uneven, little, hanging_nodes),
+                    share_of_large < 0.5);
+        }
+    }
+
+
+
     TEST(MeshAdaptation, SeveralLevelsAtOnceWhereAskedFor)
     {
       const auto mesh       = unit_square(4);

@@ -89,6 +89,32 @@ namespace PlateImpact
 
 
   bool
+  equalize(const Triangulation<2>     &mesh,
+           ErrorRatios                &error,
+           const AdaptivityParameters &adaptivity)
+  {
+    double area = 0.; // of squares
+    for (const auto &cell : mesh.active_cell_iterators())
+      area += cell_size(cell) * cell_size(cell);
+    const double n_cells = std::max(
+      n_cells_of_sizes(mesh, target_sizes(mesh, error, adaptivity), adaptivity),
+      0.5 * mesh.n_active_cells());
+    const double equal     = std::sqrt(area / n_cells);
+    bool         is_larger = false;
+    for (const auto &cell : mesh.active_cell_iterators())
+      {
+        const CellSizing sizing(cell, adaptivity);
+        const double     ratio = cell_size(cell) / sizing.allowed(equal);
+        double          &one   = error.elements[cell->active_cell_index()];
+        one = std::max(one, std::pow(ratio, 1. / sizing.exponent));
+        is_larger |= ratio > 1. + 1e-9;
+      }
+    return is_larger;
+  }
+
+
+
+  bool
   is_smallest(const Triangulation<2>::cell_iterator &cell,
               const AdaptivityParameters            &adaptivity)
   {

@@ -1,5 +1,6 @@
 #include "plate_impact/analysis/goal.h"
 
+#include "plate_impact/adaptation/mesh_adaptation.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/plate/plate_mesh.h"
 
@@ -24,6 +25,36 @@ namespace PlateImpact
 
 
 
+  namespace
+  {
+    /// Ratios by which the largest cells are halved, until all are equal, and
+    /// then all. The order stays, by which some strategies choose.
+    void
+    halve_largest(const dealii::Triangulation<2> &mesh,
+                  const double                    size_exponent,
+                  ErrorRatios                    &ratios)
+    {
+      double sum = 0., area = 0.;
+      for (const auto &cell : mesh.active_cell_iterators())
+        {
+          sum += cell->measure() * cell_size(cell);
+          area += cell->measure();
+        }
+      ratios.overall = std::exp2(1. / size_exponent);
+      for (const auto &cell : mesh.active_cell_iterators())
+        {
+          double      &ratio = ratios.elements[cell->active_cell_index()];
+          const double size  = sum / area * (0.5 + 0.2 / (1. + ratio));
+          ratio =
+            std::clamp(std::pow(cell_size(cell) / size, 1. / size_exponent),
+                       1. / 3.,
+                       ratios.overall);
+        }
+    }
+  } // namespace
+
+
+
   /// Of the peak force every cell may have the same share of the target. The
   /// ratio is that of the roots, which fall with the cell size as errors in the
   /// energy norm do.
@@ -32,7 +63,12 @@ namespace PlateImpact
   {
     const CycleResult &result = cycle.result;
     if (!is_for_peak)
-      return result.error->ratios(target);
+      {
+        ErrorRatios ratios = result.error->ratios(target);
+        if (result.waves_are_everywhere)
+          equalize(cycle.mesh(), ratios, adaptivity);
+        return ratios;
+      }
     const double bar = error(result);
     // What the time step leaves to the mesh, but a tenth of what there is at
     // most: estimates on coarse meshes do not tell more.
@@ -50,6 +86,10 @@ namespace PlateImpact
       ratios.elements.push_back(
         std::max(least, std::sqrt(std::abs(cell) / share)));
     const double halving = std::exp2(1. / adaptivity.size_exponent);
+    // Waves that have come back many times are everywhere, and the largest
+    // cells disperse them most.
+    if (result.waves_are_everywhere)
+      halve_largest(cycle.mesh(), adaptivity.size_exponent, ratios);
     // Where there is no bar the mesh hides the load, or the waves that it sends
     // out, from the estimate: cells are halved once, whatever that says.
     if (!result.peak_force_bar && result.time_error)
@@ -63,18 +103,6 @@ namespace PlateImpact
             }
         ratios.overall = std::max(ratios.overall, halving);
       }
-    // Waves that have come back many times are everywhere, and what the cells
-    // contribute adds up with either sign: every cell is halved once, and the
-    // ripples of the force tell what that was worth. Halfway to the ratio of
-    // halving at least, in the order of before, by which some strategies
-    // choose.
-    else if (result.peak_force_bar && result.returns_of_waves > 1. &&
-             result.history->peak_is_on_ripples())
-      {
-        for (double &ratio : ratios.elements)
-          ratio = 1. + (halving - 1.) * (0.5 + 0.5 * ratio / (1. + ratio));
-        ratios.overall = halving;
-      }
     return ratios;
   }
 
@@ -85,7 +113,9 @@ namespace PlateImpact
   {
     const unsigned int n_exempt =
       adaptivity.singular_cells_count ? 0 : result.cells_at_minimum_size;
-    if (is_met(result) && (is_for_peak || result.cells_above_limit == n_exempt))
+    if (is_met(result) &&
+        (is_for_peak ||
+         (result.cells_above_limit == n_exempt && !result.is_uneven)))
       return Outcome::target_reached;
     // the mesh may have half of the target in any case
     if (is_for_peak && result.peak_force_bar &&
@@ -123,12 +153,15 @@ namespace PlateImpact
         ", is not met; choose more Maximum cycles, a smaller Minimum cell "
         "size or a larger target";
     if (adaptivity.is_adaptive() && !outcome(result))
-      return fmt::format(
-        "eta meets Adaptivity/Target error, but xi' is at least 1 in {} and "
-        "reaches {}; choose more Maximum cycles or a smaller Minimum cell "
-        "size",
-        counted(result.cells_above_limit, "cell"),
-        about(result.error_ratios->max_element()));
+      return result.cells_above_limit == 0 ?
+        "eta meets Adaptivity/Target error, but cells are too large for waves "
+        "that come back before the peak; choose more Maximum cycles" :
+        fmt::format(
+          "eta meets Adaptivity/Target error, but xi' is at least 1 in {} and "
+          "reaches {}; choose more Maximum cycles or a smaller Minimum cell "
+          "size",
+          counted(result.cells_above_limit, "cell"),
+          about(result.error_ratios->max_element()));
     return {};
   }
 } // namespace PlateImpact

@@ -159,6 +159,8 @@ namespace PlateImpact
                              "Adaptivity/Goal = energy norm");
     Judgement worth;
     worth.returns_of_waves = time_control->returns_of_waves(*result.history);
+    worth.waves_are_everywhere =
+      worth.returns_of_waves > 1. && result.history->peak_is_on_ripples();
     worth.mesh_part_of_bar = mesh_part_of_bar();
     if (worth.mesh_part_of_bar && result.time_error)
       worth.peak_force_bar =
@@ -176,6 +178,10 @@ namespace PlateImpact
           if (is_smallest(cell, adaptivity))
             ++worth.cells_at_minimum_size;
         }
+    ErrorRatios even = *worth.error_ratios;
+    worth.is_uneven  = worth.waves_are_everywhere &&
+      adaptivity.strategy != AdaptationStrategy::graded &&
+      equalize(current->mesh(), even, adaptivity);
     return worth;
   }
 

@@ -71,6 +71,14 @@ namespace PlateImpact
                    const std::vector<double>      &sizes,
                    const AdaptivityParameters     &adaptivity);
 
+  /// Raises errors so that the target of no cell is larger than the size of
+  /// equal cells of the same number.
+  /// @return whether a cell is larger than that
+  bool
+  equalize(const dealii::Triangulation<2> &mesh,
+           ErrorRatios                    &error,
+           const AdaptivityParameters     &adaptivity);
+
   /// Whether the minimum cell size forbids to refine a cell.
   bool
   is_smallest(const dealii::Triangulation<2>::cell_iterator &cell,

@@ -83,7 +83,9 @@ namespace PlateImpact
     /// none on blind meshes.
     std::optional<double>       mesh_part_of_bar;
     std::optional<PeakForceBar> peak_force_bar;
-    double returns_of_waves = 0.; ///< from the nearest edge before the peak
+    double returns_of_waves     = 0.; ///< from the nearest edge before the peak
+    bool   waves_are_everywhere = false; ///< back many times before the peak
+    bool   is_uneven            = false; ///< a mesh too uneven for them
   };
 
   /// Result of one mesh: the last transient on it, and what it is worth.
