@@ -2,10 +2,7 @@
 
 #include "plate_impact/base/exceptions.h"
 
-#include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
-#include <utility>
 
 namespace PlateImpact
 {

@@ -3,8 +3,6 @@
 #include "plate_impact/base/parameters.h"
 #include "plate_impact/plate/plate_section.h"
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace PlateImpact

@@ -4,8 +4,6 @@
 #include "plate_impact/contact/hertz_law.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace PlateImpact
 {

@@ -5,7 +5,6 @@
 #include "plate_impact/transient/softened_system.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace PlateImpact
 {

@@ -5,7 +5,6 @@
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/grid/grid_tools.h>
-#include <deal.II/lac/vector.h>
 #include <deal.II/numerics/rtree.h>
 #include <deal.II/numerics/vector_tools_interpolate.h>
 

@@ -1,6 +1,5 @@
 #include "plate_impact/scene/scene_checker.h"
 
-#include "plate_impact/base/text.h"
 #include "plate_impact/plate/plate_geometry.h"
 
 #include <algorithm>
