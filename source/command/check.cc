@@ -17,7 +17,6 @@ namespace PlateImpact
     using fmt::format;
 
 
-
     /// On a uniform mesh of the best element.
     PlateModel
     coarse_plate(Parameters                         parameters,

@@ -29,8 +29,6 @@ namespace PlateImpact
     /// long transients.
     constexpr unsigned int enough_reference_cells = 4000;
 
-
-
     /// The error that meshes are made for over that of the mesh before, above
     /// which cells at the minimum size keep a curve from going on.
     constexpr double least_progress = 0.95;

@@ -156,7 +156,6 @@ namespace PlateImpact
   };
 
 
-
   /// The unknown contact force phi of a time step. By collocation it is that of
   /// the law at the end of the step and acts there (eqs. 28-31 of the paper);
   /// at the beginning acts the force of the step before. Gains energy when the

@@ -26,8 +26,6 @@ namespace PlateImpact
     }
   };
 
-
-
   /// State of the impact at one time. Displacements are positive towards the
   /// plate; the plate's is the load-weighted one that enters the contact law.
   struct ContactState

@@ -11,8 +11,6 @@ namespace PlateImpact
   Impactor
   make_impactor(const ImpactorParameters &parameters);
 
-
-
   /// The contact of a scene at first touch. Its law is `line` (eq. 32), `Sun`
   /// (eq. 17 as printed, after Yang & Sun, NASA CR-165460, 1981) or `Hertz`
   /// (Johnson, Contact Mechanics, eq. 4.23), where the scene says so in series

@@ -72,7 +72,6 @@ namespace PlateImpact
   };
 
 
-
   /// The section of a Reissner-Mindlin plate, homogeneous and isotropic or a
   /// laminate (classical lamination theory with first-order shear, Reddy,
   /// Mechanics of Laminated Composite Plates and Shells, 2nd ed., secs. 2.4 and

@@ -79,7 +79,6 @@ namespace PlateImpact
   make_linear_solver(SolverType type, PlateWork &work);
 
 
-
   /// K + c M of a mesh, factorized for one c after another.
   class EffectiveStiffness
   {

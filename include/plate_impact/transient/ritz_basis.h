@@ -163,7 +163,6 @@ namespace PlateImpact
   };
 
 
-
   /// A mesh under one load, and its bases by the half octave of the root of
   /// their shift, which steps of any length and number share.
   struct LoadedMesh

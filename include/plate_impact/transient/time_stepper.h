@@ -90,7 +90,6 @@ namespace PlateImpact
   };
 
 
-
   /// All that an impactor needs to know of a plate: R_j, the displacement under
   /// the load j steps after a step with the contact force 1. Under the forces
   /// phi_k of any impactor
