@@ -8,27 +8,6 @@ namespace PlateImpact
 {
   using namespace dealii;
 
-  Allowed<double>
-  number_of(const std::string &words, const std::function<bool(double)> &is_met)
-  {
-    return {"a number" + words, [=](const std::string &text, double &value) {
-              return to_number(text, value) && is_met(value);
-            }};
-  }
-
-
-
-  Allowed<unsigned int>
-  whole_number(const unsigned int first, const unsigned int last)
-  {
-    return {fmt::format("a whole number from {} to {}", first, last),
-            [=](const std::string &text, unsigned int &value) {
-              return to_number(text, value) && value >= first && value <= last;
-            }};
-  }
-
-
-
   std::vector<std::string>
   split_list(const std::string &text, const char separator)
   {

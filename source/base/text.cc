@@ -71,28 +71,6 @@ namespace PlateImpact
 
 
   std::string
-  shortest(const double value)
-  {
-    char       text[32];
-    const auto end = std::to_chars(text, text + sizeof(text), value).ptr;
-    return {text, end};
-  }
-
-
-
-  std::string
-  waiting_time(const double seconds)
-  {
-    if (seconds < 100.)
-      return fmt::format("{:.0f} s", seconds);
-    if (seconds < 6000.)
-      return fmt::format("{:.0f} min", seconds / 60.);
-    return fmt::format("{:.0f} h", seconds / 3600.);
-  }
-
-
-
-  std::string
   printable(std::string text)
   {
     for (char &letter : text)

@@ -28,9 +28,13 @@ namespace PlateImpact
 
 
   /// Finite numbers that fulfil a condition, which the words tell.
-  Allowed<double>
-  number_of(const std::string                 &words,
-            const std::function<bool(double)> &is_met);
+  inline Allowed<double>
+  number_of(const std::string &words, const std::function<bool(double)> &is_met)
+  {
+    return {"a number" + words, [=](const std::string &text, double &value) {
+              return to_number(text, value) && is_met(value);
+            }};
+  }
 
   inline Allowed<double>
   any_number()
@@ -66,8 +70,14 @@ namespace PlateImpact
                      [=](const double x) { return x > lower && x < upper; });
   }
 
-  Allowed<unsigned int>
-  whole_number(unsigned int first, unsigned int last);
+  inline Allowed<unsigned int>
+  whole_number(const unsigned int first, const unsigned int last)
+  {
+    return {fmt::format("a whole number from {} to {}", first, last),
+            [=](const std::string &text, unsigned int &value) {
+              return to_number(text, value) && value >= first && value <= last;
+            }};
+  }
 
   inline Allowed<std::string>
   any_text(const std::string &words, const bool may_be_empty = true)

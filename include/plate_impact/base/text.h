@@ -128,8 +128,13 @@ namespace PlateImpact
   }
 
   /// The shortest text that reads back as the same number.
-  std::string
-  shortest(double value);
+  inline std::string
+  shortest(const double value)
+  {
+    char       text[32];
+    const auto end = std::to_chars(text, text + sizeof(text), value).ptr;
+    return {text, end};
+  }
 
   /// "1 point", "2 points", "3 meshes".
   inline std::string
@@ -140,8 +145,15 @@ namespace PlateImpact
   }
 
   /// A time that someone waits: "12 s", "3 min".
-  std::string
-  waiting_time(double seconds);
+  inline std::string
+  waiting_time(const double seconds)
+  {
+    if (seconds < 100.)
+      return fmt::format("{:.0f} s", seconds);
+    if (seconds < 6000.)
+      return fmt::format("{:.0f} min", seconds / 60.);
+    return fmt::format("{:.0f} h", seconds / 3600.);
+  }
 
   /// On one line and without codes that a terminal obeys: names of files and
   /// values of entries may hold anything.
