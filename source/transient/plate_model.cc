@@ -128,18 +128,6 @@ namespace PlateImpact
 
 
 
-  PlateModel::MeshKey
-  PlateModel::mesh_key(const Parameters &impact)
-  {
-    return {impact.contact.load_distribution,
-            impact.contact.patch_radius,
-            impact.contact.local_response,
-            impact.impactor.shape,
-            impact.impactor.length};
-  }
-
-
-
   const std::shared_ptr<LoadedMesh> &
   PlateModel::loaded_mesh(const Parameters &impact)
   {

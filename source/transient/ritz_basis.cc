@@ -186,18 +186,6 @@ namespace PlateImpact
 
 
   void
-  ReducedSystem::multiply_stiffness(const Eigen::VectorXd &x,
-                                    Eigen::VectorXd       &y) const
-  {
-    const Eigen::Index n_beside = stiffness.beside.size();
-    y                           = stiffness.diagonal.cwiseProduct(x);
-    y.head(n_beside) += stiffness.beside.cwiseProduct(x.tail(n_beside));
-    y.tail(n_beside) += stiffness.beside.cwiseProduct(x.head(n_beside));
-  }
-
-
-
-  void
   ReducedSystem::solve(const double           c,
                        const Eigen::VectorXd &b,
                        Eigen::VectorXd       &x)

@@ -319,15 +319,6 @@ namespace PlateImpact
 
 
 
-  const PlateResponse &
-  RitzReduction::response(const NewmarkScheme &by, SemidiscreteSystem &system)
-  {
-    return responses.try_emplace({&system, by.n_steps}, by, system)
-      .first->second;
-  }
-
-
-
   void
   TimeParameters::declare_entries(Entries &entries)
   {

@@ -45,16 +45,6 @@ namespace PlateImpact
 
 
   void
-  SoftenedSystem::multiply_stiffness(const Eigen::VectorXd &x,
-                                     Eigen::VectorXd       &y) const
-  {
-    plate.multiply_stiffness(x, y);
-    y -= lost * (lost.transpose() * x);
-  }
-
-
-
-  void
   SoftenedSystem::solve(const double           c,
                         const Eigen::VectorXd &b,
                         Eigen::VectorXd       &x)

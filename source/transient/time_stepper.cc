@@ -172,29 +172,4 @@ namespace PlateImpact
     w_of_unit_response = displacement(0) /
       (scheme.integration.acts_at_begin ? 1. + scheme.c2 : 1.);
   }
-
-
-
-  double
-  PlateResponse::begin_step(const double begin_force)
-  {
-    known_force = begin_force;
-    free        = forces.head(n_forces).dot(
-      reversed.segment(reversed.size() - 1 - step, n_forces));
-    return free;
-  }
-
-
-
-  std::optional<double>
-  PlateResponse::end_step(const double at_begin, const double at_end)
-  {
-    forces[step++] = at_end;
-    if (at_end != 0.)
-      n_forces = step;
-    const double w_end = free + displacement(0) * at_end;
-    work += 0.5 * (known_force + at_begin + at_end) * (w_end - w);
-    w = w_end;
-    return {};
-  }
 } // namespace PlateImpact

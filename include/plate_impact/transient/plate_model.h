@@ -67,7 +67,15 @@ namespace PlateImpact
                                bool>;          // needs states
 
     static MeshKey
-    mesh_key(const Parameters &impact);
+    mesh_key(const Parameters &impact)
+    {
+      return {impact.contact.load_distribution,
+              impact.contact.patch_radius,
+              impact.contact.local_response,
+              impact.impactor.shape,
+              impact.impactor.length};
+    }
+
     const std::shared_ptr<EffectiveStiffness> &
     assembled();
     const std::shared_ptr<LoadedMesh> &

@@ -119,7 +119,14 @@ namespace PlateImpact
 
     void
     multiply_stiffness(const Eigen::VectorXd &x,
-                       Eigen::VectorXd       &y) const override;
+                       Eigen::VectorXd       &y) const override
+    {
+      const Eigen::Index n_beside = stiffness.beside.size();
+      y                           = stiffness.diagonal.cwiseProduct(x);
+      y.head(n_beside) += stiffness.beside.cwiseProduct(x.tail(n_beside));
+      y.tail(n_beside) += stiffness.beside.cwiseProduct(x.head(n_beside));
+    }
+
     void
     solve(double c, const Eigen::VectorXd &b, Eigen::VectorXd &x) override;
 

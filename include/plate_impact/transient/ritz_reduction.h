@@ -66,7 +66,11 @@ namespace PlateImpact
 
     /// The response of such a system, kept; for schemes that conserve energy.
     const PlateResponse &
-    response(const NewmarkScheme &by, SemidiscreteSystem &system);
+    response(const NewmarkScheme &by, SemidiscreteSystem &system)
+    {
+      return responses.try_emplace({&system, by.n_steps}, by, system)
+        .first->second;
+    }
 
   private:
     /// @return a reduced system, or that of the mesh

@@ -28,7 +28,11 @@ namespace PlateImpact
 
     void
     multiply_stiffness(const Eigen::VectorXd &x,
-                       Eigen::VectorXd       &y) const override;
+                       Eigen::VectorXd       &y) const override
+    {
+      plate.multiply_stiffness(x, y);
+      y -= lost * (lost.transpose() * x);
+    }
 
     void
     solve(double c, const Eigen::VectorXd &b, Eigen::VectorXd &x) override;

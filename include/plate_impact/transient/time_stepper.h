@@ -114,10 +114,25 @@ namespace PlateImpact
     }
 
     double
-    begin_step(double begin_force) override;
+    begin_step(const double begin_force) override
+    {
+      known_force = begin_force;
+      free        = forces.head(n_forces).dot(
+        reversed.segment(reversed.size() - 1 - step, n_forces));
+      return free;
+    }
 
     std::optional<double>
-    end_step(double at_begin, double at_end) override;
+    end_step(const double at_begin, const double at_end) override
+    {
+      forces[step++] = at_end;
+      if (at_end != 0.)
+        n_forces = step;
+      const double w_end = free + displacement(0) * at_end;
+      work += 0.5 * (known_force + at_begin + at_end) * (w_end - w);
+      w = w_end;
+      return {};
+    }
 
     double
     energy() const override
