@@ -6,7 +6,6 @@
 #include <boost/math/special_functions/bessel.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <tuple>
 
@@ -58,17 +57,6 @@ namespace PlateImpact
     , load(load)
     , spread(load == LoadShape::Hertz_disc ? 5. : 4.)
   {}
-
-
-
-  double
-  LayerResponse::patch_radius() const
-  {
-    // the terms k^-2 of plate and layer agree
-    const double square = spread / 5. *
-      (1. / (1.2 * shear_correction * (1. - poissons_ratio)) - 1.);
-    return square > 0. ? std::sqrt(square) : 0.;
-  }
 
 
 

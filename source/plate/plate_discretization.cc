@@ -281,18 +281,6 @@ namespace PlateImpact
 
 
 
-  Vector<double>
-  PlateDiscretization::nodal_values(const Eigen::VectorXd &unknowns) const
-  {
-    Vector<double> values(dofs.n_dofs());
-    for (unsigned int i = 0; i < n_unknowns(); ++i)
-      values[dof_of_unknown[i]] = unknowns[i];
-    constraints.distribute(values);
-    return values;
-  }
-
-
-
   unsigned int
   PlateDiscretization::n_rigid_motions() const
   {

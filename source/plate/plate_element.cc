@@ -32,28 +32,6 @@ namespace PlateImpact
 
 
 
-  PlateElement::PlateElement(const ElementType type,
-                             const Stretching  stretching)
-    : type(type)
-    , stretching(stretching)
-    , scalar_element(2)
-    , finite_element(scalar_element, stretching == Stretching::none ? 3 : 5)
-    , quadrature(3)
-  {}
-
-
-
-  std::vector<unsigned int>
-  PlateElement::dofs_of(const unsigned int component) const
-  {
-    std::vector<unsigned int> dofs;
-    for (unsigned int node = 0; node < scalar_element.n_dofs_per_cell(); ++node)
-      dofs.push_back(finite_element.component_to_system_index(component, node));
-    return dofs;
-  }
-
-
-
   void
   PlateElement::add_internal_constraints(
     const DoFHandler<2>       &dof_handler,

@@ -3,7 +3,6 @@
 #include <deal.II/fe/mapping_q.h>
 #include <deal.II/fe/mapping_q1.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace PlateImpact
@@ -38,17 +37,6 @@ namespace PlateImpact
       if (id != numbers::flat_manifold_id)
         return curved_mapping();
     return StaticMappingQ1<2>::mapping;
-  }
-
-
-
-  double
-  cell_size(const Triangulation<2>::cell_iterator &cell)
-  {
-    double longest = 0.;
-    for (const unsigned int face : cell->face_indices())
-      longest = std::max(longest, cell->face(face)->diameter());
-    return longest;
   }
 
 

@@ -4,6 +4,8 @@
 
 #include <boost/math/constants/constants.hpp>
 
+#include <cmath>
+
 namespace PlateImpact
 {
   struct PlateSection;
@@ -31,7 +33,13 @@ namespace PlateImpact
     /// Radius of the patch, c/h, with which plate and layer answer alike to
     /// waves longer than the thickness; 0 where there is none.
     double
-    patch_radius() const;
+    patch_radius() const
+    {
+      // the terms k^-2 of plate and layer agree
+      const double square = spread / 5. *
+        (1. / (1.2 * shear_correction * (1. - poissons_ratio)) - 1.);
+      return square > 0. ? std::sqrt(square) : 0.;
+    }
 
     /// beta / h^2 of the functional w + beta div theta that load and reading
     /// use with another radius; 0 with patch_radius().

@@ -112,7 +112,14 @@ namespace PlateImpact
 
     /// Values at all nodes, by degree of freedom.
     dealii::Vector<double>
-    nodal_values(const Eigen::VectorXd &unknowns) const;
+    nodal_values(const Eigen::VectorXd &unknowns) const
+    {
+      dealii::Vector<double> values(dofs.n_dofs());
+      for (unsigned int i = 0; i < n_unknowns(); ++i)
+        values[dof_of_unknown[i]] = unknowns[i];
+      constraints.distribute(values);
+      return values;
+    }
 
     const CellShape &
     shape(unsigned int cell) const

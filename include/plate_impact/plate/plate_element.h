@@ -73,12 +73,24 @@ namespace PlateImpact
     const dealii::FESystem<2> finite_element;
     const dealii::QGauss<2>   quadrature;
 
-    explicit PlateElement(ElementType type,
-                          Stretching  stretching = Stretching::none);
+    explicit PlateElement(const ElementType type,
+                          const Stretching  stretching = Stretching::none)
+      : type(type)
+      , stretching(stretching)
+      , scalar_element(2)
+      , finite_element(scalar_element, stretching == Stretching::none ? 3 : 5)
+      , quadrature(3)
+    {}
 
     /// The dofs of a cell that are values of a component, node by node.
     std::vector<unsigned int>
-    dofs_of(unsigned int component) const;
+    dofs_of(const unsigned int component) const
+    {
+      std::vector<unsigned int> dofs;
+      for (unsigned int n = 0; n < scalar_element.n_dofs_per_cell(); ++n)
+        dofs.push_back(finite_element.component_to_system_index(component, n));
+      return dofs;
+    }
 
     /// Adds the constraints that make this element of FE_Q(2).
     void

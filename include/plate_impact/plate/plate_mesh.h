@@ -3,6 +3,7 @@
 #include <deal.II/fe/mapping.h>
 #include <deal.II/grid/tria.h>
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <memory>
@@ -44,8 +45,14 @@ namespace PlateImpact
   }
 
   /// Size h of a cell: its longest side, which is what resolves a field. [m]
-  double
-  cell_size(const dealii::Triangulation<2>::cell_iterator &cell);
+  inline double
+  cell_size(const dealii::Triangulation<2>::cell_iterator &cell)
+  {
+    double longest = 0.;
+    for (const unsigned int face : cell->face_indices())
+      longest = std::max(longest, cell->face(face)->diameter());
+    return longest;
+  }
 
   /// Whether a point is inside a cell or at one of its vertices.
   bool
