@@ -33,14 +33,6 @@ namespace PlateImpact
 
 
 
-  TimeControl::TimeControl(const Parameters &scene, const ZenerImpact &expected)
-    : expected(expected)
-    , scene(scene)
-    , waves_are_back(return_of_waves(scene.plate, expected))
-  {}
-
-
-
   Window
   TimeControl::with_peak(const Window         &last,
                          const ContactHistory &history) const

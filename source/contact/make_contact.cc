@@ -135,16 +135,6 @@ namespace PlateImpact
 
 
 
-  ZenerImpact
-  make_zener_impact(const Parameters &parameters)
-  {
-    return {make_contact(parameters, /*layer_constant=*/{}),
-            make_impactor(parameters.impactor),
-            PlateSection(parameters.plate)};
-  }
-
-
-
   Contact
   make_contact(const Parameters &parameters)
   {

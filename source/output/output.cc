@@ -6,7 +6,6 @@
 #include "plate_impact/adaptation/mesh_adaptation.h"
 #include "plate_impact/analysis/impact_quantities.h"
 #include "plate_impact/base/exceptions.h"
-#include "plate_impact/base/text.h"
 #include "plate_impact/base/version.h"
 #include "plate_impact/output/plate_fields.h"
 #include "plate_impact/plate/plate_geometry.h"
@@ -391,14 +390,5 @@ namespace PlateImpact
       {
         // the disk that failed first fails again: the first failure is the news
       }
-  }
-
-
-
-  std::string
-  Output::kept() const
-  {
-    return (directory / "").string() + " has " +
-      counted(cycles.size(), "cycle");
   }
 } // namespace PlateImpact

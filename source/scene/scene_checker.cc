@@ -8,25 +8,6 @@
 namespace PlateImpact
 {
   void
-  SceneChecker::refuse(const std::vector<std::string> &involved,
-                       const std::string              &text)
-  {
-    std::string origin = "default";
-    for (const std::string &path : involved)
-      {
-        const Entry &entry = entries.at(path);
-        if (!entry.is_known)
-          return;
-        if (origin == "default")
-          origin = entry.origin;
-      }
-    reader.mistakes.push_back(origin + ": " + involved.front() + " = " +
-                              entries.at(involved.front()).text() + " " + text);
-  }
-
-
-
-  void
   SceneChecker::choose_contact()
   {
     const auto choose_unless_given =

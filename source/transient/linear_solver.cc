@@ -23,22 +23,6 @@ omp_set_max_active_levels(int) __attribute__((weak));
 
 namespace PlateImpact
 {
-  Eigen::Map<const Eigen::SparseMatrix<double, Eigen::RowMajor>>
-  as_eigen(const Epetra_CrsMatrix &matrix)
-  {
-    int    *rows, *columns;
-    double *values;
-    matrix.ExtractCrsDataPointers(rows, columns, values);
-    return {matrix.NumMyRows(),
-            matrix.NumMyCols(),
-            matrix.NumMyNonzeros(),
-            rows,
-            columns,
-            values};
-  }
-
-
-
   namespace
   {
     /// CHOLMOD. Ordering and symbolic factorization hold for all matrices.

@@ -40,7 +40,11 @@ namespace PlateImpact
   {
   public:
     /// @param scene  complete; with an impactor
-    TimeControl(const Parameters &scene, const ZenerImpact &expected);
+    TimeControl(const Parameters &scene, const ZenerImpact &expected)
+      : expected(expected)
+      , scene(scene)
+      , waves_are_back(return_of_waves(scene.plate, expected))
+    {}
 
     /// The first window on the first mesh.
     Window

@@ -25,6 +25,11 @@ namespace PlateImpact
                const std::optional<double> &layer_constant);
 
   /// The impact of a scene on an infinite thin plate, which needs no layer.
-  ZenerImpact
-  make_zener_impact(const Parameters &parameters);
+  inline ZenerImpact
+  make_zener_impact(const Parameters &parameters)
+  {
+    return {make_contact(parameters, /*layer_constant=*/{}),
+            make_impactor(parameters.impactor),
+            PlateSection(parameters.plate)};
+  }
 } // namespace PlateImpact

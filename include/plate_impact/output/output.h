@@ -2,6 +2,7 @@
 
 #include "plate_impact/analysis/cycle.h"
 #include "plate_impact/analysis/goal.h"
+#include "plate_impact/base/text.h"
 #include "plate_impact/output/report.h"
 #include "plate_impact/output/result_directory.h"
 #include "plate_impact/output/run_in_words.h"
@@ -38,7 +39,11 @@ namespace PlateImpact
     /// Where the files are and of how many cycles, for a user whose run ends
     /// early.
     std::string
-    kept() const;
+    kept() const
+    {
+      return (directory / "").string() + " has " +
+        counted(cycles.size(), "cycle");
+    }
 
     const ResultDirectory directory;
 

@@ -73,6 +73,16 @@ namespace PlateImpact
              const Warnings    &warnings);
 
   /// Where the impact is: "Outside the limits of the model".
-  std::string
-  model_in_words(const Verdict &verdict);
+  inline std::string
+  model_in_words(const Verdict &verdict)
+  {
+    const std::string limits = " the limits of the model";
+    if (!verdict.warnings.model.empty())
+      return (verdict.model.trust == Trust::doubtful ? "Outside" :
+                                                       "Far outside") +
+        limits;
+    return "Within" + limits +
+      (verdict.warnings.assumes_elastic_contact ? ", elastic contact assumed" :
+                                                  "");
+  }
 } // namespace PlateImpact

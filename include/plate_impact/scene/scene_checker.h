@@ -34,7 +34,21 @@ namespace PlateImpact
     /// involved is not known. Its place is that of the first of them which the
     /// scene sets.
     void
-    refuse(const std::vector<std::string> &involved, const std::string &text);
+    refuse(const std::vector<std::string> &involved, const std::string &text)
+    {
+      std::string origin = "default";
+      for (const std::string &path : involved)
+        {
+          const Entry &entry = entries.at(path);
+          if (!entry.is_known)
+            return;
+          if (origin == "default")
+            origin = entry.origin;
+        }
+      reader.mistakes.push_back(origin + ": " + involved.front() + " = " +
+                                entries.at(involved.front()).text() + " " +
+                                text);
+    }
 
     bool
     is_given(const std::string &path) const

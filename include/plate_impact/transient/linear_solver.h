@@ -16,8 +16,19 @@ namespace PlateImpact
 {
   /// The arrays of a matrix, for products without the allocations of
   /// Epetra_CrsMatrix::Multiply().
-  Eigen::Map<const Eigen::SparseMatrix<double, Eigen::RowMajor>>
-  as_eigen(const Epetra_CrsMatrix &matrix);
+  inline Eigen::Map<const Eigen::SparseMatrix<double, Eigen::RowMajor>>
+  as_eigen(const Epetra_CrsMatrix &matrix)
+  {
+    int    *rows, *columns;
+    double *values;
+    matrix.ExtractCrsDataPointers(rows, columns, values);
+    return {matrix.NumMyRows(),
+            matrix.NumMyCols(),
+            matrix.NumMyNonzeros(),
+            rows,
+            columns,
+            values};
+  }
 
 
   /// What was made of a plate so far. Times are wall times.
