@@ -3,7 +3,6 @@
 #include "plate_impact/adaptation/mesh_adaptation.h"
 #include "plate_impact/adaptation/quad_mesher.h"
 #include "plate_impact/base/exceptions.h"
-#include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
 
 #include <cmath>

@@ -1,7 +1,6 @@
 #include "plate_impact/analysis/time_control.h"
 
 #include "plate_impact/analysis/goal.h"
-#include "plate_impact/plate/plate_geometry.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,6 @@
 #include "plate_impact/base/parameters.h"
 #include "plate_impact/plate/plate_discretization.h"
 #include "plate_impact/plate/plate_element.h"
-#include "plate_impact/transient/full_system.h"
 #include "plate_impact/transient/loaded_plate.h"
 
 #include <map>
