@@ -7,8 +7,6 @@
 #include "plate_impact/plate/layer_response.h"
 #include "plate_impact/plate/plate_section.h"
 
-#include <cmath>
-
 namespace PlateImpact
 {
   namespace
@@ -118,20 +116,6 @@ namespace PlateImpact
 
   template <>
   const std::vector<Word<ForceLaw>> Choices<ForceLaw>::words = words_of(laws);
-
-
-
-  Impactor
-  make_impactor(const ImpactorParameters &parameters)
-  {
-    const double pi = std::acos(-1.), r = parameters.radius;
-    const double volume = parameters.is_cylinder() ?
-      pi * r * r * parameters.length :
-      4. / 3. * pi * r * r * r;
-    const double mass =
-      parameters.mass > 0. ? parameters.mass : volume * parameters.density;
-    return {mass, 0., parameters.velocity};
-  }
 
 
 

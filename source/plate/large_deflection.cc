@@ -95,22 +95,6 @@ namespace PlateImpact
 
 
 
-  double
-  LargeDeflection::dissipated(const StretchedPlate &begin,
-                              const StretchedPlate &end,
-                              const double          damping) const
-  {
-    const Eigen::MatrixXd squares = end.squares - begin.squares,
-                          forces  = end.forces - begin.forces;
-    double sum                    = 0.;
-    for (Eigen::Index cell = 0; cell < squares.cols(); ++cell)
-      sum += squares.col(cell).dot(
-        2. * forces.col(cell) + forces_of(cell).per_square * squares.col(cell));
-    return damping * plate.n_parts * sum;
-  }
-
-
-
   void
   LargeDeflection::add_tangent(const StretchedPlate &begin,
                                const StretchedPlate &end,

@@ -42,19 +42,6 @@ namespace PlateImpact
 
 
   bool
-  touches_point(const Triangulation<2>::cell_iterator &cell,
-                const std::array<double, 2>           &position)
-  {
-    const Point<2> point(position[0], position[1]);
-    for (const unsigned int v : cell->vertex_indices())
-      if (point.distance(cell->vertex(v)) < 1e-6 * cell->diameter())
-        return true;
-    return cell->point_inside(point);
-  }
-
-
-
-  bool
   is_near_load(const Triangulation<2>::cell_iterator &cell,
                const double                           half_length,
                const double                           distance)

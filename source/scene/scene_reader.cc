@@ -150,22 +150,6 @@ namespace PlateImpact
 
 
 
-  SceneReader::SceneReader(const std::string &path)
-    : name(path)
-  {
-    parameters.plate.declare_entries(entries);
-    parameters.impactor.declare_entries(entries);
-    parameters.contact.declare_entries(entries);
-    parameters.discretization.declare_entries(entries);
-    parameters.time.declare_entries(entries);
-    parameters.adaptivity.declare_entries(entries);
-    parameters.output.declare_entries(entries);
-    parameters.comparison.declare_entries(entries);
-    parameters.sweep.declare_entries(entries);
-  }
-
-
-
   SceneReader::SceneReader(const std::string                &path,
                            const std::vector<std::string>   &overrides,
                            const std::optional<std::string> &output)

@@ -3,7 +3,6 @@
 #include "plate_impact/base/entries.h"
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/contact/make_contact.h"
-#include "plate_impact/plate/plate_geometry.h"
 
 #include <algorithm>
 #include <cmath>
@@ -180,15 +179,6 @@ namespace PlateImpact
       {IntegratorType::Newmark, "Newmark"},
       {IntegratorType::Ritz_vectors, "Ritz vectors"}};
   } // namespace
-
-
-
-  double
-  return_of_waves(const PlateParameters &plate, const ZenerImpact &expected)
-  {
-    return 2. * geometry_of(plate).distance_to_edge /
-      expected.wave().group_speed;
-  }
 
 
 

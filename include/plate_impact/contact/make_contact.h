@@ -3,13 +3,23 @@
 #include "plate_impact/base/parameters.h"
 #include "plate_impact/contact/zener.h"
 
+#include <cmath>
 #include <optional>
 
 namespace PlateImpact
 {
   /// The impactor of a scene at first touch.
-  Impactor
-  make_impactor(const ImpactorParameters &parameters);
+  inline Impactor
+  make_impactor(const ImpactorParameters &parameters)
+  {
+    const double pi = std::acos(-1.), r = parameters.radius;
+    const double volume = parameters.is_cylinder() ?
+      pi * r * r * parameters.length :
+      4. / 3. * pi * r * r * r;
+    const double mass =
+      parameters.mass > 0. ? parameters.mass : volume * parameters.density;
+    return {mass, 0., parameters.velocity};
+  }
 
   /// The contact of a scene at first touch. Its law is `line` (eq. 32), `Sun`
   /// (eq. 17 as printed, after Yang & Sun, NASA CR-165460, 1981) or `Hertz`

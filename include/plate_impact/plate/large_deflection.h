@@ -49,7 +49,17 @@ namespace PlateImpact
     double
     dissipated(const StretchedPlate &begin,
                const StretchedPlate &end,
-               double                damping) const;
+               const double          damping) const
+    {
+      const Eigen::MatrixXd squares = end.squares - begin.squares,
+                            forces  = end.forces - begin.forces;
+      double sum                    = 0.;
+      for (Eigen::Index cell = 0; cell < squares.cols(); ++cell)
+        sum +=
+          squares.col(cell).dot(2. * forces.col(cell) +
+                                forces_of(cell).per_square * squares.col(cell));
+      return damping * plate.n_parts * sum;
+    }
 
     /// Adds the derivative of twice the mean forces with respect to the end,
     /// about: symmetric, with the strains halfway. That of the forces for a

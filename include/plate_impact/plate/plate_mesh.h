@@ -55,9 +55,16 @@ namespace PlateImpact
   }
 
   /// Whether a point is inside a cell or at one of its vertices.
-  bool
+  inline bool
   touches_point(const dealii::Triangulation<2>::cell_iterator &cell,
-                const std::array<double, 2>                   &position);
+                const std::array<double, 2>                   &position)
+  {
+    const dealii::Point<2> point(position[0], position[1]);
+    for (const unsigned int v : cell->vertex_indices())
+      if (point.distance(cell->vertex(v)) < 1e-6 * cell->diameter())
+        return true;
+    return cell->point_inside(point);
+  }
 
   /// Whether a cell is within a distance of the load, or touches it at
   /// distance 0.

@@ -2,6 +2,7 @@
 
 #include "plate_impact/base/parameters.h"
 #include "plate_impact/contact/zener.h"
+#include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/transient/ritz_basis.h"
 #include "plate_impact/transient/time_stepper.h"
 
@@ -13,8 +14,12 @@
 namespace PlateImpact
 {
   /// When waves are back from the nearest edge. [s]
-  double
-  return_of_waves(const PlateParameters &plate, const ZenerImpact &expected);
+  inline double
+  return_of_waves(const PlateParameters &plate, const ZenerImpact &expected)
+  {
+    return 2. * geometry_of(plate).distance_to_edge /
+      expected.wave().group_speed;
+  }
 
 
   /// What Newmark's method integrates for one impactor after another, with one
