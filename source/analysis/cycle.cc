@@ -24,18 +24,6 @@ namespace PlateImpact
 
 
 
-    unsigned int
-    sampling_interval_of(const Parameters &impact, const unsigned int n_steps)
-    {
-      const unsigned int least =
-        impact.time.step_is_chosen ? n_steps / most_estimator_samples : 0;
-      return std::clamp(n_steps / min_estimator_samples,
-                        1u,
-                        std::max(least, impact.adaptivity.sampling_interval));
-    }
-
-
-
     /// What is kept of a transient while it is stepped: samples for the
     /// estimator, states for the fields, and what the page shows, the state of
     /// the largest force and frames of a film, at most 48, fewer where they
@@ -54,7 +42,13 @@ namespace PlateImpact
         , wanted(wanted)
         , system(system)
         , cycle(cycle)
-        , sampling_interval(sampling_interval_of(impact, n_steps))
+        , sampling_interval(
+            std::clamp(n_steps / min_estimator_samples,
+                       1u,
+                       std::max(impact.time.step_is_chosen ?
+                                  n_steps / most_estimator_samples :
+                                  0u,
+                                impact.adaptivity.sampling_interval)))
         , n_samples_at_once(std::min(n_steps / sampling_interval + 1,
                                      system.n_states_at_once()))
         , samples_per_frame(1 +

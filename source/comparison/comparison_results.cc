@@ -180,8 +180,7 @@ namespace PlateImpact
       std::vector<Achievement> best;
       for (const Achievement &achievement : reached)
         if (std::none_of(best.begin(), best.end(), [&](const Achievement &one) {
-              return name_of(one.curve->strategy) ==
-                name_of(achievement.curve->strategy);
+              return one.curve->strategy == achievement.curve->strategy;
             }))
           best.push_back(achievement);
       if (best.empty())

@@ -116,12 +116,6 @@ namespace PlateImpact
 
 
 
-    /// Thrown out of a cycle that would exceed the time budget.
-    struct BudgetSpent
-    {};
-
-
-
     ComparedMesh
     compared(const Cycle &cycle, const Reference &reference)
     {
@@ -183,7 +177,7 @@ namespace PlateImpact
       AnalysisListener teller;
       teller.step = [&](auto cycle, auto step, auto n_steps) {
         if (is_spent())
-          throw BudgetSpent();
+          throw Outcome::time_budget; // out of the cycle
         comparison.listener.step(cycle, step, n_steps);
       };
       teller.cycle = [&](Cycle &cycle) {
@@ -271,9 +265,9 @@ namespace PlateImpact
       {
         add_meshes(*this, curve);
       }
-    catch (const BudgetSpent &)
+    catch (const Outcome outcome)
       {
-        curve.end = word_for(Outcome::time_budget);
+        curve.end = word_for(outcome);
       }
     catch (const ComputationError &error)
       {

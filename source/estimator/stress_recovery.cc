@@ -99,16 +99,6 @@ namespace PlateImpact
         }
     }
 
-    Point<2>
-    sample_point(const Image &image, const unsigned int point) const
-    {
-      // the planes of symmetry are x = 0 and y = 0
-      const Point<2> &position =
-        sample_points[samples_per_cell * image.cell + point];
-      return {image.mirrored_x ? -position[0] : position[0],
-              image.mirrored_y ? -position[1] : position[1]};
-    }
-
     /// Those of the cells at a vertex, as an image of it sees them.
     void
     add_images(const unsigned int vertex,
@@ -131,9 +121,14 @@ namespace PlateImpact
     make_fit(Patch &patch)
     {
       std::vector<Point<2>> points;
-      for (const Image &image : patch.images)
+      for (const auto &[cell, mirrored_x, mirrored_y] : patch.images)
         for (unsigned int g = 0; g < samples_per_cell; ++g)
-          points.push_back(sample_point(image, g));
+          {
+            // the planes of symmetry are x = 0 and y = 0
+            const Point<2> &p = sample_points[samples_per_cell * cell + g];
+            points.emplace_back(mirrored_x ? -p[0] : p[0],
+                                mirrored_y ? -p[1] : p[1]);
+          }
       patch.size = 0.;
       for (const Point<2> &point : points)
         patch.size = std::max(patch.size, patch.centre.distance(point));

@@ -248,17 +248,6 @@ namespace PlateImpact
 
 
 
-    /// Whether mpirun or a batch system has started this process, by the
-    /// variables of Open MPI, of MPICH and its relatives, and of PMIx.
-    bool
-    is_started_by_mpi()
-    {
-      return std::getenv("OMPI_COMM_WORLD_SIZE") || std::getenv("PMI_SIZE") ||
-        std::getenv("PMIX_RANK");
-    }
-
-
-
     /// To the first process, without waiting for it as long as they are few.
     /// @param bytes  of a point; none: no other follows
     void
@@ -307,7 +296,10 @@ namespace PlateImpact
 
 
   Processes::Processes()
-    : uses_mpi(is_started_by_mpi())
+    // started by mpirun or a batch system, by the variables of Open MPI, of
+    // MPICH and its relatives, and of PMIx
+    : uses_mpi(std::getenv("OMPI_COMM_WORLD_SIZE") || std::getenv("PMI_SIZE") ||
+               std::getenv("PMIX_RANK"))
   {
     if (!uses_mpi)
       return;
