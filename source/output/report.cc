@@ -269,19 +269,21 @@ namespace PlateImpact
     study.update(plate_on_page(parameters));
     if (parameters.has_impactor())
       {
-        const double force = last.result.history->peak().force;
-        const auto  &bar   = last.result.peak_force_bar;
-        study["expected"]  = {{"force", scene.expected->peak.force},
-                              {"time", scene.expected->peak.time}};
-        study["words"]     = {
-              {"localResponse", local_response_in_words(parameters)},
-              {"estimate",
-               (bar && bar->is_on_softer_plate ? "on a softer plate" :
-                                                 "by the dual problem") +
-                 (", with a factor of safety of " + number(safety_of_bar))},
-              {"force", with_error(force, bar ? bar->total() * force : 0., "N")},
-              {"load", load_in_words(parameters)},
-              {"model", model_in_words(verdict)}};
+        const double force              = last.result.history->peak().force;
+        const auto  &bar                = last.result.peak_force_bar;
+        const bool   is_on_softer_plate = bar && bar->is_on_softer_plate;
+        study["expected"] = {{"force", scene.expected->peak.force},
+                             {"time", scene.expected->peak.time}};
+        study["words"]    = {
+             {"localResponse", local_response_in_words(parameters)},
+             {"estimate",
+              (is_on_softer_plate ? "on a softer plate" : "by the dual problem") +
+                (", with a factor of safety of " +
+              number(is_on_softer_plate ? safety_on_softer_plate :
+                                          safety_of_bar))},
+             {"force", with_error(force, bar ? bar->total() * force : 0., "N")},
+             {"load", load_in_words(parameters)},
+             {"model", model_in_words(verdict)}};
       }
     // the last meshes matter most
     std::size_t n_cells = 0;
