@@ -179,8 +179,10 @@ namespace PlateImpact
             ++worth.cells_at_minimum_size;
         }
     ErrorRatios even = *worth.error_ratios;
-    worth.is_uneven  = worth.waves_are_everywhere &&
-      adaptivity.strategy != AdaptationStrategy::graded &&
+    // of strategies that follow target sizes
+    worth.is_uneven = worth.waves_are_everywhere &&
+      (adaptivity.strategy == AdaptationStrategy::hanging_nodes ||
+       adaptivity.strategy == AdaptationStrategy::remeshing) &&
       equalize(current->mesh(), even, adaptivity);
     return worth;
   }

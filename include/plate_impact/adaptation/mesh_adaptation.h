@@ -71,8 +71,8 @@ namespace PlateImpact
                    const std::vector<double>      &sizes,
                    const AdaptivityParameters     &adaptivity);
 
-  /// Raises errors so that the target of no cell is larger than the size of
-  /// equal cells of the same number.
+  /// Raises errors so that no cell has a larger target than as many equal cells
+  /// as all targets ask for would have, or half as many as there are.
   /// @return whether a cell is larger than that
   bool
   equalize(const dealii::Triangulation<2> &mesh,
