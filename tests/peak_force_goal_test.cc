@@ -317,14 +317,42 @@ namespace PlateImpact
         << err;
       const auto last = last_cycle(), again = last["verification"];
       EXPECT_EQ(again["cells"].get<int>(), 4 * last["cells"].get<int>());
-      EXPECT_LT(std::abs(again["relative_change"].get<double>()),
-                last["peak_force_error_bar"]);
+      EXPECT_EQ(summary()["outcome"], "target reached");
       EXPECT_NEAR(again["peak_force"].get<double>() /
                       last["peak_force"].get<double>() -
                     1.,
                   again["relative_change"],
                   1e-12);
       EXPECT_NE(out.find("Verified    "), std::string::npos) << out;
+    }
+
+
+
+    TEST_F(PeakForceGoal, IsNotReachedWhereVerifyFindsALargerError)
+    {
+      // a bar of 0.85 % on a mesh that is off by 1.2 %: one of the few that
+      // fail
+      const std::string aluminium = goal +
+        "--set 'Plate/Side lengths=0.35, 0.28' --set "
+        "Plate/Thickness=0.007 --set \"Plate/Young's modulus=7e10\" "
+        "--set \"Plate/Poisson's ratio=0.33\" --set Plate/Density=2700 "
+        "--set 'Plate/Support=simply supported' --set "
+        "Impactor/Radius=0.015 --set Impactor/Mass=3 --set "
+        "Impactor/Velocity=0.4 --set 'Time/End time=0' --set "
+        "'Time/Time step=0' --set 'Adaptivity/Target peak force "
+        "error=0.01' ";
+      ASSERT_EQ(run(main_scene, aluminium), 0) << err;
+      EXPECT_EQ(summary()["outcome"], "target reached");
+      ASSERT_EQ(run(main_scene, aluminium + "--set Adaptivity/Verify=true"), 0)
+        << err;
+      const auto last = last_cycle();
+      EXPECT_EQ(summary()["outcome"], "not verified");
+      EXPECT_GE(last["peak_force_error_bar"],
+                std::abs(
+                  last["verification"]["relative_change"].get<double>()));
+      EXPECT_NE(err.find("Adaptivity/Target peak force error, 1 %, is not met"),
+                std::string::npos)
+        << err;
     }
 
 

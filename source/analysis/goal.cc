@@ -18,6 +18,7 @@ namespace PlateImpact
     {Outcome::maximum_cells, "maximum cells"},
     {Outcome::mesh_unchanged, "mesh unchanged"},
     {Outcome::time_step_too_coarse, "time step too coarse"},
+    {Outcome::not_verified, "not verified"},
     {Outcome::time_budget, "time budget"},
     {Outcome::minimum_cell_size, "minimum cell size"},
     {Outcome::nearly_as_fine_as_the_reference,

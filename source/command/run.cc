@@ -219,11 +219,13 @@ namespace PlateImpact
         output.write_cycle(cycle);
         console.print(line_of(cycle.result, time_unit));
       };
-      const Outcome outcome = analysis.run(control, listener);
+      Outcome outcome = analysis.run(control, listener);
+      Cycle  &last    = analysis.last_cycle();
       if (parameters.adaptivity.verify)
         analysis.verify();
-      Cycle &last     = analysis.last_cycle();
-      auto   warnings = analysis.all_warnings();
+      if (outcome == Outcome::target_reached && !control.is_met(last.result))
+        outcome = Outcome::not_verified;
+      auto warnings = analysis.all_warnings();
       add_frequencies(parameters.output.natural_frequencies,
                       last,
                       warnings.numerical);

@@ -19,6 +19,7 @@ namespace PlateImpact
     maximum_cells,
     mesh_unchanged,
     time_step_too_coarse,
+    not_verified,
     time_budget,
     minimum_cell_size,
     nearly_as_fine_as_the_reference
