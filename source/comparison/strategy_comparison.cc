@@ -144,6 +144,12 @@ namespace PlateImpact
 
 
 
+    /// Thrown out of a cycle that would exceed the time budget.
+    struct BudgetSpent
+    {};
+
+
+
     void
     add_meshes(StrategyComparison &comparison, ComparisonCurve &curve)
     {
@@ -177,7 +183,7 @@ namespace PlateImpact
       AnalysisListener teller;
       teller.step = [&](auto cycle, auto step, auto n_steps) {
         if (is_spent())
-          throw Outcome::time_budget; // out of the cycle
+          throw BudgetSpent();
         comparison.listener.step(cycle, step, n_steps);
       };
       teller.cycle = [&](Cycle &cycle) {
@@ -265,9 +271,9 @@ namespace PlateImpact
       {
         add_meshes(*this, curve);
       }
-    catch (const Outcome outcome)
+    catch (const BudgetSpent &)
       {
-        curve.end = word_for(outcome);
+        curve.end = word_for(Outcome::time_budget);
       }
     catch (const ComputationError &error)
       {

@@ -15,9 +15,9 @@ namespace PlateImpact
     /// shift, where nothing is left of a contact force.
     constexpr double least_coupling = 1e-7;
 
-    /// Share of vectors before in a candidate, in exact arithmetic 0, from
-    /// which what is left of it is round-off as well.
-    constexpr double most_overlap = 0.1;
+    /// Share of a candidate, in exact arithmetic 1, that is orthogonal to the
+    /// vectors before: with less all of it is round-off.
+    constexpr double least_share = 0.995;
 
 
 
@@ -92,19 +92,14 @@ namespace PlateImpact
     while (n < n_wanted && !complete)
       {
         throw_if_interrupted();
-        // A times the candidate is what it is solved for
+        // The recurrence is that of A times the vectors. A recurrence of the
+        // vectors beside it would part from it by round-off that grows.
         A_candidate = n == 0 ? u : M_last;
-        matrices.solve(sigma, A_candidate, candidate);
         if (n > 0)
-          {
-            candidate -= diagonal[n - 1] * Q.col(n - 1);
-            A_candidate -= diagonal[n - 1] * A_last;
-          }
+          A_candidate -= diagonal[n - 1] * A_last;
         if (n > 1)
-          {
-            candidate -= subdiagonal[n - 2] * Q.col(n - 2);
-            A_candidate -= subdiagonal[n - 2] * A_before;
-          }
+          A_candidate -= subdiagonal[n - 2] * A_before;
+        matrices.solve(sigma, A_candidate, candidate);
         const double norm = orthogonalize();
         complete = n == Q.rows() || (n > 0 && norm * sigma <= least_coupling);
         if (complete)
@@ -133,23 +128,77 @@ namespace PlateImpact
   double
   RitzBasis::orthogonalize()
   {
-    const double norm = norm_of_candidate();
+    double norm = norm_of_candidate();
+    if (norm == 0.)
+      return norm;
     if (n == 0)
-      return norm;
-    // Orthogonal to the root of round-off serves as well as to round-off. What
-    // is lost is looked at every time: from one vector to the next it grows by
-    // a factor of 2 on most plates, and of 1e5 on some.
-    const Eigen::VectorXd overlap = Q.leftCols(n).transpose() * A_candidate;
-    const bool has_lost           = overlap.cwiseAbs().maxCoeff() > 1e-9 * norm;
-    if (!has_lost && !is_second)
-      return norm;
+      {
+        overlaps_last = Eigen::ArrayXd::Ones(1);
+        return norm;
+      }
+    Eigen::ArrayXd overlaps = expected_overlaps(norm);
+    const double   expected = overlaps.abs().maxCoeff();
+    // Orthogonal to the root of round-off serves as well as to round-off. The
+    // first vectors show the round-off of a solve.
+    const bool is_first = n < 3 || (!is_second && expected > 1e-9);
+    if (is_first || is_second)
+      {
+        const double seen = remove_overlaps() / norm,
+                     left = norm_of_candidate();
+        if (!(left > least_share * norm))
+          return 0.;
+        norm = left;
+        if (is_first) // expect ten times what was seen
+          noise *= std::max(0.1, 10. * seen / expected);
+        overlaps.setConstant(1e-16);
+      }
     // the recurrence has two vectors to bring overlaps back from
-    is_second = !is_second;
-    candidate -= Q.leftCols(n) * overlap;
+    is_second       = is_first;
+    overlaps_before = overlaps_last;
+    overlaps_last.resize(n + 1);
+    overlaps_last << overlaps, 1.;
+    return norm;
+  }
+
+
+
+  Eigen::ArrayXd
+  RitzBasis::expected_overlaps(const double norm) const
+  {
+    const Eigen::Index   m     = n - 1;
+    const Eigen::ArrayXd alpha = diagonal.head(n), beta = subdiagonal.head(m);
+    Eigen::ArrayXd       result = Eigen::ArrayXd::Zero(n);
+    if (m > 0)
+      {
+        result.head(m) = beta * overlaps_last.tail(m) +
+          (alpha.head(m) - alpha[m]) * overlaps_last.head(m) -
+          beta[m - 1] * overlaps_before;
+        result.segment(1, m - 1) +=
+          beta.head(m - 1) * overlaps_last.head(m - 1);
+      }
+    return (result +
+            (result < 0.).select(-noise, Eigen::ArrayXd::Constant(n, noise)) /
+              sigma) /
+      norm;
+  }
+
+
+
+  double
+  RitzBasis::remove_overlaps()
+  {
+    double largest = 0.;
+    // few at a time stay in the cache
+    for (Eigen::Index k = 0, some = 8; k < n; k += some)
+      {
+        const auto these = Q.middleCols(k, std::min<Eigen::Index>(some, n - k));
+        const Eigen::VectorXd overlap = these.transpose() * A_candidate;
+        candidate.noalias() -= these * overlap;
+        largest = std::max(largest, overlap.cwiseAbs().maxCoeff());
+      }
     A_candidate = as_eigen(matrices.discretization.stiffness()) * candidate +
       sigma * (as_eigen(matrices.discretization.mass()) * candidate);
-    const double left = norm_of_candidate();
-    return overlap.norm() < most_overlap * left ? left : 0.;
+    return largest;
   }
 
 
