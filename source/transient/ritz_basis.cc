@@ -15,9 +15,15 @@ namespace PlateImpact
     /// shift, where nothing is left of a contact force.
     constexpr double least_coupling = 1e-7;
 
-    /// Share of a candidate, in exact arithmetic 1, that is orthogonal to the
-    /// vectors before: with less all of it is round-off.
-    constexpr double least_share = 0.995;
+    /// Share of vectors before in a candidate, in exact arithmetic 0, from
+    /// which what is left of it is round-off as well.
+    constexpr double most_overlap = 0.1;
+
+    /// The root of round-off serves as well as round-off.
+    constexpr double allowed_overlap = 1e-9;
+
+    /// Vectors after which all before are looked at, whatever is expected.
+    constexpr unsigned int most_without_look = 30;
 
 
 
@@ -130,7 +136,7 @@ namespace PlateImpact
   {
     double norm = norm_of_candidate();
     if (norm == 0.)
-      return norm;
+      return norm; // which nothing can be divided by
     if (n == 0)
       {
         overlaps_last = Eigen::ArrayXd::Ones(1);
@@ -138,22 +144,28 @@ namespace PlateImpact
       }
     Eigen::ArrayXd overlaps = expected_overlaps(norm);
     const double   expected = overlaps.abs().maxCoeff();
-    // Orthogonal to the root of round-off serves as well as to round-off. The
-    // first vectors show the round-off of a solve.
-    const bool is_first = n < 3 || (!is_second && expected > 1e-9);
-    if (is_first || is_second)
+    // the first vectors show the round-off of a solve
+    const bool begins_two = n < 4 ||
+      (!is_second &&
+       (expected > allowed_overlap || n >= looked_at + most_without_look));
+    if (begins_two || is_second)
       {
-        const double seen = remove_overlaps() / norm,
-                     left = norm_of_candidate();
-        if (!(left > least_share * norm))
+        const Eigen::VectorXd removed = remove_overlaps();
+        const double          left    = norm_of_candidate();
+        if (!(removed.norm() < most_overlap * left))
           return 0.;
-        norm = left;
-        if (is_first) // expect ten times what was seen
-          noise *= std::max(0.1, 10. * seen / expected);
-        overlaps.setConstant(1e-16);
+        if (begins_two) // what is expected is ten times what was seen
+          noise = std::max(round_off,
+                           noise *
+                             std::max(0.1,
+                                      10. * removed.cwiseAbs().maxCoeff() /
+                                        (norm * expected)));
+        norm      = left;
+        looked_at = n;
+        overlaps.setConstant(noise);
       }
     // the recurrence has two vectors to bring overlaps back from
-    is_second       = is_first;
+    is_second       = begins_two;
     overlaps_before = overlaps_last;
     overlaps_last.resize(n + 1);
     overlaps_last << overlaps, 1.;
@@ -175,6 +187,7 @@ namespace PlateImpact
           beta[m - 1] * overlaps_before;
         result.segment(1, m - 1) +=
           beta.head(m - 1) * overlaps_last.head(m - 1);
+        result[m] = -beta[m - 1] * overlaps_last[m - 1];
       }
     return (result +
             (result < 0.).select(-noise, Eigen::ArrayXd::Constant(n, noise)) /
@@ -184,21 +197,23 @@ namespace PlateImpact
 
 
 
-  double
+  Eigen::VectorXd
   RitzBasis::remove_overlaps()
   {
-    double largest = 0.;
-    // few at a time stay in the cache
+    Eigen::VectorXd overlaps(n), sum = Eigen::VectorXd::Zero(Q.rows());
+    // few vectors at a time stay in the cache
     for (Eigen::Index k = 0, some = 8; k < n; k += some)
       {
         const auto these = Q.middleCols(k, std::min<Eigen::Index>(some, n - k));
         const Eigen::VectorXd overlap = these.transpose() * A_candidate;
-        candidate.noalias() -= these * overlap;
-        largest = std::max(largest, overlap.cwiseAbs().maxCoeff());
+        sum.noalias() += these * overlap;
+        overlaps.segment(k, overlap.size()) = overlap;
       }
-    A_candidate = as_eigen(matrices.discretization.stiffness()) * candidate +
-      sigma * (as_eigen(matrices.discretization.mass()) * candidate);
-    return largest;
+    candidate -= sum;
+    // A times the candidate would have more round-off than its recurrence
+    A_candidate -= as_eigen(matrices.discretization.stiffness()) * sum +
+      sigma * (as_eigen(matrices.discretization.mass()) * sum);
+    return overlaps;
   }
 
 

@@ -24,8 +24,8 @@ namespace PlateImpact
   /// Lanczos' recurrence: with Q^T A Q = I the projected mass T = Q^T M Q is
   /// tridiagonal, the stiffness I - sigma T, and the load a multiple of the
   /// first unit vector. A vector costs one solve and one product with M. Where
-  /// a recurrence tells that round-off has grown, two of them are made
-  /// orthogonal to all before (Simon 1984,
+  /// a recurrence tells that round-off may have grown, a vector and the next
+  /// are made orthogonal to all before (Simon 1984,
   /// doi:10.1090/S0025-5718-1984-0725988-X).
   class RitzBasis
   {
@@ -81,19 +81,22 @@ namespace PlateImpact
     }
 
   private:
+    static constexpr double round_off = 1e-16;
+
     /// Removes what round-off has left of earlier vectors in the candidate,
     /// where that may matter.
     /// @return norm_of_candidate() after that; 0 when that is round-off too
     double
     orthogonalize();
-    /// Products q_k^T A q of the next vector q with those before, which
-    /// Lanczos' recurrence makes of those of the last two vectors and the
-    /// noise.
+    /// Products q_k^T A q of the vector q that the candidate becomes with those
+    /// before, which Lanczos' recurrence makes of those of the last two vectors
+    /// and the noise.
     /// @param norm  of the candidate
     Eigen::ArrayXd
     expected_overlaps(double norm) const;
-    /// @return the largest product q_k^T A candidate before
-    double
+    /// Removes earlier vectors from the candidate.
+    /// @return the products q_k^T A candidate before
+    Eigen::VectorXd
     remove_overlaps();
     double
     norm_of_candidate() const;
@@ -101,9 +104,12 @@ namespace PlateImpact
     const Eigen::VectorXd &u;
     unsigned int           n        = 0;
     bool                   complete = false;
-    bool            is_second = false; ///< next to one that had lost digits
-    double          noise     = 1e-16; ///< round-off of a solve
-    Eigen::ArrayXd  overlaps_last, overlaps_before;  ///< with all up to itself
+    bool         is_second = false;     ///< of two that are made orthogonal
+    unsigned int looked_at = 0;         ///< the last of such, by number
+    double       noise     = round_off; ///< ten times that of a solve, relative
+    /// Products with all up to themselves of the last vector and the one
+    /// before, as expected.
+    Eigen::ArrayXd  overlaps_last, overlaps_before;
     double          load_norm = 0., last_pivot = 0.; ///< of T
     Eigen::MatrixXd Q;                               ///< with room for more
     Eigen::VectorXd diagonal, subdiagonal;
