@@ -147,6 +147,32 @@ namespace PlateImpact
 
 
 
+    TEST_F(StretchedPlates, VerifyGivesTheBar)
+    {
+      const std::string faster = " --set Impactor/Velocity=10 --set 'Time/Time "
+                                 "step=1e-6'";
+      ASSERT_EQ(run_large(faster), 0) << err;
+      EXPECT_FALSE(last_cycle().contains("peak_force_error_bar"));
+      ASSERT_EQ(run_large(faster + " --set Adaptivity/Verify=true"), 0) << err;
+      const auto   last   = last_cycle();
+      const double change = last["verification"]["relative_change"];
+      EXPECT_NE(change, 0.);
+      EXPECT_GE(last["peak_force_error_bar"], 2. * std::abs(change));
+      EXPECT_NE(out.find(" N +- "), std::string::npos) << out;
+      // four times as many cells along a side
+      ASSERT_EQ(run_large(faster +
+                          " --set 'Discretization/Initial cells=16, "
+                          "16'"),
+                0)
+        << err;
+      EXPECT_LT(std::abs(last_cycle()["peak_force"].get<double>() /
+                           last["peak_force"].get<double>() -
+                         1.),
+                last["peak_force_error_bar"]);
+    }
+
+
+
     TEST_F(StretchedPlates, DampingIsInTheBalance)
     {
       ASSERT_EQ(run_large(" --set Impactor/Velocity=10 --set 'Time/End "

@@ -305,7 +305,8 @@ namespace PlateImpact
              "relative to it. [-]");
     entry("Verify", "false", truth(), verify)
       .means("Compute the peak force again on the last mesh with every cell "
-             "halved, and say how far it is.");
+             "halved, and say how far it is: of Deflection = large half of the "
+             "error bar.");
     entry("Maximum cycles", "6", whole_number(1, 1000), maximum_cycles)
       .means("Meshes computed on, the initial one included.");
     entry("Maximum cells", "250000", whole_number(1, 100000000), maximum_cells)

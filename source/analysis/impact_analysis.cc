@@ -283,12 +283,15 @@ namespace PlateImpact
       PeakOnMesh{impact.history.peak().force,
                  {},
                  plate.discretization().mesh().n_active_cells()};
+    const double change =
+      std::abs(impact.history.peak().force / result.history->peak().force - 1.);
+    // Nothing else tells the error of a plate with large deflections: twice
+    // the change, as of an error that falls with the size of the cells.
+    if (current->discretization().is_nonlinear() && result.time_error)
+      result.peak_force_bar = PeakForceBar{2. * change, *result.time_error};
     // an error that is seen is part of the bar
-    if (auto &bar = result.peak_force_bar)
-      bar->space = std::max(bar->space,
-                            std::abs(impact.history.peak().force /
-                                       result.history->peak().force -
-                                     1.));
+    else if (auto &bar = result.peak_force_bar)
+      bar->space = std::max(bar->space, change);
     result.seconds.estimation += timer.wall_time();
   }
 

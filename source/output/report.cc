@@ -277,10 +277,13 @@ namespace PlateImpact
         study["words"]    = {
              {"localResponse", local_response_in_words(parameters)},
              {"estimate",
-              (is_on_softer_plate ? "on a softer plate" : "by the dual problem") +
-                (", with a factor of safety of " +
-              number(is_on_softer_plate ? safety_on_softer_plate :
-                                          safety_of_bar))},
+           !last.result.peak_force_error ?
+                "by the mesh with every cell halved" :
+                (is_on_softer_plate ? "on a softer plate" :
+                                      "by the dual problem") +
+               (", with a factor of safety of " +
+                number(is_on_softer_plate ? safety_on_softer_plate :
+                                            safety_of_bar))},
              {"force", with_error(force, bar ? bar->total() * force : 0., "N")},
              {"load", load_in_words(parameters)},
              {"model", model_in_words(verdict)}};
