@@ -29,7 +29,18 @@ namespace PlateImpact
       .string();
   }
 
-  /// The executable as a user runs it, in a directory of its own.
+  /// Does what the program does with a command line, in a child of this
+  /// process, which has its libraries linked: that takes the program half a
+  /// second.
+  /// @param arguments  words of a shell
+  /// @param out        file of what is printed; `err` of messages
+  /// @return the exit status; -1 after a signal
+  int
+  execute_in_child(const std::string &arguments,
+                   const std::string &out,
+                   const std::string &err);
+
+  /// The program as a user runs it, in a directory of its own.
   class Program : public testing::Test
   {
   protected:
@@ -45,19 +56,23 @@ namespace PlateImpact
       fs::remove_all(directory);
     }
 
-    /// Runs the program with its results in `results()`.
-    /// @param prefix  of the command, such as mpirun
+    /// Runs the program.
+    /// @param arguments  words of a shell
+    /// @param prefix     of the command, such as mpirun
     /// @return its exit status
     int
     execute(const std::string &arguments, const std::string &prefix = "")
     {
-      const std::string command = prefix + "'" + PROGRAM + "' " + arguments +
-        " > '" + (directory / "out").string() + "' 2> '" +
-        (directory / "err").string() + "'";
-      const int status = std::system(command.c_str());
-      out              = text(directory / "out");
-      err              = text(directory / "err");
-      return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+      const std::string to_out = (directory / "out").string(),
+                        to_err = (directory / "err").string();
+      const int status         = prefix.empty() ?
+                execute_in_child(arguments, to_out, to_err) :
+                WEXITSTATUS(std::system((prefix + "'" PROGRAM "' " + arguments +
+                                 " > '" + to_out + "' 2> '" + to_err + "'")
+                                  .c_str()));
+      out                      = text(to_out);
+      err                      = text(to_err);
+      return status;
     }
 
     int

@@ -29,7 +29,7 @@ ROOMS = {
     "comparison": "base plate contact estimator analysis scene page output",
     "sweep": "base plate contact transient analysis scene page output",
     "command": "base plate contact transient analysis scene output marking comparison sweep",
-    "main": "base scene output command",
+    "main": "command",
 }
 
 # a law's name in the sources, and its own pair of files

@@ -1,0 +1,36 @@
+#include "program_fixture.h"
+
+#include "plate_impact/command/command_line.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <stdexcept>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <wordexp.h>
+
+namespace PlateImpact
+{
+  int
+  execute_in_child(const std::string &arguments,
+                   const std::string &out,
+                   const std::string &err)
+  {
+    wordexp_t words;
+    if (wordexp(("plate-impact " + arguments).c_str(), &words, WRDE_NOCMD) != 0)
+      throw std::invalid_argument("not words of a shell: " + arguments);
+    std::fflush(nullptr); // or the child prints it once more
+    const pid_t child = fork();
+    if (child == 0)
+      {
+        if (std::freopen(out.c_str(), "w", stdout) == nullptr ||
+            std::freopen(err.c_str(), "w", stderr) == nullptr)
+          std::abort();
+        std::exit(run_command_line(words.we_wordc, words.we_wordv));
+      }
+    wordfree(&words);
+    int status = 0;
+    waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+} // namespace PlateImpact
