@@ -51,7 +51,9 @@ namespace PlateImpact
 
     TEST(PeakForceBar, OfALatePeakIsThatOfTheSofterPlate)
     {
-      const PeakForceError estimate{Eigen::Vector2d(0.3, -0.4), 0.01};
+      const PeakForceError estimate{Eigen::Vector2d(0.3, -0.4),
+                                    PeakForceError::Change{-0.01, 0.004}};
+      EXPECT_EQ(estimate.estimate(), 0.01);
       EXPECT_NEAR(bar(estimate, {}, true).value(),
                   safety_on_softer_plate * 0.01,
                   1e-15);

@@ -167,7 +167,7 @@ namespace PlateImpact
         PeakForceBar{*worth.mesh_part_of_bar,
                      *result.time_error,
                      result.vector_error,
-                     result.peak_force_error->of_softer_plate.has_value()};
+                     result.peak_force_error->on_softer_plate.has_value()};
     if (!result.error)
       return worth;
     worth.error_ratios = result.error->ratios(adaptivity.target_error);

@@ -5,15 +5,16 @@
 #include "plate_impact/transient/softened_system.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace PlateImpact
 {
   namespace
   {
-    /// How far the force moves on a plate that is softer by what recovery finds
-    /// missing, relative to its peak. One force may agree by accident, so all
-    /// around it count, the less the more waves sum up in them.
-    double
+    /// How the force changes on a plate that is softer by what recovery finds
+    /// missing. One force may agree by accident, so all around the peak count,
+    /// the less the more waves sum up in them.
+    PeakForceError::Change
     change_on_softer_plate(const LoadedPlate        &loaded,
                            const PeakForceProblem   &problem,
                            const DualWeightedErrors &errors,
@@ -25,10 +26,9 @@ namespace PlateImpact
       // in the same steps and vectors, which have errors of their own
       const ContactHistory here = loaded.on_other_plate(system, history);
       const ContactState  &peak = here.peak();
-      return std::max(std::abs(of_softer.peak().force - peak.force),
-                      of_softer.difference_around(peak.time, here) /
-                        std::sqrt(problem.returns_of_waves)) /
-        peak.force;
+      return {of_softer.peak().force / peak.force - 1.,
+              of_softer.difference_around(peak.time, here) /
+                (std::sqrt(problem.returns_of_waves) * peak.force)};
     }
   } // namespace
 
@@ -94,7 +94,7 @@ namespace PlateImpact
     try
       {
         if (problem->returns_of_waves > 1.)
-          result.of_softer_plate =
+          result.on_softer_plate =
             change_on_softer_plate(loaded, *problem, errors, history);
       }
     catch (const ComputationError &)

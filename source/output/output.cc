@@ -198,7 +198,7 @@ namespace PlateImpact
         cycle["time_error"] = *result.time_error;
       if (result.peak_force_error)
         cycle["peak_force_error_estimate"] =
-          result.peak_force_error->cells.sum();
+          result.peak_force_error->estimate();
       if (const auto &bar = result.peak_force_bar)
         cycle.update({{"peak_force_error_space", bar->space},
                       {"peak_force_error_time", bar->time}});

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -24,11 +25,23 @@ namespace PlateImpact
     /// signs.
     Eigen::VectorXd cells;
 
-    /// Of a peak that comes after waves are back: how far the force moves where
-    /// the plate is softer by the energies that the recovery finds missing. The
-    /// larger of the change of its peak, and of a share of the root mean square
-    /// around it.
-    std::optional<double> of_softer_plate;
+    /// Of a peak that comes after waves are back: how the force changes where
+    /// the plate is softer by the energies that the recovery finds missing.
+    /// Relative to the peak.
+    struct Change
+    {
+      double of_peak   = 0.; ///< with its sign
+      double around_it = 0.; ///< a share of the root mean square
+    };
+    std::optional<Change> on_softer_plate;
+
+    /// Of the computed peak, positive if it is too large. Late peaks have
+    /// errors of phase, of which the contributions of cells say nothing.
+    double
+    estimate() const
+    {
+      return on_softer_plate ? -on_softer_plate->of_peak : cells.sum();
+    }
 
     /// The mesh's part of the error bar. Where waves pass once it is the sum of
     /// absolute values, since contributions of an assumed shear strain may have
@@ -37,7 +50,9 @@ namespace PlateImpact
     double
     bar() const
     {
-      return of_softer_plate ? safety_on_softer_plate * *of_softer_plate :
+      return on_softer_plate ? safety_on_softer_plate *
+          std::max(std::abs(on_softer_plate->of_peak),
+                   on_softer_plate->around_it) :
                                safety_of_bar * cells.lpNorm<1>();
     }
   };
