@@ -282,7 +282,9 @@ def main():
                         "Comparison/Strategies=uniform, hanging nodes", "Comparison/Elements=MITC9, serendipity"]
     struck = {"Within the limits of the model": True, "Zener": True, "change in the last cycle": True}
     still = {"Nothing strikes": False, "Zener": False, "Histories": False, "Animation": False, "η": False}
-    alone = {"Zener": True, "change in the last cycle": False, "every cell halved": True}
+    alone = {"Zener": True, "change in the last cycle": False, "every cell halved": True,
+             "on the softer plate": False}
+    late = {"on the softer plate": True, "too coarse to tell": False}
     blind = {"too coarse to tell": True, "Far outside the limits of the model": False}
     # command, scene, entries; what the page has at least: plots, maps, meshes; whether a film; words that it has or not
     cases = [
@@ -293,6 +295,7 @@ def main():
         ("run", "compare-thin-plate.prm", ["Adaptivity/Strategy=none"], (5, 0, 1), True, blind),
         ("run", "paper-cylinder.prm", ["Adaptivity/Maximum cycles=2"], (8, 0, 2), True, {"a lower bound for a cylinder": True}),
         ("run", "off-centre.prm", [], (8, 0, 2), True, {"The whole plate.": True}),
+        ("run", "drop-weight.prm", [], (8, 0, 2), True, late),
         ("run", "extremes/long-plate.prm", ["Adaptivity/Maximum cycles=2"], (8, 0, 2), True, {}),
         ("sweep", "sphere-on-steel-plate.prm", coarse + one_mesh + three_entries, (0, 8, 0), False,
          {"failed: 0": True, "Thickness = 0.004 m": True}),

@@ -98,9 +98,14 @@ def matches(expected, actual):
     return re.fullmatch(pattern + re.escape(expected[at:]), actual) is not None
 
 
+def root_mean_square(values):
+    values = list(values)
+    return math.sqrt(sum(value**2 for value in values) / len(values))
+
+
 FILTERS = {
     "decimals": decimals, "percent": percent, "change": change,
     "significant": significant, "power": power, "seconds": seconds, "decades": decades,
-    "log2": math.log2,
+    "log2": math.log2, "rms": root_mean_square,
     "us": scale(1e6), "ms": scale(1e3), "mm": scale(1e3), "um": scale(1e6), "mN": scale(1e3),
 }
