@@ -1,5 +1,7 @@
 #include "program_fixture.h"
 
+#include <deal.II/base/multithread_info.h>
+
 #include "plate_impact/command/command_line.h"
 
 #include <cstdio>
@@ -11,6 +13,15 @@
 
 namespace PlateImpact
 {
+  namespace
+  {
+    // A child has none of the other threads that deal.II starts.
+    [[maybe_unused]] const bool one_thread =
+      (dealii::MultithreadInfo::set_thread_limit(1), true);
+  } // namespace
+
+
+
   int
   execute_in_child(const std::string &arguments,
                    const std::string &out,

@@ -216,7 +216,8 @@ def main():
     if unknown:
         sys.exit(f"documents.py: {', '.join(unknown)} has no template")
     with (tempfile.TemporaryDirectory() as answers,
-          concurrent.futures.ProcessPoolExecutor() as pool):
+          # pages wait for runs of others, and their last runs leave processors idle
+          concurrent.futures.ProcessPoolExecutor(2 * os.cpu_count()) as pool):
         problems = dict(zip(wanted, pool.map(
             make, wanted, itertools.repeat(arguments.build), itertools.repeat(answers),
             itertools.repeat(arguments.check))))
