@@ -1,4 +1,4 @@
-#include "plate_impact/command/command_line.h"
+#include "plate_impact/command/commands.h"
 
 int
 main(const int argc, const char *const *argv)

@@ -2,7 +2,7 @@
 
 #include <deal.II/base/multithread_info.h>
 
-#include "plate_impact/command/command_line.h"
+#include "plate_impact/command/commands.h"
 
 #include <cstdio>
 #include <cstdlib>

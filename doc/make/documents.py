@@ -215,14 +215,16 @@ def main():
     unknown = sorted(set(wanted) - set(every))
     if unknown:
         sys.exit(f"documents.py: {', '.join(unknown)} has no template")
+    # the longest first: at the end no processor is to wait for one page
+    in_order = sorted(wanted, key=lambda name: (templates / name).stat().st_size, reverse=True)
     with (tempfile.TemporaryDirectory() as answers,
-          # pages wait for runs of others, and their last runs leave processors idle
-          concurrent.futures.ProcessPoolExecutor(2 * os.cpu_count()) as pool):
-        problems = dict(zip(wanted, pool.map(
-            make, wanted, itertools.repeat(arguments.build), itertools.repeat(answers),
+          # pages wait for runs of others, too
+          concurrent.futures.ProcessPoolExecutor(os.cpu_count() + 1) as pool):
+        problems = dict(zip(in_order, pool.map(
+            make, in_order, itertools.repeat(arguments.build), itertools.repeat(answers),
             itertools.repeat(arguments.check))))
     print("".join(problems.values()), end="")
-    bad = [name for name, problem in problems.items() if problem]
+    bad = [name for name in wanted if problems[name]]
     if bad:
         sys.exit(f"documents.py: {', '.join(bad)}"
                  + ("; `cmake --build --preset release --target documents` writes all again"

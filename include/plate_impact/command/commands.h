@@ -44,4 +44,11 @@ namespace PlateImpact
   /// @throws ComputationError when the impact cannot be computed
   std::string
   expectation_in_words(const Scene &scene);
+
+  /// Does what the command line asks for; errors are printed. The whole
+  /// program, apart from main().
+  /// @return the exit status: 0 done, 1 the input is wrong, 2 the computation
+  ///         failed, 128 and the signal that interrupted it
+  int
+  run_command_line(int argc, const char *const *argv);
 } // namespace PlateImpact
