@@ -42,6 +42,6 @@ namespace PlateImpact
     wordfree(&words);
     int status = 0;
     waitpid(child, &status, 0);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return exit_status(status);
   }
 } // namespace PlateImpact

@@ -29,6 +29,14 @@ namespace PlateImpact
       .string();
   }
 
+  /// @param status  of waitpid() or system()
+  /// @return -1 after a signal
+  inline int
+  exit_status(const int status)
+  {
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
   /// Does what the program does with a command line, in a child of this
   /// process, which has its libraries linked: that takes the program half a
   /// second.
@@ -67,7 +75,7 @@ namespace PlateImpact
                         to_err = (directory / "err").string();
       const int status         = prefix.empty() ?
                 execute_in_child(arguments, to_out, to_err) :
-                WEXITSTATUS(std::system((prefix + "'" PROGRAM "' " + arguments +
+                exit_status(std::system((prefix + "'" PROGRAM "' " + arguments +
                                  " > '" + to_out + "' 2> '" + to_err + "'")
                                   .c_str()));
       out                      = text(to_out);

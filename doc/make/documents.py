@@ -223,7 +223,7 @@ def main():
         problems = dict(zip(in_order, pool.map(
             make, in_order, itertools.repeat(arguments.build), itertools.repeat(answers),
             itertools.repeat(arguments.check))))
-    print("".join(problems.values()), end="")
+    print("".join(problems[name] for name in wanted), end="")
     bad = [name for name in wanted if problems[name]]
     if bad:
         sys.exit(f"documents.py: {', '.join(bad)}"

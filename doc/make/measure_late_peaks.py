@@ -8,6 +8,7 @@ import pathlib
 import tempfile
 
 import runs
+from digits import root_mean_square
 from measure_performance import usage_of
 
 BALL = {"Plate/Thickness": 0.004, "Impactor/Radius": 0.02, "Impactor/Mass": 6.24,
@@ -76,7 +77,7 @@ def error_of_equal_cells(program, scene, adapted, force):
                                "Time/End time": 1.1 * adapted["time_of_peak_force"],
                                "Discretization/Initial cells": f"{n},{n}"}, scene)
              for n in numbers]
-    return (sum((one["peak_force"] / force - 1) ** 2 for one in equal) / len(equal)) ** 0.5
+    return root_mean_square(one["peak_force"] / force - 1 for one in equal)
 
 
 def beside_equal_cells(program, scene, force, entries):

@@ -279,7 +279,10 @@ namespace PlateImpact
              {"estimate",
            !last.result.peak_force_error ?
                 "by the mesh with every cell halved" :
-                (is_on_softer_plate ? "on a softer plate" :
+                (is_on_softer_plate ? "on a softer plate, where the force is " +
+                  number(force *
+                         (1. - last.result.peak_force_error->estimate())) +
+                  " N" :
                                       "by the dual problem") +
                (", with a factor of safety of " +
                 number(is_on_softer_plate ? safety_on_softer_plate :

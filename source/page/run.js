@@ -61,10 +61,6 @@ function evidenceOfRun({ summary, words }) {
   else if (last.peak_force_error_estimate !== undefined)
     rows.push(['Mesh: error of the peak force',
       'not known: the mesh or the time step is too coarse to tell']);
-  if (last.peak_force_error_bar !== undefined && last.returns_of_waves > 1) {
-    const softer = last.peak_force * (1 - last.peak_force_error_estimate);
-    rows.push(['Mesh: on the softer plate', `${deviation(softer, last.peak_force)} (to ${withUnit(softer, 'N')})`]);
-  }
   if (last.verification)
     rows.push(['Mesh: every cell halved', `${deviation(last.verification.peak_force, last.peak_force)} ` +
       `(to ${withUnit(last.verification.peak_force, 'N')} on ${last.verification.cells} cells)`]);
