@@ -269,17 +269,13 @@ namespace PlateImpact
   Eigen::MatrixXd
   PlateSection::stiffness() const
   {
-    const int       n            = n_resultants();
-    Eigen::MatrixXd matrix       = Eigen::MatrixXd::Zero(n, n);
-    matrix.topLeftCorner<3, 3>() = bending_stiffness;
-    matrix.block<2, 2>(3, 3)     = shear_stiffness;
-    if (stretching != Stretching::none)
-      {
-        matrix.topRightCorner<3, 3>()    = coupling_stiffness;
-        matrix.bottomLeftCorner<3, 3>()  = coupling_stiffness;
-        matrix.bottomRightCorner<3, 3>() = membrane_stiffness;
-      }
-    return matrix;
+    Eigen::MatrixXd matrix           = Eigen::MatrixXd::Zero(8, 8);
+    matrix.topLeftCorner<3, 3>()     = bending_stiffness;
+    matrix.block<2, 2>(3, 3)         = shear_stiffness;
+    matrix.topRightCorner<3, 3>()    = coupling_stiffness;
+    matrix.bottomLeftCorner<3, 3>()  = coupling_stiffness;
+    matrix.bottomRightCorner<3, 3>() = membrane_stiffness;
+    return matrix.topLeftCorner(n_resultants(), n_resultants());
   }
 
 
@@ -287,13 +283,11 @@ namespace PlateImpact
   const std::vector<std::pair<std::string, std::string>> &
   PlateSection::stress_names() const
   {
-    using Names = std::vector<std::pair<std::string, std::string>>;
-    static const Names isotropic = {
-      {"von_mises_stress", "von Mises stress at the faces"}};
-    static const Names of_plies = {
-      {"fibre_stress", "largest stress along fibres"},
-      {"transverse_stress", "largest stress across fibres"},
-      {"ply_shear_stress", "largest shear stress of plies"}};
+    static const std::vector<std::pair<std::string, std::string>>
+      isotropic = {{"von_mises_stress", "von Mises stress at the faces"}},
+      of_plies  = {{"fibre_stress", "largest stress along fibres"},
+                   {"transverse_stress", "largest stress across fibres"},
+                   {"ply_shear_stress", "largest shear stress of plies"}};
     return is_laminate ? of_plies : isotropic;
   }
 
@@ -307,19 +301,17 @@ namespace PlateImpact
       return std::sqrt(s[0] * s[0] - s[0] * s[1] + s[1] * s[1] +
                        3. * s[2] * s[2]);
     };
-    const unsigned int    n = n_for_stresses();
-    const Eigen::VectorXd strains =
-      compliance.topLeftCorner(n, n) * resultants.head(n);
+    const unsigned int n       = n_for_stresses();
+    Eigen::VectorXd    strains = Eigen::VectorXd::Zero(8);
+    strains.head(n) = compliance.topLeftCorner(n, n) * resultants.head(n);
     Eigen::MatrixXd result(plies.size(), stress_names().size());
     for (std::size_t k = 0; k < plies.size(); ++k)
       {
-        const PlyStresses    &ply   = plies[k];
-        const Eigen::Vector3d per_z = ply.stress_per_strain * strains.head<3>();
-        Eigen::Vector3d       middle = Eigen::Vector3d::Zero();
-        if (stretching != Stretching::none)
-          middle = ply.stress_per_strain * strains.tail<3>();
-        const Eigen::Vector3d at_near = middle - ply.near * per_z,
-                              at_far  = middle - ply.far * per_z;
+        const auto &[near, far, per_strain] = plies[k];
+        const Eigen::Vector3d per_z         = per_strain * strains.head<3>(),
+                              middle        = per_strain * strains.tail<3>(),
+                              at_near       = middle - near * per_z,
+                              at_far        = middle - far * per_z;
         if (is_laminate)
           result.row(k) = at_near.cwiseAbs().cwiseMax(at_far.cwiseAbs());
         else
@@ -351,11 +343,11 @@ namespace PlateImpact
     for (Eigen::Index p = 0; p < resultants.cols(); ++p)
       largest.row(p) = section.stresses(resultants.col(p)).colwise().maxCoeff();
     for (std::size_t k = 0; k < names.size(); ++k)
-      {
-        const auto &[in_file, in_words] = names[k];
-        fields.push_back(
-          {in_words, "Pa", in_file, {{false, false}}, largest.col(k)});
-      }
+      fields.push_back({names[k].second,
+                        "Pa",
+                        names[k].first,
+                        {{false, false}},
+                        largest.col(k)});
     return fields;
   }
 } // namespace PlateImpact
