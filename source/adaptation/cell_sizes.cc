@@ -49,14 +49,11 @@ namespace PlateImpact
                const ErrorRatios          &error,
                const AdaptivityParameters &adaptivity)
   {
-    std::vector<double> sizes(mesh.n_active_cells());
+    std::vector<double> sizes;
     for (const auto &cell : mesh.active_cell_iterators())
-      {
-        const unsigned int c = cell->active_cell_index();
-        // infinite without an error
-        sizes[c] = cell_size(cell) /
-          std::pow(error.elements[c], CellSizing(cell, adaptivity).exponent);
-      }
+      sizes.push_back(cell_size(cell) /
+                      std::pow(error.elements[cell->active_cell_index()],
+                               CellSizing(cell, adaptivity).exponent));
     return sizes;
   }
 

@@ -48,22 +48,6 @@ namespace PlateImpact
 
 
 
-    std::vector<Point<2>>
-    plane_vertices(const MshFile &file)
-    {
-      const BoundingBox<3> box(file.vertices);
-      if (!(box.side_length(2) <=
-            1e-6 * std::max(box.side_length(0), box.side_length(1))))
-        throw InputError({"does not lie in a plane of constant z; expected a "
-                          "flat plate along x and y"});
-      std::vector<Point<2>> vertices;
-      for (const Point<3> &p : file.vertices)
-        vertices.emplace_back(p[0], p[1]);
-      return vertices;
-    }
-
-
-
     /// Turns cells counterclockwise.
     std::vector<Corners>
     oriented(std::vector<CellData<2>>    &cells,
@@ -359,13 +343,18 @@ namespace PlateImpact
   std::shared_ptr<const PlateFile>
   read_plate_file(const std::string &path)
   {
-    auto plate                    = std::make_shared<PlateFile>();
-    plate->path                   = path;
-    MshFile              file     = read_msh_file(path);
-    const auto           vertices = plane_vertices(file);
-    const BoundingBox<2> box(vertices);
-    const double size    = std::max(box.side_length(0), box.side_length(1));
-    const auto   corners = oriented(file.cells, vertices);
+    auto plate                = std::make_shared<PlateFile>();
+    plate->path               = path;
+    MshFile              file = read_msh_file(path);
+    const BoundingBox<3> box(file.vertices);
+    const double size = std::max(box.side_length(0), box.side_length(1));
+    if (!(box.side_length(2) <= 1e-6 * size))
+      throw InputError({"does not lie in a plane of constant z; expected a "
+                        "flat plate along x and y"});
+    std::vector<Point<2>> vertices;
+    for (const Point<3> &p : file.vertices)
+      vertices.emplace_back(p[0], p[1]);
+    const auto corners = oriented(file.cells, vertices);
     refuse_cracks(vertices, size);
     refuse_loose_parts(file.cells, vertices);
     refuse_overlaps(corners);
