@@ -18,7 +18,6 @@
 #include <fmt/format.h>
 #include <iterator>
 #include <map>
-#include <utility>
 
 namespace PlateImpact
 {
@@ -48,23 +47,17 @@ namespace PlateImpact
 
 
 
-    /// Turns cells counterclockwise.
     std::vector<Corners>
-    oriented(std::vector<CellData<2>>    &cells,
-             const std::vector<Point<2>> &vertices)
+    convex_corners(const std::vector<CellData<2>> &cells,
+                   const std::vector<Point<2>>    &vertices)
     {
       std::vector<Corners> corners;
-      for (auto &cell : cells)
+      for (const auto &cell : cells)
         {
           Corners &c = corners.emplace_back();
           for (unsigned int v = 0; v < 4; ++v)
             // by rows there, around the cell here
             c[v] = vertices[cell.vertices[v ^ (v / 2)]];
-          if (cross(c[0], c[1], c[2]) + cross(c[0], c[2], c[3]) < 0.)
-            {
-              std::swap(cell.vertices[1], cell.vertices[2]);
-              std::swap(c[1], c[3]);
-            }
           for (unsigned int v = 0; v < 4; ++v)
             {
               const Point<2> &next = c[(v + 1) % 4], &last = c[(v + 3) % 4];
@@ -354,7 +347,8 @@ namespace PlateImpact
     std::vector<Point<2>> vertices;
     for (const Point<3> &p : file.vertices)
       vertices.emplace_back(p[0], p[1]);
-    const auto corners = oriented(file.cells, vertices);
+    GridTools::invert_cells_with_negative_measure(vertices, file.cells);
+    const auto corners = convex_corners(file.cells, vertices);
     refuse_cracks(vertices, size);
     refuse_loose_parts(file.cells, vertices);
     refuse_overlaps(corners);
