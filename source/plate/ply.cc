@@ -64,14 +64,7 @@ namespace PlateImpact
   bool
   Ply::is_elastic() const
   {
-    // without units, so that stiff and soft directions count alike
-    const Eigen::Matrix3d compliance = normal_compliance(constants);
-    const Eigen::Vector3d scale =
-      compliance.diagonal().cwiseSqrt().cwiseInverse();
-    return (scale.asDiagonal() * compliance * scale.asDiagonal())
-             .eval()
-             .llt()
-             .info() == Eigen::Success;
+    return normal_compliance(constants).llt().info() == Eigen::Success;
   }
 
 
