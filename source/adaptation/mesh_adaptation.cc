@@ -199,13 +199,14 @@ namespace PlateImpact
                 return true;
               }};
     }
+  } // namespace
 
 
 
-    /// All but none; those that follow the error of the peak force as well.
-    std::vector<Word<ComparedStrategy>>
-    compared_strategies()
-    {
+  /// All but none; those that follow the error of the peak force as well.
+  template <>
+  const std::vector<Word<ComparedStrategy>> Choices<ComparedStrategy>::words =
+    [] {
       std::vector<Word<ComparedStrategy>> all;
       for (const StrategyRow &row : strategies)
         if (row.choice != AdaptationStrategy::none)
@@ -217,14 +218,7 @@ namespace PlateImpact
         all.push_back({{strategy, AdaptationGoal::peak_force},
                        row_of(strategy, strategies).word + " by force"});
       return all;
-    }
-  } // namespace
-
-
-
-  template <>
-  const std::vector<Word<ComparedStrategy>>
-    Choices<ComparedStrategy>::words = compared_strategies();
+    }();
 
 
 

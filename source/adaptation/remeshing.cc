@@ -180,13 +180,11 @@ namespace PlateImpact
       GridTools::compute_bounding_box(mesh).get_boundary_points();
     const auto [corners, inside] =
       required_vertices(sides, contact_half_length);
-    const QuadMesh quads =
-      mesh_by_gmsh(corners,
-                   inside,
-                   mesh,
-                   sizes_at_vertices(mesh, sizes, adaptivity),
-                   warnings);
-    std::vector<Point<2>>    vertices = quads.vertices;
+    QuadMesh                 quads = mesh_by_gmsh(corners,
+                                  inside,
+                                  mesh,
+                                  sizes_at_vertices(mesh, sizes, adaptivity),
+                                  warnings);
     std::vector<CellData<2>> cells;
     for (const auto &quad : quads.cells)
       {
@@ -194,10 +192,10 @@ namespace PlateImpact
         cells.back().vertices = {quad[0], quad[1], quad[3], quad[2]};
       }
     SubCellData faces;
-    GridTools::delete_unused_vertices(vertices, cells, faces);
+    GridTools::delete_unused_vertices(quads.vertices, cells, faces);
     GridTools::consistently_order_cells(cells);
     mesh.clear();
-    mesh.create_triangulation(vertices, cells, faces);
+    mesh.create_triangulation(quads.vertices, cells, faces);
     for (const auto &face : mesh.active_face_iterators())
       if (face->at_boundary())
         face->set_boundary_id(side_of(face, sides));

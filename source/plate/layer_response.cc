@@ -32,20 +32,6 @@ namespace PlateImpact
         }
       return symmetric + (std::cosh(y) + 1.) / difference;
     }
-
-
-
-    /// Transforms of the pressure on a patch of radius or half-width 1,
-    /// normalized, at x > 0: of Hankel, of a hemispherical one on a disc, 3
-    /// (sin x - x cos x) / x^3, and a constant one, 2 J_1(x) / x; of Fourier,
-    /// of a hemispherical one on a strip, the same.
-    double
-    transform_of_pressure(const LoadShape load, const double x)
-    {
-      return load == LoadShape::Hertz_disc ?
-        3. * boost::math::sph_bessel(1, x) / x :
-        2. * ::j1(x) / x;
-    }
   } // namespace
 
 
@@ -72,11 +58,17 @@ namespace PlateImpact
       return place->second;
 
     // G/h [C(k) - (1-nu)/(G k) - C_R(k)] y at y = k h, C_R the compliance of
-    // plate theory under the patch
+    // plate theory under the patch, whose pressure has the transform P: of
+    // Hankel, of a hemispherical one on a disc, 3 (sin x - x cos x) / x^3, and
+    // a constant one, 2 J_1(x) / x; of Fourier, of a hemispherical one on a
+    // strip, the same
     const double nu     = poissons_ratio;
     const double beta   = rotation_factor(radius);
     const auto   excess = [&](const double y) {
-      const double P       = transform_of_pressure(load, radius * y);
+      const double x       = radius * y;
+      const double P       = load == LoadShape::Hertz_disc ?
+                3. * boost::math::sph_bessel(1, x) / x :
+                2. * ::j1(x) / x;
       const double bending = 1. - beta * y * y;
       const double result  = 0.5 * (1. - nu) * (compliance_of_layer(y) - 2.) -
         P * P *
