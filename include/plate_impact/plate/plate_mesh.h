@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -70,16 +71,33 @@ namespace PlateImpact
   /// distance 0.
   /// @param half_length  of a line load along x through the impact point; 0
   ///                     around a point [m]
-  bool
+  inline bool
   is_near_load(const dealii::Triangulation<2>::cell_iterator &cell,
-               double                                         half_length,
-               double                                         distance = 0.);
+               const double                                   half_length,
+               const double                                   distance = 0.)
+  {
+    const auto [low, high] = cell->bounding_box().get_boundary_points();
+    const double dx =
+                   std::max({0., low[0] - half_length, -half_length - high[0]}),
+                 dy = std::max({0., low[1], -high[1]});
+    return std::hypot(dx, dy) <= distance + 1e-9 * cell_size(cell);
+  }
 
   /// Sizes of the smallest and the largest active cell near the load. [m]
-  std::pair<double, double>
+  inline std::pair<double, double>
   cell_sizes_near_load(const dealii::Triangulation<2> &mesh,
-                       double                          half_length,
-                       double                          distance = 0.);
+                       const double                    half_length,
+                       const double                    distance = 0.)
+  {
+    double smallest = std::numeric_limits<double>::infinity(), largest = 0.;
+    for (const auto &cell : mesh.active_cell_iterators())
+      if (is_near_load(cell, half_length, distance))
+        {
+          smallest = std::min(smallest, cell_size(cell));
+          largest  = std::max(largest, cell_size(cell));
+        }
+    return {smallest, largest};
+  }
 
   /// That of the smallest active cell. [m]
   inline double
