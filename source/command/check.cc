@@ -84,7 +84,7 @@ namespace PlateImpact
       analysis.run();
       const CycleResult &result = analysis.last_cycle().result;
       const auto        &bar    = result.peak_force_bar;
-      double             growth = 1.;
+      double             growth = 1., steps = result.steps;
       if (has_more && !adaptivity.is_for_peak_force())
         growth = std::max(1., result.error->eta / adaptivity.target_error);
       else if (has_more && bar && bar->total() > adaptivity.target())
@@ -93,10 +93,17 @@ namespace PlateImpact
         growth = std::max(4.,
                           std::pow(bar->total() / adaptivity.target(),
                                    std::log(4.) / std::log(9.)));
+      // The step falls until its error, that of average acceleration, keeps to
+      // its share.
+      if (has_more && adaptivity.is_for_peak_force() && result.time_error &&
+          parameters.time.step_is_chosen)
+        steps *= std::max(1.,
+                          std::sqrt(*result.time_error /
+                                    (share_of_step * adaptivity.target())));
       return {has_more ?
                 std::min(growth * result.cells, 1. * adaptivity.maximum_cells) :
                 result.cells,
-              result.steps};
+              steps};
     }
 
 
