@@ -2,13 +2,14 @@
 #include <deal.II/base/utilities.h>
 
 #include "plate_impact/analysis/impact_quantities.h"
-#include "plate_impact/base/entries.h"
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/command/commands.h"
 #include "plate_impact/output/console.h"
 #include "plate_impact/output/result_directory.h"
 #include "plate_impact/sweep/sweep_results.h"
+
+#include <boost/tokenizer.hpp>
 
 #include <algorithm>
 #include <cerrno>
@@ -79,21 +80,14 @@ namespace PlateImpact
     std::vector<std::string>
     split(const std::string &line)
     {
-      std::vector<std::string> fields(1);
-      bool                     is_quoted = false;
-      for (const char c : line)
-        if (c == '"')
-          {
-            // a doubled quote within quotes closes and opens them again
-            if (!is_quoted && !fields.back().empty())
-              fields.back() += c;
-            is_quoted = !is_quoted;
-          }
-        else if (c == ',' && !is_quoted)
-          fields.emplace_back();
-        else
-          fields.back() += c;
-      return fields;
+      // the tokenizer knows escaped quotes, not doubled ones
+      const std::string escaped =
+        dealii::Utilities::replace_in_string(line, "\"\"", "\1\"");
+      const boost::tokenizer fields(escaped,
+                                    boost::escaped_list_separator<char>('\1',
+                                                                        ',',
+                                                                        '"'));
+      return {fields.begin(), fields.end()};
     }
 
 
@@ -304,7 +298,7 @@ namespace PlateImpact
               {
                 row.quantities.push_back(
                   std::nan("")); // stays where the field is empty
-                any_number().read(fields[n_values + i], row.quantities.back());
+                to_number(fields[n_values + i], row.quantities.back());
               }
             row.warnings = dealii::Utilities::split_string_list(
               fields[n_values + n_quantities],
