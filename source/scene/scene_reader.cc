@@ -1,7 +1,8 @@
 #include "plate_impact/scene/scene_reader.h"
 
 #include "plate_impact/base/exceptions.h"
-#include "plate_impact/base/text.h"
+
+#include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
 #include <cstdlib>
@@ -64,27 +65,22 @@ namespace PlateImpact
     std::string
     converted(const std::string &value, const std::string &unit)
     {
-      if (value.find(',') != std::string::npos)
-        {
-          std::string all;
-          for (const std::string &item : split_list(value, ','))
-            if (const std::string one = converted(item, unit); one.empty())
-              return {};
-            else
-              all += (all.empty() ? "" : ", ") + one;
-          return all;
-        }
       static const std::regex number_and_unit(
         R"(([-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?)\s*([A-Za-z%][A-Za-z0-9/^]*))");
-      std::smatch parts;
       const auto  of_entry = units.find(unit);
-      if (of_entry == units.end() ||
-          !std::regex_match(value, parts, number_and_unit))
-        return {};
-      const auto factor = of_entry->second.find(parts[2]);
-      return factor != of_entry->second.end() ?
-        fmt::format("{:.6g}", std::stod(parts[1]) * factor->second) :
-        "";
+      std::string all;
+      for (const std::string &item : split_list(value))
+        {
+          std::smatch parts;
+          if (of_entry == units.end() ||
+              !std::regex_match(item, parts, number_and_unit) ||
+              of_entry->second.count(parts[2]) == 0)
+            return {};
+          all += (all.empty() ? "" : ", ") +
+            fmt::format("{:.6g}",
+                        std::stod(parts[1]) * of_entry->second.at(parts[2]));
+        }
+      return all;
     }
 
 
@@ -102,11 +98,9 @@ namespace PlateImpact
       static const std::regex decimal_comma(R"([-+]?[0-9]+,[0-9]+)");
       if (std::regex_match(value, decimal_comma) &&
           entry.allowed.rfind("a number", 0) == 0)
-        {
-          std::string with_point = value;
-          std::replace(with_point.begin(), with_point.end(), ',', '.');
-          return "; write " + with_point + ", with a point";
-        }
+        return "; write " +
+          boost::algorithm::replace_all_copy(value, ",", ".") +
+          ", with a point";
       for (const auto &[word, others] : synonyms)
         if (std::count(others.begin(), others.end(), value) > 0 &&
             entry.allowed.find(word) != std::string::npos)

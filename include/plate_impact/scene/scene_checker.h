@@ -36,18 +36,16 @@ namespace PlateImpact
     void
     refuse(const std::vector<std::string> &involved, const std::string &text)
     {
-      std::string origin = "default";
+      Entry refused = entries.at(involved.front());
       for (const std::string &path : involved)
         {
           const Entry &entry = entries.at(path);
           if (!entry.is_known)
             return;
-          if (origin == "default")
-            origin = entry.origin;
+          if (refused.origin == "default")
+            refused.origin = entry.origin;
         }
-      reader.mistakes.push_back(origin + ": " + involved.front() + " = " +
-                                entries.at(involved.front()).text() + " " +
-                                text);
+      reader.refuse(refused, text);
     }
 
     bool

@@ -46,7 +46,7 @@ namespace PlateImpact
     refuse(const Entry &entry, const std::string &text)
     {
       mistakes.push_back(entry.origin + ": " + entry.path + " = " +
-                         entry.value + ' ' + text);
+                         entry.text() + ' ' + text);
     }
 
     /// The sentence for a section or an entry of it that does not exist.
