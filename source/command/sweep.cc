@@ -106,12 +106,12 @@ namespace PlateImpact
     std::string
     header(const SweepPlan &plan)
     {
-      std::vector<std::string> names;
+      std::string text;
       for (const SweptEntry &entry : plan.entries)
-        names.push_back(entry.path);
+        text += as_field(entry.path) + ',';
       for (const ImpactQuantity &quantity : impact_quantities)
-        names.push_back(quantity.name);
-      return joined(names) + "warnings,status";
+        text += quantity.name + ',';
+      return text + "warnings,status";
     }
 
 
@@ -294,12 +294,9 @@ namespace PlateImpact
                 fields.back() != "ok")
               continue;
             SweepRow row;
+            row.quantities.resize(n_quantities, std::nan(""));
             for (std::size_t i = 0; i < n_quantities; ++i)
-              {
-                row.quantities.push_back(
-                  std::nan("")); // stays where the field is empty
-                to_number(fields[n_values + i], row.quantities.back());
-              }
+              to_number(fields[n_values + i], row.quantities[i]);
             row.warnings = dealii::Utilities::split_string_list(
               fields[n_values + n_quantities],
               separator);
