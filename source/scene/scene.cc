@@ -4,6 +4,7 @@
 #include "plate_impact/base/text.h"
 #include "plate_impact/scene/scene_checker.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <map>

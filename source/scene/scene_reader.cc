@@ -23,11 +23,10 @@ namespace PlateImpact
     bool
     has_section(const Entries &entries, const std::string &section)
     {
-      return std::any_of(entries.all.begin(),
-                         entries.all.end(),
-                         [&section](const Entry &entry) {
-                           return entry.section() == section;
-                         });
+      for (const Entry &entry : entries.all)
+        if (entry.section() == section)
+          return true;
+      return false;
     }
 
 

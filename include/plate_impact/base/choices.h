@@ -197,7 +197,6 @@ namespace PlateImpact
     return row_of(choice, Choices<Choice>::words).word;
   }
 
-  /// The words of a table.
   template <typename Row>
   auto
   words_of(const std::vector<Row> &rows)

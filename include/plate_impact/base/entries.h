@@ -110,7 +110,6 @@ namespace PlateImpact
                            }};
   }
 
-  /// A word of a kind.
   template <typename Choice>
   Allowed<Choice>
   one_of()

@@ -3,7 +3,6 @@
 #include "plate_impact/contact/zener.h"
 #include "plate_impact/scene/scene_reader.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -37,11 +36,10 @@ namespace PlateImpact
     bool
     sweeps(const std::string &path) const
     {
-      return std::any_of(entries.begin(),
-                         entries.end(),
-                         [&path](const SweptEntry &entry) {
-                           return entry.path == path;
-                         });
+      for (const SweptEntry &entry : entries)
+        if (entry.path == path)
+          return true;
+      return false;
     }
 
     /// Whether points may adapt their mesh.
