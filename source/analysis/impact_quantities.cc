@@ -142,7 +142,7 @@ namespace PlateImpact
                 ply.mode_2_toughness);
     const double there_and_back = 2. *
       geometry_of(impact.plate).distance_to_edge /
-      impact.expected.wave_of(2. * impact.peak.time).group_speed;
+      impact.expected.wave(2. * impact.peak.time).group_speed;
     const bool is_of_small_mass = impact.peak.time < there_and_back;
     return Delamination{is_of_small_mass ? 1.213 * slow : slow,
                         is_of_small_mass};

@@ -287,7 +287,7 @@ namespace PlateImpact
         const double      h          = initial_cell_size(parameters);
         const std::string of_contact = contact_end ?
           format(" and {} of the whole contact",
-                 about(zener->wave_of(*contact_end).length, "m")) :
+                 about(zener->wave(*contact_end).length, "m")) :
           "";
         line("bending wavelength",
              format("{} as the force rises{}; initial cells of {}{}",

@@ -83,24 +83,18 @@ namespace PlateImpact
     double
     chosen_time_step(double tolerance) const;
 
-    /// The wave whose half period is the contact time: phase speed sqrt(omega)
-    /// (D / rho t)^{1/4}, group speed twice that (Graff, Wave Motion in Elastic
-    /// Solids, sec. 4.2).
+    /// The wave whose half period is the contact time or another one [s]: phase
+    /// speed sqrt(omega) (D / rho t)^{1/4}, group speed twice that (Graff, Wave
+    /// Motion in Elastic Solids, sec. 4.2).
     BendingWave
-    wave() const
+    wave(const std::optional<double> &other = {}) const
     {
-      return wave_of(contact_time());
-    }
-
-    /// The same for another contact time. [s]
-    BendingWave
-    wave_of(const double contact_time) const
-    {
-      const double frequency = std::acos(-1.) / contact_time;
-      const double speed     = std::sqrt(frequency) *
+      const double half_period = other.value_or(contact_time());
+      const double frequency   = std::acos(-1.) / half_period;
+      const double speed       = std::sqrt(frequency) *
         std::pow(section.mean_bending_stiffness() / section.mass_per_area,
                  0.25);
-      return {2. * contact_time * speed, 2. * speed};
+      return {2. * half_period * speed, 2. * speed};
     }
   };
 } // namespace PlateImpact
