@@ -144,20 +144,20 @@ namespace PlateImpact
     last       = indentation;
 
     // unloading begins at the end of a step, unless the bodies have parted
-    const double F = force(indentation);
-    if (indentation > reload.end)
-      {
-        const double dent = unloading->dent(indentation);
-        reload            = {dent,
-                             indentation,
-                             F,
-                             unloading->reloading_power(indentation)};
-        unload = {dent, indentation, F, unloading->power(indentation)};
-      }
-    else if (indentation <= dent())
+    if (indentation <= dent())
       unload.end = dent();
     else if (indentation > unload.end)
-      unload = {dent(), indentation, F, unload.power};
+      {
+        unload.end_force = force(indentation);
+        unload.end       = indentation;
+        if (indentation > reload.end)
+          {
+            unload.dent  = unloading->dent(indentation);
+            unload.power = unloading->power(indentation);
+            reload       = unload;
+            reload.power = unloading->reloading_power(indentation);
+          }
+      }
   }
 
 

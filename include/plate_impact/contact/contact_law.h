@@ -70,21 +70,10 @@ namespace PlateImpact
 
 
   /// Such a curve as a law of the overlap alpha - alpha_0, up to its end.
-  class UnloadingCurve : public ContactLaw
+  struct UnloadingCurve : ContactLaw
   {
-  public:
-    UnloadingCurve(const double dent      = 0.,
-                   const double end       = 0.,
-                   const double end_force = 0.,
-                   const double power     = 1.)
-      : dent(dent)
-      , end(end)
-      , end_force(end_force)
-      , power(power)
-    {}
-
-    double dent, end; ///< indentations [m]
-    double end_force, power;
+    double dent = 0., end = 0.; ///< indentations [m]
+    double end_force = 0., power = 1.;
 
     double
     force(const double overlap) const override
