@@ -51,12 +51,10 @@ namespace PlateImpact
 
 
   double
-  ball_compliance(const double radius,
-                  const double shear_modulus,
-                  const double poissons_ratio,
-                  const double contact_radius)
+  ball_compliance(const ImpactorParameters &ball, const double contact_radius)
   {
-    const double ratio = contact_radius / radius, nu = poissons_ratio;
+    const double ratio = contact_radius / ball.radius, nu = ball.poissons_ratio,
+                 shear_modulus = 0.5 * ball.youngs_modulus / (1. + nu);
     // G w_n / R. With u = A grad(r^n P_n) + B (r^2 grad(r^n P_n) + alpha x r^n
     // P_n), and for n = 1 the second alone, with the alpha that balances the
     // uniform force of inertia.
@@ -86,6 +84,6 @@ namespace PlateImpact
           transform;
       }
     return -sum /
-      (boost::math::double_constants::two_pi * shear_modulus * radius);
+      (boost::math::double_constants::two_pi * shear_modulus * ball.radius);
   }
 } // namespace PlateImpact

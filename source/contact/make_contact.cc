@@ -39,11 +39,7 @@ namespace PlateImpact
               const ContactState peak = make_zener_impact(parameters).peak;
               radius = bodies.radius(peak.force, peak.indentation);
             }
-          compliance += ball_compliance(impactor.radius,
-                                        0.5 * impactor.youngs_modulus /
-                                          (1. + impactor.poissons_ratio),
-                                        impactor.poissons_ratio,
-                                        radius);
+          compliance += ball_compliance(impactor, radius);
         }
       std::shared_ptr<const ContactLaw> law = std::make_shared<HertzLaw>(k);
       std::shared_ptr<const Unloading>  unloading;

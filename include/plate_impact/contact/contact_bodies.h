@@ -8,6 +8,7 @@
 
 namespace PlateImpact
 {
+  struct ImpactorParameters;
   struct Parameters;
   struct PlateSection;
 
@@ -108,13 +109,9 @@ namespace PlateImpact
   /// Theory of Elasticity, ch. 11), (n + 1/2) G w_n / R = 1 - nu that of the
   /// half-space, and H(x) = 3 (sin x - x cos x) / x^3 the transform of Hertz's
   /// pressure. Up to terms of the order of (a / R)^2, as Hertz's law.
-  /// @param radius          R [m]
-  /// @param shear_modulus   G [Pa]
+  /// @param ball            with the radius R [m] and the shear modulus G [Pa]
   /// @param contact_radius  a, below R [m]
   /// @return C [m/N]
   double
-  ball_compliance(double radius,
-                  double shear_modulus,
-                  double poissons_ratio,
-                  double contact_radius);
+  ball_compliance(const ImpactorParameters &ball, double contact_radius);
 } // namespace PlateImpact
