@@ -19,22 +19,15 @@
 #include <stdexcept>
 #include <string>
 
-namespace PlateImpact
-{
-  using Vectors        = Epetra_MultiVector;
-  using VectorOperator = std::function<void(const Vectors &, Vectors &)>;
-} // namespace PlateImpact
+using Vectors        = Epetra_MultiVector;
+using VectorOperator = std::function<void(const Vectors &, Vectors &)>;
 
 /// How Anasazi applies an operator.
 template <>
-class Anasazi::
-  OperatorTraits<double, PlateImpact::Vectors, PlateImpact::VectorOperator>
+struct Anasazi::OperatorTraits<double, Vectors, VectorOperator>
 {
-public:
   static void
-  Apply(const PlateImpact::VectorOperator &apply,
-        const PlateImpact::Vectors        &X,
-        PlateImpact::Vectors              &Y)
+  Apply(const VectorOperator &apply, const Vectors &X, Vectors &Y)
   {
     apply(X, Y);
   }
