@@ -12,10 +12,10 @@ namespace PlateImpact
       // -C G R with the pressure of Hertz on a spherical cap, as the flat
       // disc up to (a / R)^2
       const auto c = [](const double nu, const double ratio) {
-        ImpactorParameters ball;
-        ball.radius         = 0.01;
-        ball.youngs_modulus = 2. * 8e10 * (1. + nu);
-        ball.poissons_ratio = nu;
+        ImpactorParameters ball = {};
+        ball.radius             = 0.01;
+        ball.youngs_modulus     = 2. * 8e10 * (1. + nu);
+        ball.poissons_ratio     = nu;
         return -ball_compliance(ball, 0.01 * ratio) * 8e10 * 0.01;
       };
       EXPECT_NEAR(c(0.22, 0.02), 0.0809, 0.0809 * 0.01);
