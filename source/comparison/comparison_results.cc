@@ -17,15 +17,6 @@ namespace PlateImpact
 
 
 
-    void
-    add(Json &json, const std::string &key, const std::optional<double> &value)
-    {
-      if (value)
-        json[key] = *value;
-    }
-
-
-
     Json
     to_json(const Reference &reference)
     {
@@ -35,8 +26,8 @@ namespace PlateImpact
         return json;
       const CycleResult &result = *reference.computed;
       json["uncertainty"]       = reference.uncertainty;
-      add(json, "time_step_error", result.time_error);
-      add(json, "first_contact_end", result.history->end_of_impact());
+      add_known(json, "time_step_error", result.time_error);
+      add_known(json, "first_contact_end", result.history->end_of_impact());
       json["cells"]                = result.cells;
       json["degrees_of_freedom"]   = result.degrees_of_freedom;
       json["discretization_error"] = result.error->eta;
@@ -61,8 +52,8 @@ namespace PlateImpact
                    {"cumulative_seconds", mesh.cumulative_seconds()}};
       if (mesh.peak_force_bar)
         json["peak_force_error_bar"] = mesh.peak_force_bar->total();
-      add(json, "contact_end_error", mesh.contact_end_error);
-      add(json, "effectivity", mesh.effectivity);
+      add_known(json, "contact_end_error", mesh.contact_end_error);
+      add_known(json, "effectivity", mesh.effectivity);
       return json;
     }
 

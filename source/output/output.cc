@@ -187,15 +187,13 @@ namespace PlateImpact
       const CycleResult &result   = impact.result;
       const double       end_time = impact.last.time;
       for (const ImpactQuantity &quantity : impact_quantities)
-        if (const auto value = quantity.value(impact))
-          cycle[quantity.name] = *value;
+        add_known(cycle, quantity.name, quantity.value(impact));
       cycle["number_of_contacts"] = impact.history.n_contacts();
       if (!impact.impactor.is_cylinder())
         cycle["zener_peak_force"] = impact.expected.peak.force;
       if (result.damping > 0. && impact.peak.force > 0.)
         cycle["loss_factor_of_contact"] = result.loss_factor_of_contact();
-      if (result.time_error)
-        cycle["time_error"] = *result.time_error;
+      add_known(cycle, "time_error", result.time_error);
       if (result.peak_force_error)
         cycle["peak_force_error_estimate"] =
           result.peak_force_error->estimate();
@@ -209,8 +207,7 @@ namespace PlateImpact
           {"relative_change", verification->force / impact.peak.force - 1.}};
       if (result.sensitivity)
         cycle["sensitivity"] = result.sensitivity->factor;
-      if (result.separation_time)
-        cycle["no_contact_after"] = *result.separation_time;
+      add_known(cycle, "no_contact_after", result.separation_time);
       cycle["plate_displacement_at_peak"] = impact.peak.plate_displacement;
       if (result.error)
         add_stresses(impact, cycle);
@@ -341,8 +338,7 @@ namespace PlateImpact
       {
         Json &errors = summary["verdict"]["model"]["errors"];
         errors.push_back({{"of", error.of}});
-        if (error.relative)
-          errors.back()["relative"] = *error.relative;
+        add_known(errors.back(), "relative", error.relative);
       }
     if (!verdict.warnings.damage.empty())
       summary["verdict"]["damage"] = verdict.warnings.damage;

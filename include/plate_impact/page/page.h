@@ -6,12 +6,23 @@
 
 #include <nlohmann/json.hpp>
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace PlateImpact
 {
   using Json = nlohmann::ordered_json;
+
+  /// Adds a value, where there is one.
+  inline void
+  add_known(Json                        &json,
+            const std::string           &key,
+            const std::optional<double> &value)
+  {
+    if (value)
+      json[key] = *value;
+  }
 
   /// What a page says, as text that is escaped here: whatever stands in the
   /// name or the entries of a scene stays text.
