@@ -263,16 +263,14 @@ namespace PlateImpact
             warnings.push_back(name + ": " + warning);
           if (curve.end.rfind("failed", 0) == 0)
             warnings.push_back(name + " " + curve.end);
-          const auto finer =
-            std::find_if(curve.meshes.begin(),
-                         curve.meshes.end(),
-                         [&](const ComparedMesh &mesh) {
-                           return fine && mesh.error->eta < fine->error->eta;
-                         });
-          if (finer != curve.meshes.end())
-            warnings.push_back(name + ": cycle " +
-                               std::to_string(finer->cycle) +
-                               " has a smaller eta than the reference");
+          for (const ComparedMesh &mesh : curve.meshes)
+            if (fine && mesh.error->eta < fine->error->eta)
+              {
+                warnings.push_back(name + ": cycle " +
+                                   std::to_string(mesh.cycle) +
+                                   " has a smaller eta than the reference");
+                break;
+              }
         }
       return warnings;
     }

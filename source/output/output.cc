@@ -106,7 +106,14 @@ namespace PlateImpact
         GridTools::compute_bounding_box(cycle.mesh()).get_boundary_points();
       const Tensor<1, 2> extent    = box.second - box.first;
       const bool         has_scale = result.error_ratios.has_value();
-      const double       margin = 20., header = 34.,
+      std::string        title =
+        fmt::format("Cycle {}: {} cells", result.cycle, result.cells);
+      if (result.error)
+        title += ", eta = " + about_percentage(result.error->eta);
+      title += '.';
+      if (geometry_of(cycle.parameters.plate).n_parts() == 4.)
+        title += " Impact at the lower left corner.";
+      const double margin = 20., header = 34.,
                    scale  = 600. / std::max(extent[0], extent[1]);
       const double bottom = header + margin + extent[1] * scale;
       const double right  = 2 * margin + extent[0] * scale;
@@ -116,18 +123,7 @@ namespace PlateImpact
              std::max(right + (has_scale ? 150. : 0.), 420.),
              std::max(bottom + margin,
                       has_scale ? header + 2 * margin + 330. : 0.))
-        << svg_text(margin,
-                    header - 8,
-                    fmt::format("Cycle {}: {} cells{}.{}",
-                                result.cycle,
-                                result.cells,
-                                result.error ? ", eta = " +
-                                    about_percentage(result.error->eta) :
-                                               "",
-                                geometry_of(cycle.parameters.plate).n_parts() ==
-                                    4. ?
-                                  " Impact at the lower left corner." :
-                                  ""))
+        << svg_text(margin, header - 8, title)
         << "<g class=\"mesh\" stroke=\"#444\" stroke-width=\"0.6\">\n";
       for (const auto &cell : cycle.mesh().active_cell_iterators())
         {

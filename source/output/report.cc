@@ -245,11 +245,10 @@ namespace PlateImpact
                                              {Point<2>(0.5, 0.5)})
                           .front()))
       {
-        stresses.back()["fields"].push_back(
-          {{"name", field.name}, {"unit", field.unit}});
-        mesh["fields"].push_back({{"name", field.name},
-                                  {"unit", field.unit},
-                                  {"values", values_on_page(field)}});
+        Json named = {{"name", field.name}, {"unit", field.unit}};
+        stresses.back()["fields"].push_back(named);
+        named["values"] = values_on_page(field);
+        mesh["fields"].push_back(named);
       }
   }
 
