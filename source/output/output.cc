@@ -358,12 +358,12 @@ namespace PlateImpact
     if (!last.result.snapshots.empty())
       write_fields(directory, last);
     last.result.seconds.output += timer.wall_time();
-    cycles.back()      = summary_of(last.result, scene);
-    const Json summary = write_summary(word_for(outcome), verdict);
+    cycles.back()    = summary_of(last.result, scene);
+    study["text"]    = scene.text;
+    study["summary"] = write_summary(word_for(outcome), verdict);
     if (scene.parameters.output.write_report)
-      directory.write_file(
-        "report.html",
-        report(scene, verdict, summary, last, std::move(study)));
+      directory.write_file("report.html",
+                           report(scene, verdict, last, std::move(study)));
   }
 
 

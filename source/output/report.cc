@@ -257,13 +257,10 @@ namespace PlateImpact
   std::string
   report(const Scene   &scene,
          const Verdict &verdict,
-         const Json    &summary,
          const Cycle   &last,
          Json           study)
   {
     const Parameters &parameters = scene.parameters;
-    study["text"]                = scene.text;
-    study["summary"]             = summary;
     study["film"]                = deflection_film(last);
     study.update(plate_on_page(parameters));
     if (parameters.has_impactor())

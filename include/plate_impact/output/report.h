@@ -22,13 +22,11 @@ namespace PlateImpact
   add_to_report(const Cycle &cycle, Json &study);
 
   /// report.html: a run on one page.
-  /// @param summary  the content of summary.json
-  /// @param last     for the film of the deflection
-  /// @param study    with all cycles
+  /// @param last   for the film of the deflection
+  /// @param study  with all cycles, the text of the scene and summary.json
   std::string
   report(const Scene   &scene,
          const Verdict &verdict,
-         const Json    &summary,
          const Cycle   &last,
          Json           study);
 } // namespace PlateImpact
