@@ -42,17 +42,17 @@ namespace PlateImpact
 
 
 
-    /// What a VTU file shows of a state at points of all cells, and after that
-    /// the places of these points. The values of a cell are its own: what is
-    /// recovered may differ from cell to cell at hanging nodes.
+    /// What a VTU file shows of a state at three by three points of all cells,
+    /// and after that the places of these points. The values of a cell are its
+    /// own: what is recovered may differ from cell to cell at hanging nodes.
     std::vector<SectionField>
-    fields_in_file(const Cycle                 &cycle,
-                   const Eigen::VectorXd       &unknowns,
-                   const std::vector<Point<2>> &unit_points)
+    fields_in_file(const Cycle &cycle, const Eigen::VectorXd &unknowns)
     {
-      const PlateDiscretization &plate = cycle.discretization();
-      std::vector<SectionField>  fields;
-      const auto                 add = [&fields](const char            *name,
+      const PlateDiscretization  &plate = cycle.discretization();
+      const std::vector<Point<2>> unit_points =
+        QIterated<2>(QTrapezoid<1>(), 2).get_points();
+      std::vector<SectionField> fields;
+      const auto                add = [&fields](const char            *name,
                                  const bool             is_odd_in_x,
                                  const bool             is_odd_in_y,
                                  const Eigen::MatrixXd &values) {
@@ -150,8 +150,7 @@ namespace PlateImpact
       const auto *const bytes =
         reinterpret_cast<const unsigned char *>(numbers.data());
       return Utilities::encode_base64(
-        std::vector<unsigned char>(bytes,
-                                   bytes + sizeof(Number) * numbers.size()));
+        {bytes, bytes + sizeof(Number) * numbers.size()});
     }
 
 
@@ -219,9 +218,7 @@ namespace PlateImpact
     for (const Snapshot &snapshot : cycle.result.snapshots)
       {
         const std::vector<SectionField> fields =
-          fields_in_file(cycle,
-                         snapshot.unknowns,
-                         QIterated<2>(QTrapezoid<1>(), 2).get_points());
+          fields_in_file(cycle, snapshot.unknowns);
         std::vector<std::string> names;
         for (const SectionField &field : fields)
           {
