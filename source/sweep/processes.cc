@@ -28,8 +28,7 @@ namespace PlateImpact
 
   namespace
   {
-    /// Calls a function.
-    /// @return why it failed, empty when it did not
+    /// Why a call fails; empty when it does not.
     template <typename Function>
     std::string
     failure_of(const Function &function)
@@ -226,8 +225,7 @@ namespace PlateImpact
       std::vector<std::size_t> points;
     };
 
-    /// @param to_do        points in ascending order
-    /// @param most_points  of a task
+    /// @param to_do  points in ascending order
     std::vector<Task>
     tasks_of(const std::vector<std::vector<std::size_t>> &groups,
              const std::vector<std::size_t>              &to_do,

@@ -28,7 +28,6 @@ namespace PlateImpact
   class Console
   {
   public:
-    /// @param quiet  prints nothing
     explicit Console(bool quiet);
 
     ~Console()

@@ -11,7 +11,6 @@
 
 namespace PlateImpact
 {
-  /// The scene in a sentence.
   std::string
   scene_in_words(const Parameters &parameters);
 
