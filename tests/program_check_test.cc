@@ -75,6 +75,31 @@ namespace PlateImpact
 
 
 
+    TEST_F(Program, CheckKnowsThatTheStepFalls)
+    {
+      // a small target asks for shorter steps on the third mesh than on the two
+      // that are computed
+      const std::string changes =
+        " --set Plate/Thickness=0.004 --set Impactor/Radius=0.02"
+        " --set Impactor/Mass=6.24 --set Impactor/Velocity=0.3"
+        " --set 'Time/End time=0' --set 'Time/Time step=0'"
+        " --set 'Adaptivity/Goal=peak force'"
+        " --set 'Adaptivity/Target peak force error=1.5e-3'"
+        " --set 'Adaptivity/Maximum cycles=3'";
+      ASSERT_EQ(execute("check '" + main_scene + "'" + changes), 0) << err;
+      const std::size_t end = out.find(" steps a mesh");
+      ASSERT_NE(end, std::string::npos) << out;
+      const double expected =
+        std::stod(out.substr(out.rfind(' ', end - 1), end));
+      ASSERT_EQ(run(main_scene, changes), 0) << err;
+      const double steps = last_cycle()["steps"];
+      EXPECT_GT(steps, 2. * summary()["cycles"][1]["steps"].get<double>());
+      EXPECT_LT(std::abs(std::log2(expected / steps)), 1.)
+        << expected << " for " << steps;
+    }
+
+
+
     TEST_F(Program, CheckKnowsThinPlatesAsWell)
     {
       struct Case
