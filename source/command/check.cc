@@ -1,4 +1,5 @@
 // What to expect of a scene before paying for it.
+#include "plate_impact/analysis/expected_cost.h"
 #include "plate_impact/analysis/impact_analysis.h"
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/text.h"
@@ -62,48 +63,6 @@ namespace PlateImpact
               time.end_time > 1e6 * expected.contact_time())
             return result;
         }
-    }
-
-
-
-    /// Cells of the last mesh, about, of an adaptive run that reaches its
-    /// target, and steps on a mesh: by its first two meshes, which it computes.
-    /// Eta falls about as the number of cells grows, and the bar of the force
-    /// as if every cell were halved, which only late peaks need. On the scenes
-    /// of prm/ mostly right to a factor of two. Small targets are said to cost
-    /// too much, one of 0.5 % seventeen times as many cells as it did. Seconds
-    /// cannot be said as well: per unknown and cycle they differ by a hundred
-    /// between scenes.
-    std::pair<double, double>
-    cost_by_two_meshes(Parameters parameters)
-    {
-      AdaptivityParameters &adaptivity = parameters.adaptivity;
-      const bool            has_more   = adaptivity.maximum_cycles > 2;
-      adaptivity.maximum_cycles = std::min(2u, adaptivity.maximum_cycles);
-      ImpactAnalysis analysis(parameters, nullptr, Wanted{true, false, 0});
-      analysis.run();
-      const CycleResult &result = analysis.last_cycle().result;
-      const auto        &bar    = result.peak_force_bar;
-      double             growth = 1., steps = result.steps;
-      if (has_more && !adaptivity.is_for_peak_force())
-        growth = std::max(1., result.error->eta / adaptivity.target_error);
-      else if (has_more && bar && bar->total() > adaptivity.target())
-        // halved once at least, each time the bar falls to a ninth: the median
-        // of random heavy impactors (doc/make/error_bars.py)
-        growth = std::max(4.,
-                          std::pow(bar->total() / adaptivity.target(),
-                                   std::log(4.) / std::log(9.)));
-      // The step falls until its error, that of average acceleration, keeps to
-      // its share.
-      if (has_more && adaptivity.is_for_peak_force() && result.time_error &&
-          parameters.time.step_is_chosen)
-        steps *= std::max(1.,
-                          std::sqrt(*result.time_error /
-                                    (share_of_step * adaptivity.target())));
-      return {has_more ?
-                std::min(growth * result.cells, 1. * adaptivity.maximum_cells) :
-                result.cells,
-              steps};
     }
 
 
@@ -336,8 +295,8 @@ namespace PlateImpact
                    parameters.plate.file->mesh.n_active_cells() :
                    double(n_x) * n_y;
           const auto [cells, steps]   = parameters.adaptivity.is_adaptive() ?
-              cost_by_two_meshes(parameters) :
-              std::pair(n_cells, end / time.time_step);
+              expected_cost(parameters) :
+              ExpectedCost{n_cells, end / time.time_step};
           const Stretching stretching = zener->section.stretching;
           const double     n_fields = stretching == Stretching::none ? 3. : 5.;
           line("cost",

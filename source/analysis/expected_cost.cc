@@ -1,0 +1,79 @@
+#include "plate_impact/analysis/expected_cost.h"
+
+#include "plate_impact/adaptation/mesh_adaptation.h"
+#include "plate_impact/analysis/impact_analysis.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace PlateImpact
+{
+  namespace
+  {
+    /// By how much the number of cells is to grow for the energy norm. Target
+    /// sizes take about twice as many cells, since cells are halved and sizes
+    /// change slowly from cell to cell. Strategies without target sizes need
+    /// cells as eta needs them, and so do waves that are everywhere: what they
+    /// ask for becomes cells of one size. The factors are chosen on random
+    /// scenes (doc/make/error_bars.py).
+    double
+    growth_for_energy_norm(const Cycle &cycle)
+    {
+      const AdaptivityParameters &adaptivity = cycle.parameters.adaptivity;
+      const CycleResult          &result     = cycle.result;
+      const double of_eta = result.error->eta / adaptivity.target_error;
+      const double of_sizes =
+        n_wanted_cells(cycle.mesh(), *result.error_ratios, adaptivity) /
+        result.cells;
+      const double least = result.cells_above_limit > 0 ? 1.5 : 1.;
+      return std::max(least,
+                      result.waves_are_everywhere ? 2.4 * of_eta :
+                        of_sizes == 1.            ? of_eta :
+                                                    1.8 * of_sizes);
+    }
+
+
+
+    /// The same for the bar of the peak force. Only late peaks need more than
+    /// two meshes, and their cells are halved once at least: each time the bar
+    /// falls to a ninth, the median of random heavy impactors.
+    double
+    growth_for_peak_force(const CycleResult &result, const double target)
+    {
+      const auto &bar = result.peak_force_bar;
+      if (!bar || bar->total() <= target)
+        return 1.;
+      return std::max(4.,
+                      std::pow(bar->total() / target,
+                               std::log(4.) / std::log(9.)));
+    }
+  } // namespace
+
+
+
+  ExpectedCost
+  expected_cost(const Parameters &scene)
+  {
+    Parameters            two_meshes = scene;
+    AdaptivityParameters &adaptivity = two_meshes.adaptivity;
+    adaptivity.maximum_cycles        = std::min(2u, adaptivity.maximum_cycles);
+    ImpactAnalysis analysis(two_meshes, nullptr, Wanted{true, false, 0});
+    analysis.run();
+    const CycleResult &result = analysis.last_cycle().result;
+    ExpectedCost       cost   = {1. * result.cells, 1. * result.steps};
+    if (scene.adaptivity.maximum_cycles <= 2)
+      return cost;
+    const bool   is_for_force = adaptivity.is_for_peak_force();
+    const double growth       = is_for_force ?
+            growth_for_peak_force(result, adaptivity.target()) :
+            growth_for_energy_norm(analysis.last_cycle());
+    cost.cells = std::min(growth * cost.cells, 1. * adaptivity.maximum_cells);
+    // The step falls until its error, that of average acceleration, keeps to
+    // its share.
+    if (is_for_force && scene.time.step_is_chosen && result.time_error)
+      cost.steps *= std::max(1.,
+                             std::sqrt(*result.time_error /
+                                       (share_of_step * adaptivity.target())));
+    return cost;
+  }
+} // namespace PlateImpact
