@@ -25,8 +25,7 @@ namespace PlateImpact
       const double of_sizes =
         n_wanted_cells(cycle.mesh(), *result.error_ratios, adaptivity) /
         result.cells;
-      const double least = result.cells_above_limit > 0 ? 1.5 : 1.;
-      return std::max(least,
+      return std::max(1.5,
                       result.waves_are_everywhere ? 2.4 * of_eta :
                         of_sizes == 1.            ? of_eta :
                                                     1.8 * of_sizes);
@@ -34,9 +33,9 @@ namespace PlateImpact
 
 
 
-    /// The same for the bar of the peak force. Only late peaks need more than
-    /// two meshes, and their cells are halved once at least: each time the bar
-    /// falls to a ninth, the median of random heavy impactors.
+    /// The same for the bar of the peak force. Cells are halved once at least,
+    /// which only late peaks need: each time the bar falls to a ninth, the
+    /// median of random heavy impactors.
     double
     growth_for_peak_force(const CycleResult &result, const double target)
     {
@@ -57,12 +56,13 @@ namespace PlateImpact
     Parameters            two_meshes = scene;
     AdaptivityParameters &adaptivity = two_meshes.adaptivity;
     adaptivity.maximum_cycles        = std::min(2u, adaptivity.maximum_cycles);
-    ImpactAnalysis analysis(two_meshes, nullptr, Wanted{true, false, 0});
-    analysis.run();
-    const CycleResult &result = analysis.last_cycle().result;
-    ExpectedCost       cost   = {1. * result.cells, 1. * result.steps};
-    if (scene.adaptivity.maximum_cycles <= 2)
-      return cost;
+    ImpactAnalysis     analysis(two_meshes, nullptr, Wanted{true, false, 0});
+    const Outcome      outcome = analysis.run();
+    const CycleResult &result  = analysis.last_cycle().result;
+    ExpectedCost       cost    = {1. * result.cells, 1. * result.steps};
+    if (outcome != Outcome::maximum_cycles ||
+        scene.adaptivity.maximum_cycles <= 2)
+      return cost; // that of the whole run
     const bool   is_for_force = adaptivity.is_for_peak_force();
     const double growth       = is_for_force ?
             growth_for_peak_force(result, adaptivity.target()) :
