@@ -9,8 +9,6 @@
 #include "plate_impact/output/result_directory.h"
 #include "plate_impact/sweep/sweep_results.h"
 
-#include <boost/tokenizer.hpp>
-
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
@@ -80,14 +78,18 @@ namespace PlateImpact
     std::vector<std::string>
     split(const std::string &line)
     {
-      // the tokenizer knows escaped quotes, not doubled ones
-      const std::string escaped =
-        dealii::Utilities::replace_in_string(line, "\"\"", "\1\"");
-      const boost::tokenizer fields(escaped,
-                                    boost::escaped_list_separator<char>('\1',
-                                                                        ',',
-                                                                        '"'));
-      return {fields.begin(), fields.end()};
+      std::vector<std::string> fields(1);
+      bool                     is_quoted = false;
+      for (std::size_t i = 0; i < line.size(); ++i)
+        if (line[i] == '"' && is_quoted && line[i + 1] == '"')
+          fields.back() += line[++i]; // of two within quotes
+        else if (line[i] == '"')
+          is_quoted = !is_quoted;
+        else if (line[i] == ',' && !is_quoted)
+          fields.emplace_back();
+        else
+          fields.back() += line[i];
+      return fields;
     }
 
 
