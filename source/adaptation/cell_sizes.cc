@@ -1,6 +1,9 @@
 #include <deal.II/base/numbers.h>
 
 #include "plate_impact/adaptation/mesh_adaptation.h"
+#include "plate_impact/plate/plate_mesh.h"
+
+#include <cmath>
 
 namespace PlateImpact
 {
@@ -25,6 +28,18 @@ namespace PlateImpact
     grading               = std::min(1., (p + 1. - strength) / (p + 1.));
     if (adaptivity.minimum_cell_size_is_chosen && singular->strength > 0.)
       minimum *= 1e-6;
+  }
+
+
+
+  double
+  CellSizing::at(const Point<2> &position, const double size) const
+  {
+    if (singular == nullptr)
+      return size;
+    const double distance =
+      position.distance({singular->position[0], singular->position[1]});
+    return size * std::pow(std::max(1., distance / size), grading);
   }
 
 
@@ -94,4 +109,13 @@ namespace PlateImpact
     return is_larger;
   }
 
+
+
+  bool
+  is_smallest(const Triangulation<2>::cell_iterator &cell,
+              const AdaptivityParameters            &adaptivity)
+  {
+    return 0.5 * cell_size(cell) <
+      CellSizing(cell, adaptivity).minimum * (1. - 1e-9);
+  }
 } // namespace PlateImpact

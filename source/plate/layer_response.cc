@@ -1,5 +1,7 @@
 #include "plate_impact/plate/layer_response.h"
 
+#include "plate_impact/plate/plate_section.h"
+
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/special_functions/bessel.hpp>
 
@@ -31,6 +33,16 @@ namespace PlateImpact
       return symmetric + (std::cosh(y) + 1.) / difference;
     }
   } // namespace
+
+
+
+  LayerResponse::LayerResponse(const PlateSection &section,
+                               const LoadShape     load)
+    : poissons_ratio(section.poissons_ratio)
+    , shear_correction(section.shear_correction_factor)
+    , load(load)
+    , spread(load == LoadShape::Hertz_disc ? 5. : 4.)
+  {}
 
 
 

@@ -3,6 +3,8 @@
 #include <deal.II/fe/mapping_q.h>
 #include <deal.II/fe/mapping_q1.h>
 
+#include <cmath>
+
 namespace PlateImpact
 {
   using namespace dealii;
@@ -37,4 +39,34 @@ namespace PlateImpact
     return StaticMappingQ1<2>::mapping;
   }
 
+
+
+  bool
+  is_near_load(const Triangulation<2>::cell_iterator &cell,
+               const double                           half_length,
+               const double                           distance)
+  {
+    const auto [low, high] = cell->bounding_box().get_boundary_points();
+    const double dx =
+                   std::max({0., low[0] - half_length, -half_length - high[0]}),
+                 dy = std::max({0., low[1], -high[1]});
+    return std::hypot(dx, dy) <= distance + 1e-9 * cell_size(cell);
+  }
+
+
+
+  std::pair<double, double>
+  cell_sizes_near_load(const Triangulation<2> &mesh,
+                       const double            half_length,
+                       const double            distance)
+  {
+    double smallest = std::numeric_limits<double>::infinity(), largest = 0.;
+    for (const auto &cell : mesh.active_cell_iterators())
+      if (is_near_load(cell, half_length, distance))
+        {
+          smallest = std::min(smallest, cell_size(cell));
+          largest  = std::max(largest, cell_size(cell));
+        }
+    return {smallest, largest};
+  }
 } // namespace PlateImpact

@@ -69,6 +69,21 @@ namespace PlateImpact
 
 
 
+  Eigen::Matrix3d
+  Ply::plane_stiffness() const
+  {
+    const auto &[E1, E2, nu12, G12, G13, G23, E3, nu13, nu23, G_IIc] =
+      constants;
+    const double    nu21 = nu12 * E2 / E1;
+    Eigen::Matrix3d Q;
+    Q << E1, nu12 * E2, 0., //
+      nu21 * E1, E2, 0.,    //
+      0., 0., G12 * (1. - nu12 * nu21);
+    return Q / (1. - nu12 * nu21);
+  }
+
+
+
   double
   Ply::half_space_modulus() const
   {

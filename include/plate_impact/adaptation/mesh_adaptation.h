@@ -5,10 +5,8 @@
 
 #include "plate_impact/base/parameters.h"
 #include "plate_impact/estimator/energy_norm_estimator.h"
-#include "plate_impact/plate/plate_mesh.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <vector>
 
@@ -43,14 +41,7 @@ namespace PlateImpact
     /// where it touches a singular point growing with the distance from that,
     /// so that new cells have errors alike. [m]
     double
-    at(const dealii::Point<2> &position, const double size) const
-    {
-      if (singular == nullptr)
-        return size;
-      const double distance =
-        position.distance({singular->position[0], singular->position[1]});
-      return size * std::pow(std::max(1., distance / size), grading);
-    }
+    at(const dealii::Point<2> &position, double size) const;
 
     /// The strongest of the singular points that the cell touches, or null.
     const SingularPoint *singular = nullptr;
@@ -89,13 +80,9 @@ namespace PlateImpact
            const AdaptivityParameters     &adaptivity);
 
   /// Whether the minimum cell size forbids to refine a cell.
-  inline bool
+  bool
   is_smallest(const dealii::Triangulation<2>::cell_iterator &cell,
-              const AdaptivityParameters                    &adaptivity)
-  {
-    return 0.5 * cell_size(cell) <
-      CellSizing(cell, adaptivity).minimum * (1. - 1e-9);
-  }
+              const AdaptivityParameters                    &adaptivity);
 
 
   /// The active cells, sorted: equal for equal meshes of one initial mesh.

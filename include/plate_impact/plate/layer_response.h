@@ -1,6 +1,6 @@
 #pragma once
 
-#include "plate_impact/plate/plate_section.h"
+#include "plate_impact/base/parameters.h"
 
 #include <boost/math/constants/constants.hpp>
 
@@ -8,6 +8,8 @@
 
 namespace PlateImpact
 {
+  struct PlateSection;
+
   /// What the struck face of an elastic layer does beyond plate theory and a
   /// half-space.
   ///
@@ -26,12 +28,7 @@ namespace PlateImpact
     /// @param section  of which the isotropic layer counts that answers a
     ///                 contact as it does
     /// @param load     Hertz disc, uniform disc or strip
-    LayerResponse(const PlateSection &section, const LoadShape load)
-      : poissons_ratio(section.poissons_ratio)
-      , shear_correction(section.shear_correction_factor)
-      , load(load)
-      , spread(load == LoadShape::Hertz_disc ? 5. : 4.)
-    {}
+    LayerResponse(const PlateSection &section, LoadShape load);
 
     /// Radius of the patch, c/h, with which plate and layer answer alike to
     /// waves longer than the thickness; 0 where there is none.

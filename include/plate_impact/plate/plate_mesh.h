@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -71,33 +70,16 @@ namespace PlateImpact
   /// distance 0.
   /// @param half_length  of a line load along x through the impact point; 0
   ///                     around a point [m]
-  inline bool
+  bool
   is_near_load(const dealii::Triangulation<2>::cell_iterator &cell,
-               const double                                   half_length,
-               const double                                   distance = 0.)
-  {
-    const auto [low, high] = cell->bounding_box().get_boundary_points();
-    const double dx =
-                   std::max({0., low[0] - half_length, -half_length - high[0]}),
-                 dy = std::max({0., low[1], -high[1]});
-    return std::hypot(dx, dy) <= distance + 1e-9 * cell_size(cell);
-  }
+               double                                         half_length,
+               double                                         distance = 0.);
 
   /// Sizes of the smallest and the largest active cell near the load. [m]
-  inline std::pair<double, double>
+  std::pair<double, double>
   cell_sizes_near_load(const dealii::Triangulation<2> &mesh,
-                       const double                    half_length,
-                       const double                    distance = 0.)
-  {
-    double smallest = std::numeric_limits<double>::infinity(), largest = 0.;
-    for (const auto &cell : mesh.active_cell_iterators())
-      if (is_near_load(cell, half_length, distance))
-        {
-          smallest = std::min(smallest, cell_size(cell));
-          largest  = std::max(largest, cell_size(cell));
-        }
-    return {smallest, largest};
-  }
+                       double                          half_length,
+                       double                          distance = 0.);
 
   /// That of the smallest active cell. [m]
   inline double

@@ -44,17 +44,7 @@ namespace PlateImpact
 
     /// Q of plane stress, of e_1, e_2 and gamma_12. [Pa]
     Eigen::Matrix3d
-    plane_stiffness() const
-    {
-      const auto &[E1, E2, nu12, G12, G13, G23, E3, nu13, nu23, G_IIc] =
-        constants;
-      const double    nu21 = nu12 * E2 / E1;
-      Eigen::Matrix3d Q;
-      Q << E1, nu12 * E2, 0., //
-        nu21 * E1, E2, 0.,    //
-        0., 0., G12 * (1. - nu12 * nu21);
-      return Q / (1. - nu12 * nu21);
-    }
+    plane_stiffness() const;
 
     /// E* that many turned plies have together as a half-space under a sphere,
     /// where the contact is one to four plies wide:
