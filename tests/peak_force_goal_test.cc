@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 #include <string>
 
 namespace PlateImpact
@@ -273,6 +275,28 @@ namespace PlateImpact
       EXPECT_LT(error,
                 last["peak_force_error_bar"].get<double>() +
                   fine["peak_force_error_bar"].get<double>());
+    }
+
+
+
+    TEST_F(PeakForceGoal, AChosenStepHasTheEstimateOfThatStep)
+    {
+      // the second mesh is watched in steps twice as long first
+      const auto estimate = [this](const double step) {
+        std::stringstream arguments;
+        arguments << std::setprecision(17) << goal
+                  << "--set Plate/Thickness=0.004 --set Impactor/Radius=0.02 "
+                     "--set Impactor/Mass=6 --set Impactor/Velocity=0.3 --set "
+                     "'Adaptivity/Maximum cycles=2' --set 'Time/End time=0' "
+                     "--set 'Time/Time step="
+                  << step << "'";
+        EXPECT_EQ(run(main_scene, arguments.str()), 0) << err;
+        return last_cycle()["peak_force_error_estimate"].get<double>();
+      };
+      const double chosen = estimate(0.), step = last_cycle()["time_step"];
+      EXPECT_EQ(summary()["cycles"][0]["time_step"].get<double>(), 2. * step);
+      EXPECT_NEAR(estimate(step) / chosen, 1., 1e-5);
+      EXPECT_GT(std::abs(estimate(2. * step) / chosen - 1.), 0.01);
     }
 
 

@@ -231,9 +231,10 @@ namespace PlateImpact
 
 
   Observation
-  Cycle::observe(const Parameters       &impact,
-                 const Wanted           &wanted,
-                 const AnalysisListener &listener)
+  Cycle::observe(const Parameters                               &impact,
+                 const Wanted                                   &wanted,
+                 const std::function<bool(const Observation &)> &has_error,
+                 const AnalysisListener                         &listener)
   {
     const PlateWork before = plate.work();
     listener.stage(result.cycle, "factors and vectors");
@@ -258,20 +259,20 @@ namespace PlateImpact
       loaded.is_stepped_on_the_mesh() ? 0. : impact.time.ritz_tolerance;
     if (wanted.errors)
       listener.stage(result.cycle, "error of the force");
-    seen.sensitivity = loaded.sensitivity(struck.history);
-    seen.time_error  = loaded.time_error(struck.history);
+    seen.sensitivity   = loaded.sensitivity(struck.history);
+    seen.time_error    = loaded.time_error(struck.history);
+    seen.contact_steps = struck.n_contact_steps;
+    seen.history       = std::move(struck.history);
     charge(&Seconds::stepping);
     // under a point load the exact energy is infinite
-    if (wanted.errors && !impact.contact.load_is_singular())
+    if (wanted.errors && !impact.contact.load_is_singular() && has_error(seen))
       seen.peak_force_error = estimated_peak_force_error(discretization(),
                                                          recovery(),
                                                          loaded,
-                                                         struck.history);
+                                                         *seen.history);
     charge(&Seconds::estimation);
 
-    seen.work          = plate.work();
-    seen.contact_steps = struck.n_contact_steps;
-    seen.history       = std::move(struck.history);
+    seen.work = plate.work();
     return seen;
   }
 } // namespace PlateImpact

@@ -129,8 +129,20 @@ namespace PlateImpact
     if (window.extent == Extent::peak_search)
       return;
 
-    static_cast<Observation &>(result) =
-      current->observe(impact, wanted, listener);
+    // The error by the mesh of a window before, on the way to shorter steps:
+    // it costs as much as a few transients.
+    const auto   known                 = result.peak_force_error;
+    const double mesh_error            = result.mesh_error();
+    static_cast<Observation &>(result) = current->observe(
+      impact,
+      wanted,
+      [&](const Observation &seen) {
+        return !known ||
+          time_control->wanted_step(window, seen, mesh_error) == window.step;
+      },
+      listener);
+    if (!result.peak_force_error)
+      result.peak_force_error = known;
     static_cast<Judgement &>(result) = judgement();
     if (result.new_vectors > 0.7 * result.steps ||
         (result.new_vectors > 0 &&

@@ -80,7 +80,7 @@ namespace PlateImpact
         next.to_peak *= 2.;
         return next;
       }
-    next.step = wanted_step(last, seen);
+    next.step = wanted_step(last, seen, seen.mesh_error());
     if (next.step < last.step)
       return next;
     if (is_end || !AdaptationControl(scene.adaptivity).is_met(seen))
@@ -92,12 +92,11 @@ namespace PlateImpact
 
 
   double
-  TimeControl::wanted_step(const Window &window, const CycleResult &seen) const
+  TimeControl::wanted_step(const Window      &window,
+                           const Observation &seen,
+                           const double       mesh_error) const
   {
     // steps of a history that the mesh spoils tell little
-    const double mesh_error = seen.peak_force_bar ? seen.peak_force_bar->space :
-      seen.peak_force_error ? seen.peak_force_error->bar() :
-                              0.;
     const double most =
       std::max(share_of_step * scene.adaptivity.target_peak_force_error,
                0.1 * mesh_error);

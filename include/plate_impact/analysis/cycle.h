@@ -103,6 +103,15 @@ namespace PlateImpact
       return error_ratios ? error_ratios->elements : std::vector<double>();
     }
 
+    /// Of the peak force, relative to it, as far as it is known.
+    double
+    mesh_error() const
+    {
+      return peak_force_bar ? peak_force_bar->space :
+        peak_force_error    ? peak_force_error->bar() :
+                              0.;
+    }
+
     /// Of a plate with damping at the frequency whose quarter period is the
     /// rise to the peak force: a contact may last much longer.
     double
@@ -181,13 +190,16 @@ namespace PlateImpact
     charge(double Seconds::*stage);
 
     /// Strikes the plate; the seconds are charged to the result.
-    /// @param impact    the scene with end time and step of the transient
-    /// @param listener  told of stages and steps
+    /// @param impact     the scene with end time and step of the transient
+    /// @param has_error  whether the error of its peak force is wanted, by the
+    ///                   history and the error of the step
+    /// @param listener   told of stages and steps
     /// @throws ComputationError naming step and quantity
     Observation
-    observe(const Parameters       &impact,
-            const Wanted           &wanted,
-            const AnalysisListener &listener);
+    observe(const Parameters                               &impact,
+            const Wanted                                   &wanted,
+            const std::function<bool(const Observation &)> &has_error,
+            const AnalysisListener                         &listener);
 
     const Parameters &parameters;
     PlateModel        plate;

@@ -70,6 +70,14 @@ namespace PlateImpact
     std::optional<Window>
     next(const Window &last, const CycleResult &seen) const;
 
+    /// The step for a share of the target; that of the window where it keeps
+    /// to it.
+    /// @param mesh_error  of the peak force, relative to it
+    double
+    wanted_step(const Window      &window,
+                const Observation &seen,
+                double             mesh_error) const;
+
     /// Whether the window ended where the scene does.
     bool
     is_whole(const Window &window, const CycleResult &seen) const
@@ -95,11 +103,6 @@ namespace PlateImpact
     const ZenerImpact expected; ///< of the scene
 
   private:
-    /// The step for a share of the target; that of the window where it keeps
-    /// to it.
-    double
-    wanted_step(const Window &window, const CycleResult &seen) const;
-
     const Parameters scene;
     const double     waves_are_back; ///< when they are [s]
   };

@@ -13,8 +13,9 @@ namespace PlateImpact
 
   /// Force between two bodies as a function of their indentation, as it grows
   /// for the first time: zero for negative indentations, never decreasing, its
-  /// slope never decreasing either. What gives way in series and what the
-  /// contact remembers belong to Contact.
+  /// slope never decreasing either, but for the 2 % that it drops where
+  /// yielding begins. What gives way in series and what the contact remembers
+  /// belong to Contact.
   class ContactLaw
   {
   public:
