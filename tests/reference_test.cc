@@ -183,6 +183,27 @@ namespace PlateImpact
 
 
 
+    TEST(Frequencies, OfFreeFoilsAreThoseOfThinPlates)
+    {
+      // round-off takes more from the motions as rigid bodies the thinner a
+      // plate is
+      PlateParameters plate = unit_plate(EdgeSupport::free, 0.003);
+      plate.side_lengths    = {{1., 0.4}};
+      plate.impact_point    = {{0.1, 0.05}};
+      const auto thin = scaled_frequencies(plate, ElementType::MITC9, 24, 3);
+      for (const double thickness : {3e-4, 1e-4})
+        {
+          plate.thickness = thickness;
+          const auto foil =
+            scaled_frequencies(plate, ElementType::MITC9, 24, 3);
+          ASSERT_EQ(foil.size(), 3u);
+          for (unsigned int mode = 0; mode < 3; ++mode)
+            EXPECT_NEAR(foil[mode] / thin[mode], 1., 2e-3) << thickness;
+        }
+    }
+
+
+
     TEST(Frequencies, AreFewerOnMeshesOfFewUnknowns)
     {
       for (const EdgeSupport support :

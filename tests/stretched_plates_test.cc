@@ -147,6 +147,37 @@ namespace PlateImpact
 
 
 
+    TEST_F(StretchedPlates, TheEndIsFoundInStepsThatConverge)
+    {
+      // a light laminate that a soft ball throws away: four times the step is
+      // too long for it
+      ASSERT_EQ(run(write_scene("subsection Plate\n"
+                                "set Side lengths = 0.19, 0.13\n"
+                                "set Thickness = 0.0063\n"
+                                "set Support = free\n"
+                                "set Density = 43\n"
+                                "set Layup = 45/-45/0/90s\n"
+                                "set Deflection = large\n"
+                                "end\n"
+                                "subsection Impactor\n"
+                                "set Radius = 0.006\n"
+                                "set Young's modulus = 2.2e6\n"
+                                "set Mass = 0.039\n"
+                                "set Velocity = 0.66\n"
+                                "end\n"
+                                "subsection Time\n"
+                                "set End time = 0\n"
+                                "set Time step = 0\n"
+                                "end\n"),
+                    coarse),
+                0)
+        << err;
+      EXPECT_EQ(last_cycle()["number_of_contacts"], 1);
+      EXPECT_LT(last_cycle()["first_contact_end"], last_cycle()["end_time"]);
+    }
+
+
+
     TEST_F(StretchedPlates, VerifyGivesTheBar)
     {
       const std::string faster = " --set Impactor/Velocity=10 --set 'Time/Time "

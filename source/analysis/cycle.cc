@@ -233,7 +233,7 @@ namespace PlateImpact
   Observation
   Cycle::observe(const Parameters                               &impact,
                  const Wanted                                   &wanted,
-                 const std::function<bool(const Observation &)> &has_error,
+                 const std::function<bool(const Observation &)> &is_kept,
                  const AnalysisListener                         &listener)
   {
     const PlateWork before = plate.work();
@@ -259,13 +259,15 @@ namespace PlateImpact
       loaded.is_stepped_on_the_mesh() ? 0. : impact.time.ritz_tolerance;
     if (wanted.errors)
       listener.stage(result.cycle, "error of the force");
-    seen.sensitivity   = loaded.sensitivity(struck.history);
-    seen.time_error    = loaded.time_error(struck.history);
-    seen.contact_steps = struck.n_contact_steps;
-    seen.history       = std::move(struck.history);
+    seen.time_error       = loaded.time_error(struck.history);
+    seen.contact_steps    = struck.n_contact_steps;
+    seen.history          = std::move(struck.history);
+    const bool keeps_step = is_kept(seen);
+    if (keeps_step)
+      seen.sensitivity = loaded.sensitivity(*seen.history);
     charge(&Seconds::stepping);
     // under a point load the exact energy is infinite
-    if (wanted.errors && !impact.contact.load_is_singular() && has_error(seen))
+    if (wanted.errors && !impact.contact.load_is_singular() && keeps_step)
       seen.peak_force_error = estimated_peak_force_error(discretization(),
                                                          recovery(),
                                                          loaded,

@@ -118,6 +118,8 @@ namespace PlateImpact
       listener.stage(result.cycle, "end of the contact");
     Parameters impact =
       time_control->impact(window, current->plate, wanted.errors);
+    if (window.extent != Extent::to_peak)
+      window.whole = impact.time.end_time;
     if (result.degrees_of_freedom >= unknowns_in_vain &&
         NewmarkScheme(impact.time, impact.contact.integration).n_steps <=
           steps_in_vain)

@@ -41,7 +41,8 @@ namespace PlateImpact
     const double peak = history.peak().time;
     Window       next{Extent::to_peak,
                 last.step,
-                std::max(last.to_peak, reserve * peak)};
+                std::max(last.to_peak, reserve * peak),
+                last.whole};
     if (returns_of_waves(history) <= 1.)
       return next;
     // waves that return may bring a larger force as long as the contact lasts
@@ -122,7 +123,7 @@ namespace PlateImpact
     Parameters result     = scene;
     result.time.time_step = window.step;
     if (window.extent != Extent::to_peak)
-      return until_contact_ends(plate, result, needs_states);
+      return until_contact_ends(plate, result, needs_states, window.whole);
     // divides the scene's end time, where it has one
     const double dt     = result.time.end_time > 0. ?
           NewmarkScheme(result.time, scene.contact.integration).dt :

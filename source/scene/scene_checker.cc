@@ -52,7 +52,7 @@ namespace PlateImpact
         refuse({name + "/Young's modulus"},
                "Pa is softer than any solid as heavy; did you mean " +
                  shortest(modulus) + "e6?");
-      if (density > 0.5 && density < 30. && modulus > 1e6)
+      if (density > 0.5 && density < 20. && modulus > 1e6)
         refuse({name + "/Density"},
                "kg/m^3 is lighter than any solid; did you mean " +
                  shortest(1e3 * density) + "?");

@@ -187,8 +187,17 @@ namespace PlateImpact
       std::min(scheme.n_steps * scheme.dt,
                std::max(time + 3. * scheme.dt,
                         is_on_ripples ? past_ripples * time : 0.));
-    const ContactHistory doubled = in_longer_steps(2, system, until);
-    double               change  = doubled.peak_of_curve() - peak;
+    ContactHistory doubled;
+    try
+      {
+        doubled = in_longer_steps(2, system, until);
+      }
+    // a plate that stretches may need shorter ones
+    catch (const ComputationError &)
+      {
+        return {};
+      }
+    double change = doubled.peak_of_curve() - peak;
     if (const unsigned int last = scheme.n_steps;
         time == history.states[last].time)
       // a force that grows to the end is compared where both have a state
@@ -275,25 +284,27 @@ namespace PlateImpact
       return {};
     const double returns_of_waves =
       peak / return_of_waves(parameters.plate, make_zener_impact(parameters));
+    TimeParameters to_peak = parameters.time;
+    to_peak.time_step      = scheme.dt;
+    to_peak.end_time       = scheme.dt * std::round(peak / scheme.dt);
+    const NewmarkScheme rise(to_peak, scheme.integration);
     // on the mesh it would take three more transients up to the peak
     std::unique_ptr<RitzReduction> own;
     if (is_stepped_on_the_mesh())
       {
-        TimeParameters to_peak = parameters.time;
-        to_peak.integrator     = IntegratorType::Ritz_vectors;
-        to_peak.end_time       = scheme.dt *
-          std::round((returns_of_waves > 1. ? past_ripples : 1.) * peak /
-                     scheme.dt);
-        to_peak.time_step      = scheme.dt;
+        to_peak.integrator = IntegratorType::Ritz_vectors;
+        if (returns_of_waves > 1.)
+          to_peak.end_time =
+            scheme.dt * std::round(past_ripples * peak / scheme.dt);
         to_peak.ritz_tolerance = 1e-2; // vectors for the error alone
         own = std::make_unique<RitzReduction>(reduction->mesh,
                                               to_peak,
                                               scheme.integration,
                                               true);
       }
-    RitzReduction       &used     = own ? *own : *reduction;
-    SemidiscreteSystem  &of_dual  = used.system_for(parameters);
-    const PlateResponse &response = used.response(used.scheme, of_dual);
+    RitzReduction      &used    = own ? *own : *reduction;
+    SemidiscreteSystem &of_dual = used.system_for(parameters);
+    const PlateResponse response(rise, of_dual);
     return PeakForceProblem{
       dual_motions(dual_loads(history, scheme, contact, impactor, response),
                    scheme,

@@ -54,30 +54,41 @@ namespace PlateImpact
 
 
 
-    /// A little after the end of the impact, on the mesh by steps four times as
-    /// long, or as long as anybody waits. [s]
+    /// A little after the end of the impact, on the mesh by longer steps, or as
+    /// long as anybody waits. [s]
+    /// @param factor  by which they are longer; less where that fails
     double
     end_by_steps(const LoadedPlate &plate,
                  const Parameters  &impact,
-                 const ContactTime &wait)
+                 const ContactTime &wait,
+                 const double       factor = 4.)
     {
       const double dt = impact.time.time_step;
       // few digits are needed, but every step counts
       TimeParameters coarse = impact.time;
-      coarse.time_step *= 4.;
+      coarse.time_step *= factor;
       coarse.end_time = dt *
         std::ceil(std::min(most_steps_of_contact,
                            std::max(impact.time.end_time, wait.longest) / dt));
       TimeStepper stepper     = plate.steps(coarse);
       bool        is_touching = false;
-      for (unsigned int step = 0; step < stepper.scheme.n_steps; ++step)
+      try
         {
-          stepper.advance();
-          const ContactState &state = stepper.state();
-          if (is_touching && state.force == 0. &&
-              (!wait.is_held || state.impactor_velocity <= 0.))
-            return dt * std::ceil(1.01 * state.time / dt);
-          is_touching = is_touching || state.force > 0.;
+          for (unsigned int step = 0; step < stepper.scheme.n_steps; ++step)
+            {
+              stepper.advance();
+              const ContactState &state = stepper.state();
+              if (is_touching && state.force == 0. &&
+                  (!wait.is_held || state.impactor_velocity <= 0.))
+                return dt * std::ceil(1.01 * state.time / dt);
+              is_touching = is_touching || state.force > 0.;
+            }
+        }
+      catch (const ComputationError &)
+        {
+          if (factor == 1.)
+            throw;
+          return end_by_steps(plate, impact, wait, 0.5 * factor);
         }
       return coarse.end_time;
     }
@@ -211,7 +222,8 @@ namespace PlateImpact
   Parameters
   until_contact_ends(PlateModel       &plate,
                      const Parameters &impact,
-                     const bool        needs_states)
+                     const bool        needs_states,
+                     const double      expected)
   {
     if (impact.time.end_time > 0.)
       return impact;
@@ -222,7 +234,9 @@ namespace PlateImpact
                                           make_zener_impact(impact),
                                           plate.static_compliance(impact));
     // by powers of two, so that impactors share responses
-    for (double n = std::exp2(std::ceil(std::log2(wait.shortest / dt)));;
+    for (double n = std::exp2(
+           std::ceil(std::log2(std::max(wait.shortest, expected) / dt)));
+         ;
          n *= 2.)
       {
         result.time.end_of_vectors = result.time.end_time = n * dt;

@@ -190,15 +190,16 @@ namespace PlateImpact
     charge(double Seconds::*stage);
 
     /// Strikes the plate; the seconds are charged to the result.
-    /// @param impact     the scene with end time and step of the transient
-    /// @param has_error  whether the error of its peak force is wanted, by the
-    ///                   history and the error of the step
-    /// @param listener   told of stages and steps
+    /// @param impact    the scene with end time and step of the transient
+    /// @param is_kept   whether the step is, by the history and its error:
+    ///                  without, the error by the mesh and the sensitivity are
+    ///                  left out
+    /// @param listener  told of stages and steps
     /// @throws ComputationError naming step and quantity
     Observation
     observe(const Parameters                               &impact,
             const Wanted                                   &wanted,
-            const std::function<bool(const Observation &)> &has_error,
+            const std::function<bool(const Observation &)> &is_kept,
             const AnalysisListener                         &listener);
 
     const Parameters &parameters;

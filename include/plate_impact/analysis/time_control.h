@@ -23,6 +23,7 @@ namespace PlateImpact
     Extent extent  = Extent::whole;
     double step    = 0.; ///< [s]
     double to_peak = 0.; ///< length on the way to the peak [s]
+    double whole   = 0.; ///< length where it was computed to its end [s]
   };
 
 

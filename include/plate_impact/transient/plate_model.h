@@ -98,9 +98,11 @@ namespace PlateImpact
   /// up to twice the time in which a massless plate throws the impactor back,
   /// and 2^18 steps.
   /// @param needs_states  as for under()
+  /// @param expected      end from which on it is looked for, 0: any [s]
   /// @throws ComputationError naming step and quantity
   Parameters
   until_contact_ends(PlateModel       &plate,
                      const Parameters &impact,
-                     bool              needs_states);
+                     bool              needs_states,
+                     double            expected = 0.);
 } // namespace PlateImpact

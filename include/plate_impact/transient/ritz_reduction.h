@@ -59,7 +59,7 @@ namespace PlateImpact
     system_for(const Parameters &parameters);
 
     /// An impact on such a system: by its response where scheme and plate
-    /// conserve energy, otherwise in steps.
+    /// conserve energy and steps would take longer, otherwise in steps.
     /// @param n_steps  at most those of the scheme
     /// @throws ComputationError naming step and quantity
     Impact
