@@ -92,7 +92,7 @@ namespace PlateImpact
       estimator.add_samples({1.}, z);
       const ErrorEstimate estimate = estimator.estimate();
 
-      const NavierPlate     exact(model.section());
+      const NavierPlate     exact(model.section);
       const MappingQ1<2>    mapping;
       const Quadrature<2>  &quadrature = element.quadrature;
       const StressRecovery  recovery(mesh);
@@ -111,16 +111,16 @@ namespace PlateImpact
             {
               Resultants r;
               r.head<3>() =
-                model.section().bending_stiffness * strains.segment<3>(5 * q);
+                model.section.bending_stiffness * strains.segment<3>(5 * q);
               r.tail<2>() =
-                model.section().shear_stiffness * strains.segment<2>(5 * q + 3);
+                model.section.shear_stiffness * strains.segment<2>(5 * q + 3);
               const Resultants right = exact.resultants(
                 mapping.transform_unit_to_real_cell(cell, quadrature.point(q)));
               const Resultants e = right - r;
               const Resultants e_recovered =
                 right - recovered.col(quadrature.size() * c + q);
               const double weight = model.shape(c).weights[q];
-              const auto   root   = model.section().root_of_compliance();
+              const auto   root   = model.section.root_of_compliance();
               e2[c] += weight * (root * e).squaredNorm();
               recovered_e2 += weight * (root * e_recovered).squaredNorm();
               total_u2 += weight * (root * r).squaredNorm();
@@ -257,7 +257,7 @@ namespace PlateImpact
       PlateDiscretization model(*mesh, element, plate, 1.);
       model.assemble();
       const Eigen::VectorXd z = pressed(model);
-      const NavierPlate     exact(model.section());
+      const NavierPlate     exact(model.section);
       const StressRecovery  recovery(*mesh);
       const auto            patch =
         std::find_if(recovery.patches.begin(),
@@ -269,7 +269,7 @@ namespace PlateImpact
       ASSERT_EQ(patch->images.size(), 4u);
 
       constexpr unsigned int      Q_x       = 3;
-      const auto                  stiffness = model.section().stiffness();
+      const auto                  stiffness = model.section.stiffness();
       std::vector<RowMajorMatrix> samples(mesh->n_active_cells());
       for (unsigned int cell = 0; cell < samples.size(); ++cell)
         samples[cell] = resultants_at(model,

@@ -203,7 +203,7 @@ namespace PlateImpact
         {
           const Eigen::VectorXd values = model.cell_values(c, z);
           of_cells +=
-            values.dot(element.mass(model.shape(c), model.section()) * values);
+            values.dot(element.mass(model.shape(c), model.section) * values);
         }
       expect_near(z.dot(multiply(model.mass(), z)), of_cells, 1e-12);
     }

@@ -100,7 +100,7 @@ namespace PlateImpact
                           return {{1., 0., 0.}};
                         }));
           EXPECT_NEAR(rigid.dot(multiply(model.mass(), rigid)),
-                      model.section().mass_per_area,
+                      model.section.mass_per_area,
                       1e-12);
         }
     }
@@ -275,7 +275,7 @@ namespace PlateImpact
           PlateModel          struck(plate,
                             {ElementType::MITC9, {{8, 8}}, SolverType::CHOLMOD},
                             make_plate_mesh(plate, {{8, 8}}));
-          const PlateSection &section = struck.discretization().section();
+          const PlateSection &section = struck.discretization().section;
           const double        unit =
             std::sqrt(section.bending_stiffness(0, 0) / section.mass_per_area) /
             (2. * numbers::PI);

@@ -187,7 +187,7 @@ namespace PlateImpact
               large.stretched(z).energy;
             EXPECT_NEAR(energy /
                           (0.5 * e * e *
-                           strip.model->section().membrane_stiffness(0, 0)),
+                           strip.model->section.membrane_stiffness(0, 0)),
                         1.,
                         1e-9)
               << type;
@@ -306,7 +306,7 @@ namespace PlateImpact
           const double taken        = large.dissipated(flat, bent, damping);
           EXPECT_NEAR(taken /
                         (damping *
-                         strip.model->section().membrane_stiffness(0, 0) *
+                         strip.model->section.membrane_stiffness(0, 0) *
                          std::pow(0.5 * slope * slope, 2)),
                       1.,
                       1e-10)

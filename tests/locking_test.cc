@@ -66,7 +66,7 @@ namespace PlateImpact
                        return 1.;
                      })));
       return model.load({{Point<2>(), 1.}}).dot(z) *
-        model.section().bending_stiffness(0, 0) / exact;
+        model.section.bending_stiffness(0, 0) / exact;
     }
 
 

@@ -58,7 +58,7 @@ namespace PlateImpact
             const auto          mesh = make_plate_mesh(plate, {{10, 10}});
             PlateDiscretization model(*mesh, element, plate);
             model.assemble();
-            const double          D = model.section().bending_stiffness(0, 0);
+            const double          D = model.section.bending_stiffness(0, 0);
             const Eigen::VectorXd f = 4. *
               model.load(
                 pressure_load(*mesh, [](const Point<2> &) { return 1.; }));
@@ -93,7 +93,7 @@ namespace PlateImpact
           const auto          mesh = graded_quadrant(plate, 6, 7);
           PlateDiscretization model(*mesh, element, plate);
           model.assemble();
-          const double          D = model.section().bending_stiffness(0, 0);
+          const double          D = model.section.bending_stiffness(0, 0);
           const Eigen::VectorXd f =
             model.load(make_load_distribution(contact, 0.2));
           const Eigen::VectorXd z = solve_static(model, f);
@@ -116,13 +116,12 @@ namespace PlateImpact
       PlateModel   struck(plate,
                         {element, {{n_cells, n_cells}}, SolverType::CHOLMOD},
                         make_plate_mesh(plate, {{n_cells, n_cells}}));
-      const double D =
-        struck.discretization().section().bending_stiffness(0, 0);
+      const double D = struck.discretization().section.bending_stiffness(0, 0);
       std::vector<double> result;
       for (const double frequency : struck.natural_frequencies(n))
         result.push_back(
           2. * numbers::PI * frequency *
-          std::sqrt(struck.discretization().section().mass_per_area / D));
+          std::sqrt(struck.discretization().section.mass_per_area / D));
       return result;
     }
 

@@ -128,7 +128,7 @@ namespace PlateImpact
     {
       std::vector<double>        squares(model.mesh().n_active_cells(), 0.);
       const auto                &points = fine.element.quadrature.get_points();
-      const auto                 stiffness = model.section().stiffness();
+      const auto                 stiffness = model.section.stiffness();
       const int                  level     = model.mesh().n_levels() - 1;
       const dealii::MappingQ1<2> mapping;
       for (const auto &cell : fine.mesh().active_cell_iterators())
@@ -159,7 +159,7 @@ namespace PlateImpact
           const auto &weights = fine.shape(cell->active_cell_index()).weights;
           for (unsigned int q = 0; q < points.size(); ++q)
             squares[c] += weights[q] *
-              (model.section().root_of_compliance() * error.row(q).transpose())
+              (model.section.root_of_compliance() * error.row(q).transpose())
                 .squaredNorm();
         }
       return squares;

@@ -131,8 +131,7 @@ namespace PlateImpact
     if (window.extent == Extent::peak_search)
       return;
 
-    // The error by the mesh of a window before, on the way to shorter steps:
-    // it costs as much as a few transients.
+    // of a window before, in longer steps: it costs as much as some transients
     const auto   known                 = result.peak_force_error;
     const double mesh_error            = result.mesh_error();
     static_cast<Observation &>(result) = current->observe(

@@ -10,7 +10,6 @@
 #include "plate_impact/output/result_directory.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 namespace PlateImpact

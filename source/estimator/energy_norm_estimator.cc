@@ -36,7 +36,7 @@ namespace PlateImpact
                const unsigned int         cell,
                const Eigen::MatrixXd     &states)
     {
-      const PlateSection &section = discretization.section();
+      const PlateSection &section = discretization.section;
       return by_resultant(
         resultants_at(discretization,
                       cell,
@@ -75,7 +75,7 @@ namespace PlateImpact
   {
     // Resultants s are scaled to R s, whose square is their energy: recovery is
     // linear, and R mixes moments of the same parity only.
-    const PlateSection   &section = discretization.section();
+    const PlateSection   &section = discretization.section;
     const Eigen::MatrixXd factor =
       section.root_of_compliance() * section.stiffness();
     RecoveredField recovered(discretization, recovery, factor, fields);
@@ -120,7 +120,7 @@ namespace PlateImpact
         errors.push_back(&jumps[n]);
       }
     // jumps of slopes and of rotations as energies
-    const PlateSection &section = discretization.section();
+    const PlateSection &section = discretization.section;
     std::vector<double> roots(
       discretization.element.finite_element.n_components(),
       std::sqrt(section.membrane_stiffness.topLeftCorner<2, 2>().trace() / 2.));
@@ -166,7 +166,7 @@ namespace PlateImpact
       is_regular[cell] = 0.;
     samples.n_singular_cells     = singular_cells.size();
     samples.singular_cells_count = singular_cells_count;
-    const PlateSection &section  = discretization.section();
+    const PlateSection &section  = discretization.section;
     samples.max_stresses =
       section.stresses(Eigen::VectorXd::Zero(section.n_for_stresses()));
   }
@@ -269,7 +269,7 @@ namespace PlateImpact
                                          const Eigen::MatrixXd &coordinates,
                                          std::vector<bool>     &vertex_is_done)
   {
-    const PlateSection   &section = discretization.section();
+    const PlateSection   &section = discretization.section;
     const unsigned int    n       = section.n_for_stresses();
     const Eigen::MatrixXd unscaled =
       section.root_of_compliance().topLeftCorner(n, n).inverse();
@@ -324,7 +324,7 @@ namespace PlateImpact
     const Eigen::MatrixXd        states = columns(snapshots);
     const std::vector<Point<2>> &unit_points =
       fine.element.quadrature.get_points();
-    const unsigned int m = fine.section().n_resultants();
+    const unsigned int m = fine.section.n_resultants();
     exact.resize(m * unit_points.size() * fine.mesh().n_active_cells(),
                  times.size());
     for (const auto &cell : fine.mesh().active_cell_iterators())
@@ -348,7 +348,7 @@ namespace PlateImpact
   ReferenceError::of(const PlateDiscretization   &discretization,
                      const std::vector<Snapshot> &snapshots) const
   {
-    const unsigned int           m = discretization.section().n_resultants();
+    const unsigned int           m      = discretization.section.n_resultants();
     const Eigen::MatrixXd        states = columns(snapshots);
     std::vector<Eigen::MatrixXd> of_cell;
     for (unsigned int c = 0; c < discretization.mesh().n_active_cells(); ++c)

@@ -4,8 +4,6 @@
 #include "plate_impact/estimator/energy_norm_estimator.h"
 #include "plate_impact/transient/softened_system.h"
 
-#include <algorithm>
-#include <cmath>
 
 namespace PlateImpact
 {

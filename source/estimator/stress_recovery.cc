@@ -326,9 +326,9 @@ namespace PlateImpact
   {
     RecoveredField               field(discretization,
                          recovery,
-                         discretization.section().stiffness(),
+                         discretization.section.stiffness(),
                          states);
-    const Eigen::Index           m = discretization.section().n_resultants();
+    const Eigen::Index           m = discretization.section.n_resultants();
     const Eigen::Index           n_states = states.cols();
     const Eigen::Index           n_points = unit_points.size();
     std::vector<Eigen::MatrixXd> result(

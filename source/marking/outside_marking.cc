@@ -8,7 +8,6 @@
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/estimator/stress_recovery.h"
-#include "plate_impact/page/page.h"
 #include "plate_impact/plate/plate_mesh.h"
 
 #include <cmath>
@@ -52,7 +51,7 @@ namespace PlateImpact
           const unsigned int   c   = cell->active_cell_index();
           const RowMajorMatrix raw = resultants_at(plate,
                                                    c,
-                                                   plate.section().stiffness(),
+                                                   plate.section.stiffness(),
                                                    plate.shape(c).at_samples,
                                                    state.unknowns);
           for (unsigned int q = 0; q < samples.size(); ++q)

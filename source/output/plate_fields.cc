@@ -71,7 +71,7 @@ namespace PlateImpact
             k == 2 || k == 4,
             displacements(plate, unknowns, k, unit_points));
       for (const SectionField &field :
-           section_fields(plate.section(),
+           section_fields(plate.section,
                           recovered_resultants(plate,
                                                cycle.recovery(),
                                                unknowns,
@@ -165,7 +165,7 @@ namespace PlateImpact
       std::vector<std::vector<SectionField>> fields;
       for (const Eigen::MatrixXd &resultants :
            recovered_resultants(plate, cycle.recovery(), states, unit_points))
-        fields.push_back(section_fields(plate.section(), resultants));
+        fields.push_back(section_fields(plate.section, resultants));
       Json result = Json::array();
       for (std::size_t k = 0; k < fields.front().size(); ++k)
         {
@@ -263,8 +263,8 @@ namespace PlateImpact
       return std::min(n_frames,
                       most_bytes / (n_points * (2 + n_fields) + 2 * n_cells));
     };
-    std::size_t n = n_that_fit(plate.section().n_resultants() +
-                               plate.section().stress_names().size());
+    std::size_t n = n_that_fit(plate.section.n_resultants() +
+                               plate.section.stress_names().size());
     // few frames have none, so that there are more of the deflection
     const bool has_stresses = n >= std::min<std::size_t>(n_frames, 16);
     if (!has_stresses)

@@ -105,7 +105,7 @@ namespace PlateImpact
     {
       constexpr unsigned int     points_per_cell = 9;
       const PlateDiscretization &plate           = cycle.discretization();
-      const PlateSection        &section         = plate.section();
+      const PlateSection        &section         = plate.section;
       const auto                 cells = cells_along(ray, plate.mesh());
       std::vector<double>        distances;
       RowMajorMatrix             raw =
@@ -156,7 +156,7 @@ namespace PlateImpact
       const PlateDiscretization &plate = cycle.discretization();
       RecoveredField             recovered(plate,
                                cycle.recovery(),
-                               plate.section().stiffness(),
+                               plate.section.stiffness(),
                                state.unknowns);
       // beside edges of cells, which would belong to two of them
       const double aside = 1e-6 * cycle.result.min_cell_size;
@@ -238,7 +238,7 @@ namespace PlateImpact
     stresses.push_back({{"cycle", result.cycle},
                         {"lines", stress_lines(cycle, *result.peak_state)}});
     for (const SectionField &field :
-         section_fields(cycle.discretization().section(),
+         section_fields(cycle.discretization().section,
                         recovered_resultants(cycle.discretization(),
                                              cycle.recovery(),
                                              result.peak_state->unknowns,

@@ -42,15 +42,8 @@ function factsOfRun({ summary, expected, words }) {
         'von Mises, at the faces, of plate theory under the spread load; not that of the contact' +
         (last.contact_pressure === undefined ? '' : `, whose pressure reaches ${withUnit(last.contact_pressure, 'Pa')}`)]];
   return facts([...ofForce,
-    last.discretization_error !== undefined && ['Relative error in the energy norm η', percentage(last.discretization_error),
-      `${targetOfEta(inputs)}; largest ξ′ ${formatted(last.max_element_error)}`],
     ['Outcome', summary.outcome,
       `cycles: ${summary.cycles.length}, cells: ${last.cells}, unknowns: ${formatted(last.degrees_of_freedom, 6)}`]]);
-}
-
-function targetOfEta(inputs) {
-  return `target ${percentage(Number(inputs['Adaptivity/Target error']))}` +
-    (inputs['Adaptivity/Goal'] === 'peak force' ? ' (not the goal of this run)' : '');
 }
 
 /** What the peak force depends on, and how much of it is known: mesh, time step, load. */
@@ -58,7 +51,9 @@ function evidenceOfRun({ summary, words }) {
   const last = summary.cycles.at(-1), before = summary.cycles.at(-2), rows = [];
   if (last.discretization_error !== undefined)
     rows.push(['Mesh: estimated error', `η = ${percentage(last.discretization_error)} in the energy norm, ` +
-      `${targetOfEta(summary.inputs)}; what that means for the peak force is the next row.` +
+      `target ${percentage(Number(summary.inputs['Adaptivity/Target error']))}` +
+      (summary.inputs['Adaptivity/Goal'] === 'peak force' ? ' (not the goal of this run)' : '') +
+      `; largest ξ′ ${formatted(last.max_element_error)}; what that means for the peak force is the next row.` +
       (last.singular_cells ? ` ${last.singular_cells} cells are at the point load: ${percentage(last.discretization_error_of_all_cells)} ` +
         `with them, ${percentage(last.discretization_error_of_regular_cells)} without.` : '')]);
   if (last.peak_force_error_bar !== undefined)

@@ -22,7 +22,7 @@ namespace PlateImpact
     , deflections(plate.element.dofs_of(deflection))
   {
     const Eigen::MatrixXd of_strains =
-      plate.section().stiffness().bottomRows<3>();
+      plate.section.stiffness().bottomRows<3>();
     for (unsigned int cell = 0; cell < plate.mesh().n_active_cells(); ++cell)
       {
         const CellShape &shape     = plate.shape(cell);

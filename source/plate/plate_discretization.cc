@@ -33,10 +33,10 @@ namespace PlateImpact
                                            const double            n_parts)
     : element(element)
     , n_parts(n_parts > 0. ? n_parts : geometry_of(plate).n_parts())
-    , plate_section(plate)
+    , section(plate)
     , dofs(mesh)
   {
-    if (element.stretching != plate_section.stretching)
+    if (element.stretching != section.stretching)
       throw std::logic_error("the element has not the unknowns of the section");
     dofs.distribute_dofs(element.finite_element);
     DoFTools::make_hanging_node_constraints(dofs, constraints);
@@ -159,8 +159,8 @@ namespace PlateImpact
     std::vector<Eigen::MatrixXd> K_of_shape, M_of_shape;
     for (const CellShape &shape : shapes)
       {
-        K_of_shape.push_back(element.stiffness(shape, plate_section));
-        M_of_shape.push_back(element.mass(shape, plate_section));
+        K_of_shape.push_back(element.stiffness(shape, section));
+        M_of_shape.push_back(element.mass(shape, section));
       }
     add_cells(
       [&](const unsigned int cell) { return K_of_shape[shape_of_cell[cell]]; },
@@ -286,7 +286,7 @@ namespace PlateImpact
   {
     const double       size = GridTools::diameter(mesh());
     const unsigned int n_motions =
-      plate_section.stretching != Stretching::none ? 6 : 3;
+      section.stretching != Stretching::none ? 6 : 3;
     // by how much each fails what is held, all of which is at the boundary
     const IndexSet  boundary = DoFTools::extract_boundary_dofs(dofs);
     Eigen::MatrixXd misfit(boundary.n_elements(), n_motions);
@@ -327,7 +327,7 @@ namespace PlateImpact
   PlateDiscretization::square_of_bending() const
   {
     const double area = GridTools::volume(mesh());
-    return plate_section.mean_bending_stiffness() /
-      plate_section.mass_per_area / (area * area);
+    return section.mean_bending_stiffness() / section.mass_per_area /
+      (area * area);
   }
 } // namespace PlateImpact

@@ -5,7 +5,6 @@
 #include <deal.II/grid/manifold.h>
 #include <deal.II/numerics/vector_tools_constraints.h>
 
-#include "plate_impact/base/entries.h"
 #include "plate_impact/plate/plate_discretization.h"
 #include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"

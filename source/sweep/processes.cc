@@ -11,7 +11,6 @@
 #include <boost/serialization/vector.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <memory>
 #include <new>

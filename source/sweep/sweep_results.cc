@@ -7,7 +7,6 @@
 #include "plate_impact/page/page.h"
 
 #include <algorithm>
-#include <cmath>
 #include <regex>
 
 namespace PlateImpact

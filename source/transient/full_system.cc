@@ -200,14 +200,14 @@ namespace PlateImpact
     // strains of the middle surface that fit no displacements may take less
     // energy than those of a linear plate where bending causes them
     if (plate.is_free() ||
-        (plate.is_nonlinear() && plate.section().is_unsymmetric()))
+        (plate.is_nonlinear() && plate.section.is_unsymmetric()))
       return *compliance;
     Eigen::VectorXd x, residual;
     try
       {
         // a rigid motion in the plane, which the load does not excite, is kept
         // out by a little of M
-        solve(plate.section().stretching != Stretching::none ?
+        solve(plate.section.stretching != Stretching::none ?
                 1e-6 * plate.square_of_bending() :
                 0.,
               load,

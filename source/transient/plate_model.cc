@@ -164,7 +164,7 @@ namespace PlateImpact
       {
         const double h = impact.plate.thickness;
         const double beta =
-          LayerResponse(plate.section(), contact.load_distribution)
+          LayerResponse(plate.section, contact.load_distribution)
             .rotation_factor(contact.patch_radius / h);
         if (std::abs(beta) > 1e-9)
           rotation_factor = beta * h * h;
@@ -227,17 +227,15 @@ namespace PlateImpact
   {
     if (impact.time.end_time > 0.)
       return impact;
-    Parameters result         = impact;
-    result.time.end_is_chosen = true;
-    const double      dt      = impact.time.time_step;
-    const ContactTime wait    = contact_time(impact,
+    Parameters result          = impact;
+    result.time.end_is_chosen  = true;
+    const double      dt       = impact.time.time_step;
+    const ContactTime wait     = contact_time(impact,
                                           make_zener_impact(impact),
                                           plate.static_compliance(impact));
+    const double      shortest = std::max(wait.shortest, expected) / dt;
     // by powers of two, so that impactors share responses
-    for (double n = std::exp2(
-           std::ceil(std::log2(std::max(wait.shortest, expected) / dt)));
-         ;
-         n *= 2.)
+    for (double n = std::exp2(std::ceil(std::log2(shortest)));; n *= 2.)
       {
         result.time.end_of_vectors = result.time.end_time = n * dt;
         const LoadedPlate loaded = plate.under(result, needs_states);

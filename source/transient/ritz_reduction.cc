@@ -299,14 +299,12 @@ namespace PlateImpact
                         const Impactor      &impactor,
                         const unsigned int   n_steps)
   {
-    // A step by the response takes products with all forces before, one in
-    // vectors takes as long as 40 of them for each.
-    const bool is_by_response =
-      &system == &mesh->system || by.n_steps < 40 * system.load.size();
-    // the work of the force is the plate's energy where nothing dissipates it
     std::unique_ptr<PlateMotion> motion;
-    if (is_by_response && by.conserves_energy && system.damping == 0. &&
-        system.is_linear)
+    // The work of the force is the plate's energy where nothing dissipates it.
+    // A step takes a product with all forces before, one in vectors as long as
+    // 40 of them for each.
+    if (by.conserves_energy && system.damping == 0. && system.is_linear &&
+        (&system == &mesh->system || by.n_steps < 40 * system.load.size()))
       motion = std::make_unique<PlateResponse>(response(by, system));
     TimeStepper stepper(by, system, contact, impactor, std::move(motion));
     stepper.advance(n_steps);

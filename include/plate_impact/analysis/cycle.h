@@ -107,9 +107,8 @@ namespace PlateImpact
     double
     mesh_error() const
     {
-      return peak_force_bar ? peak_force_bar->space :
-        peak_force_error    ? peak_force_error->bar() :
-                              0.;
+      return mesh_part_of_bar.value_or(
+        peak_force_error ? peak_force_error->bar() : 0.);
     }
 
     /// Of a plate with damping at the frequency whose quarter period is the

@@ -33,6 +33,7 @@ namespace PlateImpact
   public:
     const PlateElement &element;
     const double        n_parts; ///< like the one that is meshed in the plate
+    const PlateSection  section;
 
     /// Numbers the unknowns; the mesh must outlive the discretization.
     /// @param n_parts  0: as many as the symmetry of the plate leaves
@@ -161,7 +162,7 @@ namespace PlateImpact
     bool
     is_nonlinear() const
     {
-      return plate_section.stretching == Stretching::large;
+      return section.stretching == Stretching::large;
     }
 
     /// Adds symmetric matrices of cells, over the parts of the plate.
@@ -170,12 +171,6 @@ namespace PlateImpact
     void
     add_cells(const std::function<Eigen::MatrixXd(unsigned int)> &matrix_of,
               Epetra_CrsMatrix                                   &sum) const;
-
-    const PlateSection &
-    section() const
-    {
-      return plate_section;
-    }
 
   private:
     /// Constrains what supports and planes of symmetry hold. On an edge that
@@ -192,7 +187,6 @@ namespace PlateImpact
     std::vector<int>
     unknowns_of(unsigned int cell) const;
 
-    const PlateSection                plate_section;
     dealii::DoFHandler<2>             dofs;
     dealii::AffineConstraints<double> constraints;
     bool                              holds_deflection = false; ///< some edge

@@ -110,10 +110,8 @@ namespace PlateImpact
     /// of the scheme, and what the peak of the curve exceeds the largest step.
     /// On ripples, where two peaks may differ little by accident, the change is
     /// at least 1.5 times the root mean square of that of the force around the
-    /// peak. Newmark's local error (Zienkiewicz & Xie 1991,
-    /// doi:10.1002/eqe.4290200907) needs no second run but judges
-    /// displacements. Empty where fewer than four steps lead from first touch
-    /// to the peak, or doubled ones fail.
+    /// peak. Empty where fewer than four steps lead from first touch to the
+    /// peak, or doubled ones fail.
     std::optional<double>
     time_error(const ContactHistory &history) const;
 
