@@ -222,7 +222,7 @@ namespace PlateImpact
   {
     const double peak = history.peak().time;
     // a difference needs no steps as small as the force itself
-    return in_longer_steps(std::max(1., peak / (2000. * scheme.dt)),
+    return in_longer_steps(std::max(1., peak / (4000. * scheme.dt)),
                            other,
                            past_ripples * peak);
   }

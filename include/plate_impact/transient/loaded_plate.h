@@ -126,7 +126,7 @@ namespace PlateImpact
     peak_force_problem(const ContactHistory &history) const;
 
     /// The force up to its peak and a tenth past it, if the plate were another,
-    /// in steps of which 2000 lead to the peak where the scheme has more.
+    /// in steps of which 4000 lead to the peak where the scheme has more.
     /// @param history  of this impact
     ContactHistory
     on_other_plate(SemidiscreteSystem   &other,
