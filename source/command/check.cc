@@ -66,6 +66,25 @@ namespace PlateImpact
 
 
 
+    /// Why points that could share a load with its response do not; empty when
+    /// they do.
+    std::string
+    what_keeps_loads_apart(const Parameters &given, const SweepPlan &plan)
+    {
+      if (given.sweep.estimate_error)
+        return "Sweep/Estimate error = true steps every impact by itself";
+      if (given.contact.local_response == LocalResponse::half_space &&
+          given.contact.has_patch() && given.contact.patch_radius == 0. &&
+          !plan.sweeps("Contact/Patch radius"))
+        return "Contact/Patch radius = 0 gives each impactor a radius of its "
+               "own";
+      if (given.time.time_step == 0. && !plan.sweeps("Time/Time step"))
+        return "Time/Time step = 0 gives each impactor a step of its own";
+      return {};
+    }
+
+
+
     /// What is printed: nothing is said of a scene that fails.
     class ExpectationText
     {
@@ -344,32 +363,29 @@ namespace PlateImpact
         const bool has_own_meshes =
           is_adaptive && given.sweep.adapts_each_point;
         const SweepGroups groups(plan, given);
+        const std::string reason = what_keeps_loads_apart(given, plan);
         const std::size_t n_plates =
           has_own_meshes ? plan.n_points : groups.groups.size();
-        const bool has_own_loads = has_own_meshes || given.sweep.estimate_error;
         // what impactors choose is rounded, so that they differ in some hundred
         // ways
-        const auto is_chosen = [&](const double value, const char *entry) {
-          return value == 0. && !plan.sweeps(entry);
-        };
-        const bool loads_differ =
-          is_chosen(given.time.time_step, "Time/Time step") ||
-          (given.contact.local_response == LocalResponse::half_space &&
-           given.contact.has_patch() &&
-           is_chosen(given.contact.patch_radius, "Contact/Patch radius"));
+        const bool has_own_loads = has_own_meshes || given.sweep.estimate_error;
         const std::size_t n_loads = has_own_loads ? plan.n_points :
-          loads_differ ? std::min(plan.n_points, 200 * groups.n_loads) :
-                         groups.n_loads;
+          reason.empty()                          ? groups.n_loads :
+                           std::min(plan.n_points, 200 * groups.n_loads);
 
         text += "\nSweep\n";
         line("points",
              counted(plan.n_points, "impact") + " of " + plan.names());
         line("models",
-             format("{}{}{}{} to a load",
-                    counted(n_plates, "plate"),
-                    is_adaptive ? " on adapted meshes, " : ", ",
-                    !has_own_loads && loads_differ ? "up to " : "",
-                    counted(n_loads, "response")));
+             format(
+               "{}{}{}{} to a load{}",
+               counted(n_plates, "plate"),
+               is_adaptive ? " on adapted meshes, " : ", ",
+               has_own_loads || reason.empty() ? "" : "up to ",
+               counted(n_loads, "response"),
+               !has_own_meshes && n_loads > groups.n_loads ?
+                 format(": {}; otherwise {} would do", reason, groups.n_loads) :
+                 ""));
       }
 
       const Scene      &scene;
