@@ -59,6 +59,7 @@ namespace PlateImpact
             !time_control->is_whole(window, current->result))
           {
             window.extent = Extent::whole;
+            current->result.peak_force_error.reset(); // of a shorter window
             observe(listener);
           }
         listener.cycle(*current); // tell
@@ -142,9 +143,10 @@ namespace PlateImpact
           time_control->wanted_step(window, seen, mesh_error) == window.step;
       },
       listener);
-    if (!result.peak_force_error)
-      result.peak_force_error = known;
-    static_cast<Judgement &>(result) = judgement();
+    if (known && !result.peak_force_error)
+      result.peak_force_error = known; // its judgement stays
+    else
+      static_cast<Judgement &>(result) = judgement();
     if (result.new_vectors > 0.7 * result.steps ||
         (result.new_vectors > 0 &&
          result.new_solves >= result.new_vectors + 0.5 * result.steps))

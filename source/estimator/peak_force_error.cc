@@ -4,7 +4,6 @@
 #include "plate_impact/estimator/energy_norm_estimator.h"
 #include "plate_impact/transient/softened_system.h"
 
-
 namespace PlateImpact
 {
   namespace

@@ -301,8 +301,8 @@ namespace PlateImpact
   {
     std::unique_ptr<PlateMotion> motion;
     // The work of the force is the plate's energy where nothing dissipates it.
-    // A step takes a product with all forces before, one in vectors as long as
-    // 40 of them for each.
+    // A step by the response multiplies all forces before it; one in vectors
+    // takes as long as 40 products per vector.
     if (by.conserves_energy && system.damping == 0. && system.is_linear &&
         (&system == &mesh->system || by.n_steps < 40 * system.load.size()))
       motion = std::make_unique<PlateResponse>(response(by, system));
