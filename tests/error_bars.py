@@ -1,6 +1,6 @@
 """Whether error bars of peak forces hold on a few of the scenes of doc/make/error_bars.py.
 
-  error_bars.py PROGRAM SCENE...
+  error_bars.py PROGRAM CLASS SCENE...
 
 Exit status 1, with a line for every bar that does not hold, when more than one in twenty
 does not, a bar is more than four times too wide in the median, or nothing was judged.
@@ -15,8 +15,9 @@ import error_bars  # noqa: E402
 
 
 def main():
-    program, *numbers = sys.argv[1:]
-    scenes = [error_bars.bars_of_scene(program, int(number)) for number in numbers]
+    program, of_class, *numbers = sys.argv[1:]
+    scenes = [error_bars.bars_of_scene(program, int(number), of_class=of_class)
+              for number in numbers]
     found = error_bars.summary(scenes)
     print({key: value for key, value in found.items() if key != "outside"})
     for one in found["outside"]:

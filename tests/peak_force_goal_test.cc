@@ -60,6 +60,33 @@ namespace PlateImpact
 
 
 
+    /// The force of doc/make/modal_series.py. A first mesh of cells half as
+    /// long as the plate was off by three times its bar.
+    TEST_F(PeakForceGoal, FirstMeshesSeeWavesThatComeBackToALoadOffTheCentre)
+    {
+      const std::string scene =
+        "--set 'Plate/Side lengths=0.153, 0.101' --set Plate/Thickness=0.004 "
+        "--set \"Plate/Young's modulus=7e10\" --set Plate/Density=2700 "
+        "--set \"Plate/Poisson's ratio=0.33\" "
+        "--set 'Plate/Support=simply supported' "
+        "--set 'Plate/Impact point=-0.019, 0.03' "
+        "--set Impactor/Radius=0.0041 --set Impactor/Mass=0.155 "
+        "--set Impactor/Velocity=0.06 --set Contact/Law=Hertz "
+        "--set 'Contact/Local response=half-space' "
+        "--set 'Contact/Patch radius=0.0028' --set 'Time/Time step=0' "
+        "--set 'Adaptivity/Target peak force error=0.01' ";
+      ASSERT_EQ(run(main_scene, goal + to_end_of_contact + scene), 0) << err;
+      const auto   cycles = summary()["cycles"];
+      const double force  = 38.911908;
+      for (const auto &cycle : cycles)
+        if (cycle.contains("peak_force_error_bar"))
+          EXPECT_LT(std::abs(double(cycle["peak_force"]) / force - 1.),
+                    double(cycle["peak_force_error_bar"]));
+      EXPECT_LT(last_cycle()["peak_force_error_bar"], 0.01);
+    }
+
+
+
     TEST_F(PeakForceGoal, CountsOfAMeshThatIsWatchedTwiceAreOfOneEstimate)
     {
       ASSERT_EQ(run(main_scene,

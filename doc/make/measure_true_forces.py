@@ -8,9 +8,9 @@ import error_bars
 
 def measure(program):
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
-        def forces(make, number_of_scenes, targets):
+        def forces(make, number_of_scenes, truth):
             found = pool.map(
-                lambda number: error_bars.true_force(program.program, make(number), targets),
+                lambda number: truth(program.program, make(number)),
                 range(number_of_scenes))
             return [dict(zip(("force", "bar of the force", "why"), one)) for one in found]
 

@@ -4,8 +4,10 @@
 #include <deal.II/lac/vector.h>
 
 #include "plate_impact/base/entries.h"
+#include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -85,7 +87,8 @@ namespace PlateImpact
 
 
     /// Refines cells that are larger than theta times their distance from the
-    /// contact, again and again, as long as the maximum of cells allows it.
+    /// contact, or than cells may be, again and again, as long as the maximum
+    /// of cells allows it.
     /// @return whether the mesh is refined
     bool
     refine_to_contact(Triangulation<2>           &mesh,
@@ -93,6 +96,7 @@ namespace PlateImpact
                       const AdaptivityParameters &adaptivity,
                       const double                contact_half_length)
     {
+      const double largest = (1. + 1e-6) * adaptivity.maximum_cell_size;
       for (bool is_refined = false;; is_refined = true)
         {
           for (const auto &cell : mesh.active_cell_iterators())
@@ -102,7 +106,8 @@ namespace PlateImpact
                                                 -contact_half_length,
                                                 contact_half_length),
                                      0.);
-              if (cell_size(cell) > theta * centre.distance(nearest) &&
+              if (cell_size(cell) >
+                    std::min(theta * centre.distance(nearest), largest) &&
                   !is_smallest(cell, adaptivity))
                 cell->set_refine_flag();
             }
@@ -247,6 +252,10 @@ namespace PlateImpact
   refine_towards_load(Triangulation<2> &mesh, const Parameters &parameters)
   {
     AdaptivityParameters grading = parameters.adaptivity;
+    // of a quadrant of 3 x 3 cells: longer ones hide waves that come back
+    const auto sides = geometry_of(parameters.plate).side_lengths;
+    grading.maximum_cell_size =
+      std::min(grading.maximum_cell_size, std::max(sides[0], sides[1]) / 6.);
     // cells that may be halved are larger than the patch
     grading.minimum_cell_size = 0.5 *
       (parameters.contact.has_patch() ? parameters.contact.patch_radius :

@@ -9,8 +9,7 @@ namespace PlateImpact
   namespace
   {
     /// How the force changes on a plate that is softer by what recovery finds
-    /// missing. One force may agree by accident, so all around the peak count,
-    /// the less the more waves sum up in them.
+    /// missing: the peak, which may agree by accident, and all around it.
     PeakForceError::Change
     change_on_softer_plate(const LoadedPlate        &loaded,
                            const PeakForceProblem   &problem,
@@ -24,8 +23,7 @@ namespace PlateImpact
       const ContactHistory here = loaded.on_other_plate(system, history);
       const ContactState  &peak = here.peak();
       return {of_softer.peak().force / peak.force - 1.,
-              of_softer.difference_around(peak.time, here) /
-                (std::sqrt(problem.returns_of_waves) * peak.force)};
+              of_softer.difference_around(peak.time, here) / peak.force};
     }
   } // namespace
 

@@ -205,10 +205,10 @@ namespace PlateImpact
         doubled.states[last / 2].force - history.states[last - last % 2].force;
     change = std::abs(change);
     // such a peak may change little by accident where the ripples change much,
-    // and these by less than the order tells while their phases do; 1.5 covers
+    // and these by less than the order tells while their phases do; 1.8 covers
     // 95 of 100 random heavy impactors
     if (is_on_ripples)
-      change = std::max(change, 1.5 * doubled.difference_around(time, history));
+      change = std::max(change, 1.8 * doubled.difference_around(time, history));
     const double by_step = change / (std::exp2(scheme.order) - 1.),
                  missed  = peak - history.peak().force;
     return (by_step + missed) / peak;

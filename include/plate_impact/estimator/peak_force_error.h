@@ -6,16 +6,15 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
 
 namespace PlateImpact
 {
-  /// Cover what estimates miss, by a sum of contributions and by the force on a
+  /// Cover what estimates miss, by a sum of contributions and by the peak on a
   /// softer plate: calibrated on random scenes (doc/theory.md).
-  constexpr double safety_of_bar = 1.55, safety_on_softer_plate = 1.4;
+  constexpr double safety_of_bar = 1.55, safety_on_softer_plate = 1.5;
 
   /// Estimated error of the peak force by the mesh: computed less exact,
   /// relative to the peak.
@@ -31,7 +30,7 @@ namespace PlateImpact
     struct Change
     {
       double of_peak   = 0.; ///< with its sign
-      double around_it = 0.; ///< a share of the root mean square
+      double around_it = 0.; ///< root mean square
     };
     std::optional<Change> on_softer_plate;
 
@@ -50,10 +49,10 @@ namespace PlateImpact
     double
     bar() const
     {
-      return on_softer_plate ? safety_on_softer_plate *
-          std::max(std::abs(on_softer_plate->of_peak),
+      return on_softer_plate ?
+        std::hypot(safety_on_softer_plate * on_softer_plate->of_peak,
                    on_softer_plate->around_it) :
-                               safety_of_bar * cells.lpNorm<1>();
+        safety_of_bar * cells.lpNorm<1>();
     }
   };
 
