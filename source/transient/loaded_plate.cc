@@ -205,8 +205,8 @@ namespace PlateImpact
         doubled.states[last / 2].force - history.states[last - last % 2].force;
     change = std::abs(change);
     // such a peak may change little by accident where the ripples change much,
-    // and these by less than the order tells while their phases do; 1.8 covers
-    // 95 of 100 random heavy impactors
+    // and these by less than the order tells while their phases do: 1.8 is
+    // chosen on random heavy impactors
     if (is_on_ripples)
       change = std::max(change, 1.8 * doubled.difference_around(time, history));
     const double by_step = change / (std::exp2(scheme.order) - 1.),
