@@ -79,9 +79,8 @@ namespace PlateImpact
       const auto   cycles = summary()["cycles"];
       const double force  = 38.911908;
       for (const auto &cycle : cycles)
-        if (cycle.contains("peak_force_error_bar"))
-          EXPECT_LT(std::abs(double(cycle["peak_force"]) / force - 1.),
-                    double(cycle["peak_force_error_bar"]));
+        EXPECT_LT(std::abs(double(cycle["peak_force"]) / force - 1.),
+                  cycle.value("peak_force_error_bar", 0.));
       EXPECT_LT(last_cycle()["peak_force_error_bar"], 0.01);
     }
 
@@ -289,7 +288,9 @@ namespace PlateImpact
       ASSERT_TRUE(before.contains("peak_force_error_bar"));
       EXPECT_GT(fine["cells"], 2 * before["cells"].get<int>());
       EXPECT_LT(fine["cells"], 4 * before["cells"].get<int>());
-      EXPECT_EQ(fine["min_cell_size"], before["min_cell_size"]);
+      // siblings on a round plate differ a little
+      EXPECT_GT(fine["min_cell_size"],
+                0.7 * before["min_cell_size"].get<double>());
       EXPECT_GE(fine["time_of_peak_force"].get<double>() /
                   fine["time_step"].get<double>(),
                 128.);
@@ -314,6 +315,7 @@ namespace PlateImpact
         arguments << std::setprecision(17) << goal
                   << "--set Plate/Thickness=0.004 --set Impactor/Radius=0.02 "
                      "--set Impactor/Mass=6 --set Impactor/Velocity=0.3 --set "
+                     "Adaptivity/Strategy=uniform --set "
                      "'Adaptivity/Maximum cycles=2' --set 'Time/End time=0' "
                      "--set 'Time/Time step="
                   << step << "'";
@@ -398,27 +400,31 @@ namespace PlateImpact
 
     TEST_F(PeakForceGoal, IsNotReachedWhereVerifyFindsALargerError)
     {
-      // a bar of 0.85 % on a mesh that is off by 1.2 %: one of the few that
-      // fail
-      const std::string aluminium = goal +
-        "--set 'Plate/Side lengths=0.35, 0.28' --set "
-        "Plate/Thickness=0.007 --set \"Plate/Young's modulus=7e10\" "
-        "--set \"Plate/Poisson's ratio=0.33\" --set Plate/Density=2700 "
-        "--set 'Plate/Support=simply supported' --set "
-        "Impactor/Radius=0.015 --set Impactor/Mass=3 --set "
-        "Impactor/Velocity=0.4 --set 'Time/End time=0' --set "
-        "'Time/Time step=0' --set 'Adaptivity/Target peak force "
-        "error=0.01' ";
-      ASSERT_EQ(run(main_scene, aluminium), 0) << err;
+      // a bar of 1.6 % on a mesh that is off by 2.3 %: one of the few that fail
+      const std::string polyamide = goal +
+        "--set 'Plate/Side lengths=0.11238, 0.14994' "
+        "--set Plate/Thickness=2.227e-3 --set \"Plate/Young's modulus=2.5e9\" "
+        "--set \"Plate/Poisson's ratio=0.4\" --set Plate/Density=1140 "
+        "--set 'Plate/Support=simply supported' "
+        "--set Impactor/Radius=7.4086e-3 --set Impactor/Mass=0.069741 "
+        "--set \"Impactor/Young's modulus=3.7e11\" "
+        "--set \"Impactor/Poisson's ratio=0.22\" "
+        "--set Impactor/Velocity=0.08757 --set Contact/Law=Hertz "
+        "--set 'Contact/Local response=half-space' "
+        "--set 'Contact/Patch radius=1.3434e-3' "
+        "--set Discretization/Element=serendipity --set 'Time/End time=0' "
+        "--set 'Time/Time step=0' --set 'Adaptivity/Target peak force "
+        "error=0.02' ";
+      ASSERT_EQ(run(main_scene, polyamide), 0) << err;
       EXPECT_EQ(summary()["outcome"], "target reached");
-      ASSERT_EQ(run(main_scene, aluminium + "--set Adaptivity/Verify=true"), 0)
+      ASSERT_EQ(run(main_scene, polyamide + "--set Adaptivity/Verify=true"), 0)
         << err;
       const auto last = last_cycle();
       EXPECT_EQ(summary()["outcome"], "not verified");
       EXPECT_GE(last["peak_force_error_bar"],
                 std::abs(
                   last["verification"]["relative_change"].get<double>()));
-      EXPECT_NE(err.find("Adaptivity/Target peak force error, 1 %, is not met"),
+      EXPECT_NE(err.find("Adaptivity/Target peak force error, 2 %, is not met"),
                 std::string::npos)
         << err;
     }
