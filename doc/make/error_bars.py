@@ -15,6 +15,7 @@ import random
 import statistics
 import subprocess
 import tempfile
+from functools import partial
 
 import modal_series
 
@@ -219,33 +220,30 @@ def run(program, entries, seconds=SECONDS):
             return json.load(file), done.stderr.strip()
 
 
-def true_force(targets):
-    """A function that makes the true force of a run, its bar, and why there is none."""
-    def of_run(program, entries):
-        why = []
-        for target in targets:
-            summary, text = run(program, {**entries, "Adaptivity/Goal": "peak force",
-                                          "Adaptivity/Target peak force error": target,
-                                          "Adaptivity/Maximum cycles": "40",
-                                          "Adaptivity/Verify": "true"})
-            if summary is None:
-                why.append(text)
-                continue
-            last = summary["cycles"][-1]
-            bar = last.get("peak_force_error_bar")
-            if bar is None or bar > 10 * float(target):
-                why.append(f"{target} not reached")
-                continue
-            change = abs(last["verification"]["relative_change"])
-            if change > bar:
-                return None, None, f"not confirmed: {last['verification']}, bar {bar}"
-            # what halving the cells has changed, and what it has not touched
-            left = 1.5 * change + max(bar - last["peak_force_error_space"],
-                                      last["peak_force_error_time"])
-            return last["peak_force"], min(bar, left), ""
-        return None, None, "; ".join(why)
-
-    return of_run
+def true_force(targets, program, entries):
+    """The force of a run, its bar, and why there is none."""
+    why = []
+    for target in targets:
+        summary, text = run(program, {**entries, "Adaptivity/Goal": "peak force",
+                                      "Adaptivity/Target peak force error": target,
+                                      "Adaptivity/Maximum cycles": "40",
+                                      "Adaptivity/Verify": "true"})
+        if summary is None:
+            why.append(text)
+            continue
+        last = summary["cycles"][-1]
+        bar = last.get("peak_force_error_bar")
+        if bar is None or bar > 10 * float(target):
+            why.append(f"{target} not reached")
+            continue
+        change = abs(last["verification"]["relative_change"])
+        if change > bar:
+            return None, None, f"not confirmed: {last['verification']}, bar {bar}"
+        # what halving the cells has changed, and what it has not touched
+        left = 1.5 * change + max(bar - last["peak_force_error_space"],
+                                  last["peak_force_error_time"])
+        return last["peak_force"], min(bar, left), ""
+    return None, None, "; ".join(why)
 
 
 def by_modes(_, entries):
@@ -267,11 +265,11 @@ def by_modes(_, entries):
 
 
 # what makes the scenes of a class, how many of them are measured, and their true forces
-CLASSES = {"elastic": (random_scene, 200, true_force(TRUE_TARGETS)),
-           "laminates": (laminate_scene, 60, true_force(TRUE_TARGETS)),
-           "yielding": (yielding_scene, 100, true_force(TRUE_TARGETS)),
-           "heavy impactors": (late_scene, 170, true_force(LATE_TARGETS)),
-           "damped": (damped_scene, 30, true_force(LATE_TARGETS)),
+CLASSES = {"elastic": (random_scene, 200, partial(true_force, TRUE_TARGETS)),
+           "laminates": (laminate_scene, 60, partial(true_force, TRUE_TARGETS)),
+           "yielding": (yielding_scene, 100, partial(true_force, TRUE_TARGETS)),
+           "heavy impactors": (late_scene, 170, partial(true_force, LATE_TARGETS)),
+           "damped": (damped_scene, 30, partial(true_force, LATE_TARGETS)),
            "simply supported": (simply_supported_scene, 90, by_modes)}
 
 
