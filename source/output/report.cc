@@ -275,14 +275,12 @@ namespace PlateImpact
              {"estimate",
            !last.result.peak_force_error ?
                 "by the mesh with every cell halved" :
-                (is_on_softer_plate ? "on a softer plate, where the force is " +
-                  number(force *
-                         (1. - last.result.peak_force_error->estimate())) +
-                  " N" :
-                                      "by the dual problem") +
-               (", with a factor of safety of " +
-                number(is_on_softer_plate ? safety_on_softer_plate :
-                                            safety_of_bar))},
+                is_on_softer_plate ?
+                "by the peak of a softer plate, " +
+               number(force * (1. - last.result.peak_force_error->estimate())) +
+               " N, and its force around it" :
+                "by the dual problem, with a factor of safety of " +
+               number(safety_of_bar)},
              {"force", with_error(force, bar ? bar->total() * force : 0., "N")},
              {"load", load_in_words(parameters)},
              {"model", model_in_words(verdict)}};
