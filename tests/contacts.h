@@ -16,11 +16,14 @@ namespace PlateImpact
   // the paper's cylinder
   inline const double modulus = 2.1e11 / (2. * 0.91);
 
-  inline const auto hertz_law = std::make_shared<HertzLaw>(1.4e10);
-  inline const auto line_law =
-    std::make_shared<LineLaw>(0.01, 0.0333335, modulus);
-  inline const auto line_law_on_layer =
-    std::make_shared<LineLaw>(0.01, 0.0333335, modulus, -0.69);
+  inline const auto hertz_law     = std::make_shared<HertzLaw>(1.4e10);
+  inline const auto make_line_law = [](const double constant) {
+    const auto law =
+      std::make_shared<LineLaw>(0.01, 0.0333335, modulus, constant);
+    return std::make_shared<TangentBeyond>(law, law->largest_indentation);
+  };
+  inline const auto line_law = make_line_law(LineLaw::constant_of_half_space),
+                    line_law_on_layer = make_line_law(-0.69);
   // the main scene's ball on steel of 355 MPa
   inline const double first_yield = [] {
     Parameters scene{};

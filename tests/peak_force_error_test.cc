@@ -52,12 +52,14 @@ namespace PlateImpact
     TEST(PeakForceBar, OfALatePeakIsThatOfTheSofterPlate)
     {
       const PeakForceError estimate{Eigen::Vector2d(0.3, -0.4),
-                                    PeakForceError::Change{-0.01, 0.03}};
+                                    PeakForceError::Change{-0.01, 0.03, 8.}};
       EXPECT_EQ(estimate.estimate(), 0.01);
       EXPECT_NEAR(bar(estimate, {}, true).value(),
-                  std::hypot(0.01 * safety_on_softer_plate, 0.03),
+                  std::hypot(0.01 * safety_on_softer_plate,
+                             0.5 * 0.03 * safety_around_peak),
                   1e-15);
       record("factor of safety", safety_on_softer_plate);
+      record("factor around the peak", safety_around_peak);
       // and errors of mesh and step have either sign
       EXPECT_NEAR((PeakForceBar{0.03, 0.04, 0.01, true}.total()), 0.06, 1e-15);
       EXPECT_NEAR((PeakForceBar{0.03, 0.04, 0.01, false}.total()), 0.08, 1e-15);

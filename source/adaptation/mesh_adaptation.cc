@@ -252,10 +252,6 @@ namespace PlateImpact
   refine_towards_load(Triangulation<2> &mesh, const Parameters &parameters)
   {
     AdaptivityParameters grading = parameters.adaptivity;
-    // of a quadrant of 3 x 3 cells: longer ones hide waves that come back
-    const auto sides = geometry_of(parameters.plate).side_lengths;
-    grading.maximum_cell_size =
-      std::min(grading.maximum_cell_size, std::max(sides[0], sides[1]) / 6.);
     // cells that may be halved are larger than the patch
     grading.minimum_cell_size = 0.5 *
       (parameters.contact.has_patch() ? parameters.contact.patch_radius :

@@ -62,6 +62,8 @@ namespace PlateImpact
   ErrorRatios
   AdaptationControl::error_ratios(const Cycle &cycle) const
   {
+    if (marking)
+      return marking(cycle);
     const CycleResult &result = cycle.result;
     if (!is_for_peak)
       {
@@ -91,18 +93,10 @@ namespace PlateImpact
     // cells disperse them most.
     if (result.waves_are_everywhere)
       halve_largest(cycle.mesh(), adaptivity.size_exponent, ratios);
-    // Where there is no bar the mesh hides the load, or the waves that it sends
-    // out, from the estimate: cells are halved once, whatever that says.
-    if (!result.peak_force_bar && result.time_error)
+    for (const unsigned int cell : result.blind_cells)
       {
-        for (const auto &cell : cycle.mesh().active_cell_iterators())
-          if (is_near_load(cell,
-                           cycle.parameters.impactor.contact_half_length()))
-            {
-              double &ratio = ratios.elements[cell->active_cell_index()];
-              ratio         = std::max(ratio, halving);
-            }
-        ratios.overall = std::max(ratios.overall, halving);
+        ratios.elements[cell] = std::max(ratios.elements[cell], halving);
+        ratios.overall        = std::max(ratios.overall, halving);
       }
     return ratios;
   }

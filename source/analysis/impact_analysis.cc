@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace PlateImpact
@@ -176,7 +177,8 @@ namespace PlateImpact
     worth.returns_of_waves = time_control->returns_of_waves(*result.history);
     worth.waves_are_everywhere =
       worth.returns_of_waves > 1. && result.history->peak_is_on_ripples();
-    worth.mesh_part_of_bar = mesh_part_of_bar();
+    if (result.peak_force_error)
+      judge_mesh(worth);
     if (worth.mesh_part_of_bar && result.time_error)
       worth.peak_force_bar =
         PeakForceBar{*worth.mesh_part_of_bar,
@@ -204,24 +206,39 @@ namespace PlateImpact
 
 
 
-  std::optional<double>
-  ImpactAnalysis::mesh_part_of_bar() const
+  void
+  ImpactAnalysis::judge_mesh(Judgement &worth) const
   {
-    const CycleResult &result = current->result;
-    if (!result.peak_force_error)
-      return {};
+    const CycleResult       &result  = current->result;
     const ContactParameters &contact = parameters.contact;
     const double load = contact.has_patch() ? 2. * contact.patch_radius :
                                               parameters.plate.thickness;
-    // nothing tells an error where the mesh does not see the waves that the
-    // contact sends out
-    if (result.cell_size_at_load >
-        0.5 * std::max(time_control->expected.wave().length, 2. * load))
-      return {};
-    return peak_force_error_by_mesh(*result.peak_force_error,
-                                    result.history->peak().force,
-                                    before,
-                                    result.cell_size_at_load <= load);
+    const auto   cells_larger_than = [&](const double at_load,
+                                       const double anywhere) {
+      std::vector<unsigned int> cells;
+      for (const auto &cell : current->mesh().active_cell_iterators())
+        if (cell_size(cell) > anywhere ||
+            (cell_size(cell) > at_load &&
+             is_near_load(cell, parameters.impactor.contact_half_length())))
+          cells.push_back(cell->active_cell_index());
+      return cells;
+    };
+    const double infinite = std::numeric_limits<double>::infinity();
+    // Longer cells do not see the waves that the contact sends out, and those
+    // that come back not from a sixth of the plate on: 3 x 3 in a quadrant.
+    const auto sides  = geometry_of(parameters.plate).side_lengths;
+    worth.blind_cells = cells_larger_than(
+      0.5 * std::max(time_control->expected.wave().length, 2. * load),
+      worth.returns_of_waves > 1. ? 1.0001 * std::max(sides[0], sides[1]) / 6. :
+                                    infinite);
+    if (worth.blind_cells.empty())
+      worth.mesh_part_of_bar =
+        peak_force_error_by_mesh(*result.peak_force_error,
+                                 result.history->peak().force,
+                                 before,
+                                 result.cell_size_at_load <= load);
+    if (!worth.mesh_part_of_bar && worth.blind_cells.empty())
+      worth.blind_cells = cells_larger_than(0., infinite);
   }
 
 

@@ -58,13 +58,13 @@ namespace PlateImpact
 
 
     void
-    compare(const Scene             &scene,
-            const ResultDirectory   &directory,
-            Console                 &console,
-            const AdaptationControl &marking)
+    compare(const Scene           &scene,
+            const ResultDirectory &directory,
+            Console               &console,
+            const Marking         &marking)
     {
       StrategyComparison comparison{scene};
-      comparison.marking     = &marking;
+      comparison.marking     = marking;
       const auto write_table = [&] {
         directory.write_file("comparison.csv",
                              comparison_table(comparison.curves));
@@ -136,9 +136,6 @@ namespace PlateImpact
     const ResultDirectory directory(scene.parameters.output.directory);
     directory.clear();
     directory.write_scene(scene.name, scene.text);
-    const OutsideMarking marking(command,
-                                 scene.parameters.adaptivity,
-                                 directory);
     if (!command.empty())
       scene.parameters.comparison.strategies.push_back(
         {AdaptationStrategy::hanging_nodes,
@@ -146,7 +143,7 @@ namespace PlateImpact
          /*is_outside=*/true});
     try
       {
-        compare(scene, directory, console, marking);
+        compare(scene, directory, console, outside_marking(command, directory));
       }
     catch (const Interruption &interruption)
       {

@@ -253,8 +253,9 @@ namespace PlateImpact
       throw InputError({"--marking needs Adaptivity/Strategy = hanging nodes "
                         "or remeshing, which give cells the sizes that are "
                         "wanted"});
-    Output         output(scene);
-    OutsideMarking control(marking, adaptivity, output.directory);
+    Output            output(scene);
+    AdaptationControl control(adaptivity);
+    control.marking = outside_marking(marking, output.directory);
     try
       {
         run(scene, output, quiet, control);

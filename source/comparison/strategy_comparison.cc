@@ -46,16 +46,6 @@ namespace PlateImpact
       /// Why the analysis ends with a cycle; empty when it goes on.
       std::function<std::optional<Outcome>(const CycleResult &)> end;
 
-      /// Marks the cells in place of the target; null: none.
-      const AdaptationControl *marking = nullptr;
-
-      ErrorRatios
-      error_ratios(const Cycle &cycle) const override
-      {
-        return marking != nullptr ? marking->error_ratios(cycle) :
-                                    AdaptationControl::error_ratios(cycle);
-      }
-
       std::optional<Outcome>
       check(const CycleResult &result) override
       {

@@ -78,10 +78,12 @@ namespace PlateImpact
              bodies.impactor_compliance *
                (std::log(4. * impactor.radius) - 0.5)) -
           std::log(half_length);
-      return Contact(std::make_shared<LineLaw>(impactor.radius,
-                                               half_length,
-                                               bodies.modulus,
-                                               constant));
+      const auto law = std::make_shared<LineLaw>(impactor.radius,
+                                                 half_length,
+                                                 bodies.modulus,
+                                                 constant);
+      return Contact(
+        std::make_shared<TangentBeyond>(law, law->largest_indentation));
     }
 
 

@@ -23,7 +23,8 @@ namespace PlateImpact
       const ContactHistory here = loaded.on_other_plate(system, history);
       const ContactState  &peak = here.peak();
       return {of_softer.peak().force / peak.force - 1.,
-              of_softer.difference_around(peak.time, here) / peak.force};
+              of_softer.difference_around(peak.time, here) / peak.force,
+              problem.returns_of_waves};
     }
   } // namespace
 

@@ -208,26 +208,28 @@ namespace PlateImpact
 
 
 
-  ErrorRatios
-  OutsideMarking::error_ratios(const Cycle &cycle) const
+  Marking
+  outside_marking(const std::string &command, const ResultDirectory &directory)
   {
     if (command.empty())
-      return AdaptationControl::error_ratios(cycle);
-    const std::string name =
-      fmt::format("marking_cycle_{}.json", cycle.result.cycle);
-    directory.write_file(name, described(cycle).dump() + '\n');
-    const std::string text = answer_to(command, (directory / name).string());
-    const std::vector<double> sizes =
-      sizes_of(Json::parse(text, nullptr, false), cycle);
-    // of the analysis, which knows the singular points of the mesh
-    const AdaptivityParameters &known  = cycle.parameters.adaptivity;
-    ErrorRatios                 wanted = *cycle.result.error_ratios;
-    for (const auto &cell : cycle.mesh().active_cell_iterators())
-      {
-        const unsigned int c = cell->active_cell_index();
-        wanted.elements[c]   = std::pow(cell_size(cell) / sizes[c],
-                                      1. / CellSizing(cell, known).exponent);
-      }
-    return wanted;
+      return {};
+    return [command, &directory](const Cycle &cycle) {
+      const std::string name =
+        fmt::format("marking_cycle_{}.json", cycle.result.cycle);
+      directory.write_file(name, described(cycle).dump() + '\n');
+      const std::string text = answer_to(command, (directory / name).string());
+      const std::vector<double> sizes =
+        sizes_of(Json::parse(text, nullptr, false), cycle);
+      // of the analysis, which knows the singular points of the mesh
+      const AdaptivityParameters &known  = cycle.parameters.adaptivity;
+      ErrorRatios                 wanted = *cycle.result.error_ratios;
+      for (const auto &cell : cycle.mesh().active_cell_iterators())
+        {
+          const unsigned int c = cell->active_cell_index();
+          wanted.elements[c]   = std::pow(cell_size(cell) / sizes[c],
+                                        1. / CellSizing(cell, known).exponent);
+        }
+      return wanted;
+    };
   }
 } // namespace PlateImpact

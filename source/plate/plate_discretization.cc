@@ -21,6 +21,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <set>
 #include <stdexcept>
 
 namespace PlateImpact
@@ -88,6 +89,7 @@ namespace PlateImpact
     for (const auto &cell : dofs.active_cell_iterators())
       {
         cell->get_dof_indices(of_cell);
+        std::set<int> unknowns;
         for (unsigned int i = 0; i < of_cell.size(); ++i, ++row)
           {
             const auto *masters =
@@ -96,28 +98,15 @@ namespace PlateImpact
             for (const auto &[dof, weight] : masters ? *masters : itself)
               {
                 weights.emplace_back(row, unknown_of_dof[dof], weight);
+                unknowns.insert(unknown_of_dof[dof]);
                 components_of[unknown_of_dof[dof]] |= 1u
                   << fe.system_to_component_index(i).first;
               }
           }
+        unknowns_of_cells.emplace_back(unknowns.begin(), unknowns.end());
       }
     nodal_values_of_cells.resize(row, n_unknowns());
     nodal_values_of_cells.setFromTriplets(weights.begin(), weights.end());
-  }
-
-
-
-  std::vector<int>
-  PlateDiscretization::unknowns_of(const unsigned int cell) const
-  {
-    const int        n       = element.finite_element.n_dofs_per_cell(),
-              *const columns = nodal_values_of_cells.innerIndexPtr(),
-              *const first   = nodal_values_of_cells.outerIndexPtr() + n * cell;
-    std::vector<int> unknowns(columns + first[0], columns + first[n]);
-    std::sort(unknowns.begin(), unknowns.end());
-    unknowns.erase(std::unique(unknowns.begin(), unknowns.end()),
-                   unknowns.end());
-    return unknowns;
   }
 
 
@@ -131,21 +120,18 @@ namespace PlateImpact
     // local indices of a known column map need no search, and a matrix whose
     // graph is complete takes its values at once
     Epetra_CrsGraph of_K(Copy, map, map, 0), of_M(Copy, map, map, 0);
-    for (unsigned int cell = 0; cell < shape_of_cell.size(); ++cell)
-      {
-        auto of_cell = unknowns_of(cell);
-        for (const int row : of_cell)
-          {
-            of_K.InsertMyIndices(row, of_cell.size(), of_cell.data());
-            // inertia couples no component with another, but edges in any
-            // direction give one unknown to both rotations
-            std::vector<int> coupled;
-            for (const int column : of_cell)
-              if ((components_of[row] & components_of[column]) != 0)
-                coupled.push_back(column);
-            of_M.InsertMyIndices(row, coupled.size(), coupled.data());
-          }
-      }
+    for (std::vector<int> &of_cell : unknowns_of_cells)
+      for (const int row : of_cell)
+        {
+          of_K.InsertMyIndices(row, of_cell.size(), of_cell.data());
+          // inertia couples no component with another, but edges in any
+          // direction give one unknown to both rotations
+          std::vector<int> coupled;
+          for (const int column : of_cell)
+            if ((components_of[row] & components_of[column]) != 0)
+              coupled.push_back(column);
+          of_M.InsertMyIndices(row, coupled.size(), coupled.data());
+        }
     for (const auto &[graph, matrix] :
          {std::pair(&of_K, &K), std::pair(&of_M, &M)})
       {
@@ -183,8 +169,8 @@ namespace PlateImpact
     std::vector<double> values;
     for (unsigned int cell = 0; cell < shape_of_cell.size(); ++cell)
       {
-        const auto of_cell = unknowns_of(cell);
-        Weights    weights(n, of_cell.size());
+        const std::vector<int> &of_cell = unknowns_of_cells[cell];
+        Weights                 weights(n, of_cell.size());
         for (int i = 0; i < n; ++i)
           for (Weights::InnerIterator w(nodal_values_of_cells, n * cell + i); w;
                ++w)

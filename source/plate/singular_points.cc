@@ -5,11 +5,13 @@
 
 #include "plate_impact/plate/plate_geometry.h"
 
+#include <boost/math/tools/roots.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <map>
-#include <optional>
+#include <utility>
 
 namespace PlateImpact
 {
@@ -55,30 +57,6 @@ namespace PlateImpact
           default:
             return square - sine * sine;
         }
-    }
-
-
-
-    /// The zero that Newton's method comes to from a point, if any.
-    template <typename Function>
-    std::optional<Exponent>
-    zero_from(Exponent x, const Function &function)
-    {
-      const double change = 1e-6;
-      for (unsigned int i = 0; i < 50; ++i)
-        {
-          const Exponent slope =
-            (function(x + change) - function(x - change)) / (2. * change);
-          if (slope == 0.)
-            return {};
-          const Exponent step = function(x) / slope;
-          x -= step;
-          if (!(std::abs(x) < 10.))
-            return {};
-          if (std::abs(step) < 1e-11)
-            return x;
-        }
-      return {};
     }
 
 
@@ -167,15 +145,26 @@ namespace PlateImpact
       (supports[0] == EdgeSupport::free) == (supports[1] == EdgeSupport::free);
     double strength = std::min(1., numbers::PI / angle * (is_alike ? 1. : 0.5));
     const auto function = [&](const Exponent x) {
-      return characteristic(x, angle, supports, poissons_ratio);
+      const auto at = [&](const Exponent y) {
+        return characteristic(y, angle, supports, poissons_ratio);
+      };
+      const double change = 1e-6;
+      return std::pair(at(x),
+                       (at(x + change) - at(x - change)) / (2. * change));
     };
     // a rotation of the whole wedge has the exponent 0
-    const double least = 1e-3;
+    const double least   = 1e-3;
+    const int    n_steps = 200; // at a crack zeros are double
     for (double real = 0.02; real < 1.; real += 0.04)
       for (const double imaginary : {0., 0.15, 0.35})
-        if (const auto zero = zero_from({real, imaginary}, function);
-            zero && zero->real() > least)
-          strength = std::min(strength, zero->real());
+        // not a number where Newton's method comes to none
+        if (const double zero =
+              boost::math::tools::complex_newton(function,
+                                                 Exponent(real, imaginary),
+                                                 n_steps)
+                .real();
+            zero > least)
+          strength = std::min(strength, zero);
     return strength;
   }
 

@@ -217,29 +217,23 @@ namespace PlateImpact
 
 
 
-    /// Points of a group to compute one after another.
+    /// A point and its group.
     struct Task
     {
-      std::size_t              group;
-      std::vector<std::size_t> points;
+      std::size_t group, point;
     };
 
+    /// Those of a group one after another.
     /// @param to_do  points in ascending order
     std::vector<Task>
     tasks_of(const std::vector<std::vector<std::size_t>> &groups,
-             const std::vector<std::size_t>              &to_do,
-             const std::size_t                            most_points)
+             const std::vector<std::size_t>              &to_do)
     {
       std::vector<Task> tasks;
       for (std::size_t group = 0; group < groups.size(); ++group)
         for (const std::size_t point : groups[group])
           if (std::binary_search(to_do.begin(), to_do.end(), point))
-            {
-              if (tasks.empty() || tasks.back().group != group ||
-                  tasks.back().points.size() == most_points)
-                tasks.push_back({group, {}});
-              tasks.back().points.push_back(point);
-            }
+            tasks.push_back({group, point});
       return tasks;
     }
 
@@ -331,16 +325,16 @@ namespace PlateImpact
 
 
   std::size_t
-  Processes::next_task()
+  Processes::next_share()
   {
     if (!uses_mpi)
       return counter++;
     const unsigned long one = 1;
-    unsigned long       task;
+    unsigned long       share;
     MPI_Win_lock(MPI_LOCK_SHARED, 0, 0, window);
-    MPI_Fetch_and_op(&one, &task, MPI_UNSIGNED_LONG, 0, 0, MPI_SUM, window);
+    MPI_Fetch_and_op(&one, &share, MPI_UNSIGNED_LONG, 0, 0, MPI_SUM, window);
     MPI_Win_unlock(0, window);
-    return task;
+    return share;
   }
 
 
@@ -351,20 +345,22 @@ namespace PlateImpact
                      const std::vector<std::size_t>         &to_do,
                      const std::function<void(SweepRow &&)> &take)
   {
-    // a few tasks for each process, so that all end at about the same time
-    const std::size_t n_parts = size == 1 ? 1 : 8 * size;
-    const auto        tasks =
-      tasks_of(groups.groups,
-               to_do,
-               std::max<std::size_t>(1, to_do.size() / n_parts));
+    const auto tasks = tasks_of(groups.groups, to_do);
+    // a few shares for each process, so that all end at about the same time
+    const std::size_t n = tasks.size(),
+                      n_shares =
+                        size == 1 ? 1 : std::min<std::size_t>(8 * size, n);
     SweepComputation computation{scene, groups};
     int              n_others = rank == 0 ? size - 1 : 0;
     try
       {
-        for (std::size_t task; (task = next_task()) < tasks.size();)
-          for (const std::size_t index : tasks[task].points)
+        for (std::size_t share; (share = next_share()) < n_shares;)
+          for (std::size_t task = share * n / n_shares;
+               task < (share + 1) * n / n_shares;
+               ++task)
             {
-              SweepRow row = computation.compute(tasks[task].group, index);
+              SweepRow row =
+                computation.compute(tasks[task].group, tasks[task].point);
               if (rank == 0)
                 {
                   take(std::move(row));
@@ -381,7 +377,7 @@ namespace PlateImpact
     catch (const ComputationError &)
       {
         // nothing can be written: nothing more is computed
-        while (next_task() < tasks.size())
+        while (next_share() < n_shares)
           ;
         take_others(n_others, /*wait=*/true, [](SweepRow &&) {});
         throw;

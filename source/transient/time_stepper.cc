@@ -37,25 +37,25 @@ namespace PlateImpact
         throw_if_interrupted();
         ++step;
         begin_force = scheme.integration.acts_at_begin ? 0. : current.force;
-        double phi  = 0.;
-        for (std::optional<double> free = plate_motion->begin_step(begin_force);
-             free;)
+        try
           {
-            phi = contact_force(*free);
-            try
+            double phi = 0.;
+            for (std::optional<double> free =
+                   plate_motion->begin_step(begin_force);
+                 free;)
               {
+                phi  = contact_force(*free);
                 free = plate_motion->end_step(at_begin * phi, phi);
               }
-            catch (const ComputationError &error)
-              {
-                throw ComputationError(
-                  fmt::format("step {} (t = {}): {}",
-                              step,
-                              number(scheme.dt * step, "s"),
-                              error.what()));
-              }
+            end_step(phi);
           }
-        end_step(phi);
+        catch (const ComputationError &error)
+          {
+            throw ComputationError(fmt::format("step {} (t = {}): {}",
+                                               step,
+                                               number(scheme.dt * step, "s"),
+                                               error.what()));
+          }
         // The plate can never reach the impactor again: without a force average
         // acceleration keeps its energy E, and the displacement under the load
         // stays within sqrt(2 E c), c the static compliance. Beyond round-off
@@ -84,19 +84,11 @@ namespace PlateImpact
     const double compliance =
       (1. + scheme.c2 * at_begin) * plate_motion->w_of_unit_response +
       dt * dt / impactor.mass * (beta + (0.5 - beta) * at_begin);
-    try
-      {
-        return solve_contact(scheme.integration,
-                             contact,
-                             current.indentation,
-                             impactor_free - plate_free,
-                             compliance);
-      }
-    catch (const ComputationError &error)
-      {
-        throw ComputationError("step " + std::to_string(step) + ": " +
-                               error.what());
-      }
+    return solve_contact(scheme.integration,
+                         contact,
+                         current.indentation,
+                         impactor_free - plate_free,
+                         compliance);
   }
 
 
@@ -130,20 +122,15 @@ namespace PlateImpact
          {std::pair(current.plate_displacement, "plate displacement"),
           std::pair(current.total_energy(), "total energy")})
       if (!std::isfinite(value))
-        throw ComputationError(fmt::format(
-          "step {} (t = {} s): the {} is not finite ({}); try a smaller "
-          "Time/Time step",
-          step,
-          current.time,
-          quantity,
-          value));
+        throw ComputationError(
+          fmt::format("the {} is not finite ({}); try a smaller Time/Time step",
+                      quantity,
+                      value));
     if (current.force > contact.largest_force)
       throw ComputationError(fmt::format(
-        "step {} (t = {}): the contact force, {}, is beyond the limit of the "
-        "local response of a layer, {}; choose Contact/Patch radius = 0 or, if "
-        "it is 0 already, Contact/Local response = half-space",
-        step,
-        number(current.time, "s"),
+        "the contact force, {}, is beyond the limit of the local response of a "
+        "layer, {}; choose Contact/Patch radius = 0 or, if it is 0 already, "
+        "Contact/Local response = half-space",
         number(current.force, "N"),
         number(contact.largest_force, "N")));
     contact.follow(current.indentation);

@@ -151,9 +151,9 @@ namespace PlateImpact
                       const ErrorRatios              &error,
                       const AdaptivityParameters     &adaptivity);
 
-  /// Refines cells until none is longer than a sixth of the plate, those at the
-  /// load are no larger than its patch, or the thickness, and others no larger
-  /// than their distance from it, or 5000 cells are too few for it.
+  /// Refines cells until those at the load are no larger than its patch, or the
+  /// thickness, and others no larger than their distance from it, or 5000 cells
+  /// are too few for it.
   void
   refine_towards_load(dealii::Triangulation<2> &mesh,
                       const Parameters         &parameters);

@@ -4,6 +4,7 @@
 #include "plate_impact/base/choices.h"
 #include "plate_impact/base/parameters.h"
 
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -27,6 +28,10 @@ namespace PlateImpact
 
   template <>
   const std::vector<Word<Outcome>> Choices<Outcome>::words;
+
+
+  /// Says in place of a target which cells are too large.
+  using Marking = std::function<ErrorRatios(const Cycle &)>;
 
 
   /// What the meshes of an analysis are made for, and when it ends: the error
@@ -67,8 +72,10 @@ namespace PlateImpact
 
     /// Errors of the cells by what the target allows of them, for the next
     /// mesh.
-    virtual ErrorRatios
+    ErrorRatios
     error_ratios(const Cycle &cycle) const;
+
+    Marking marking = {}; ///< in place of the target; empty: none
 
     /// What better meshes make smaller: eta, or the mesh's part of the error of
     /// the peak force, infinite where it cannot be estimated.

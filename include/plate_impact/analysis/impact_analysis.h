@@ -83,8 +83,9 @@ namespace PlateImpact
     observe(AnalysisListener &listener);
     Judgement
     judgement() const;
-    std::optional<double>
-    mesh_part_of_bar() const;
+    /// Whether it sees what the estimate of the peak force is about.
+    void
+    judge_mesh(Judgement &worth) const;
     std::optional<Outcome>
     adapt(AdaptationControl &control, AnalysisListener &listener);
 

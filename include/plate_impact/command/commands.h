@@ -13,7 +13,7 @@ namespace PlateImpact
   /// Computes the impact of a scene cycle by cycle, and writes and prints what
   /// is found.
   /// @param marking  a command that says what the next mesh is to be
-  ///                 (OutsideMarking); empty: none
+  ///                 (outside_marking()); empty: none
   /// @throws InputError where there is one and the strategy gives no sizes
   /// @throws ComputationError, of which summary.json tells
   void
@@ -22,7 +22,7 @@ namespace PlateImpact
   /// Computes the comparison of a scene, and writes and prints what is found,
   /// after every mesh and every curve.
   /// @param marking  a command whose meshes are compared as well
-  ///                 (OutsideMarking); empty: none
+  ///                 (outside_marking()); empty: none
   /// @throws InputError for a scene without an impactor
   void
   compare_scene(Scene scene, bool quiet, const std::string &marking);

@@ -84,7 +84,7 @@ namespace PlateImpact
     /// Told after every step, and after every mesh of a curve.
     AnalysisListener listener = {};
 
-    const AdaptationControl *marking = nullptr; ///< of strategies outside
+    Marking marking = {}; ///< of strategies outside
 
     Reference                    reference = {};
     std::vector<ComparisonCurve> curves    = {};

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <utility>
 
 namespace PlateImpact
 {
@@ -53,6 +55,44 @@ namespace PlateImpact
     /// without cancellation. [N/m]
     virtual double
     mean_stiffness(double a, double b) const;
+  };
+
+
+  /// A law up to an indentation, and its tangent there beyond.
+  class TangentBeyond : public ContactLaw
+  {
+  public:
+    TangentBeyond(std::shared_ptr<const ContactLaw> law, const double limit)
+      : law(std::move(law))
+      , limit(limit)
+    {}
+
+    double
+    force(const double indentation) const override
+    {
+      const double beyond = indentation - limit;
+      return beyond <= 0. ? law->force(indentation) :
+                            law->force(limit) + beyond * law->stiffness(limit);
+    }
+
+    double
+    stiffness(const double indentation) const override
+    {
+      return law->stiffness(std::min(indentation, limit));
+    }
+
+    double
+    potential(const double indentation) const override
+    {
+      const double beyond = indentation - limit;
+      return beyond <= 0. ? law->potential(indentation) :
+                            law->potential(limit) +
+          0.5 * beyond * (law->force(limit) + force(indentation));
+    }
+
+  private:
+    const std::shared_ptr<const ContactLaw> law;
+    const double                            limit;
   };
 
 

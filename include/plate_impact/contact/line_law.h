@@ -15,9 +15,8 @@ namespace PlateImpact
   /// paper, Johnson, Contact Mechanics, sec. 5.3):
   ///   alpha = F / (pi l E*) (c + ln(l/a)),  a = sqrt(4 (F/2l) r / (pi E*)).
   /// The paper prints a with F in place of the force per length, and inverts to
-  /// a power 3/2 (eq. 33). The inverse is Lambert's function W_{-1}. From where
-  /// the contact is as wide as long, a = l, or the bracket is 1, the law goes
-  /// on along its tangent: at 1/2 it would turn back.
+  /// a power 3/2 (eq. 33). The inverse is Lambert's function W_{-1}. It is for
+  /// indentations up to the largest one: at 1/2 the bracket would turn back.
   class LineLaw : public ContactLaw
   {
   public:
@@ -34,9 +33,10 @@ namespace PlateImpact
       : compliance(1. / (pi * half_length * modulus))
       , force_scale(half_length * half_length * half_length * pi * modulus /
                     (2. * radius) * std::exp(2. * constant))
-      , least_logarithm(std::max(1., constant))
-      , tangent_force(force_scale * std::exp(-2. * least_logarithm))
-      , largest_indentation(compliance * tangent_force * least_logarithm)
+      , largest_indentation([&] {
+        const double logarithm = std::max(1., constant);
+        return compliance * force_scale * std::exp(-2. * logarithm) * logarithm;
+      }())
     {}
 
     double
@@ -44,10 +44,6 @@ namespace PlateImpact
     {
       if (indentation <= 0.)
         return 0.;
-      if (indentation >= largest_indentation)
-        return tangent_force +
-          (indentation - largest_indentation) * stiffness(indentation);
-
       // alpha = -C/2 g ln g, g = F / force_scale, C = compliance force_scale:
       // ln g = W_{-1}(-2 alpha / C)
       const double q = 2. * indentation / (compliance * force_scale);
@@ -61,33 +57,28 @@ namespace PlateImpact
     {
       if (indentation <= 0.)
         return 0.;
-      double logarithm = least_logarithm;
-      if (indentation < largest_indentation)
-        logarithm = -0.5 *
-          std::log(
-            std::max(force(indentation), std::numeric_limits<double>::min()) /
-            force_scale);
+      const double logarithm = -0.5 *
+        std::log(
+          std::max(force(indentation), std::numeric_limits<double>::min()) /
+          force_scale);
       return 1. / (compliance * (logarithm - 0.5));
     }
 
     double
     potential(const double indentation) const override
     {
-      if (indentation <= 0.)
-        return 0.;
-      const double alpha  = std::min(indentation, largest_indentation);
-      const double beyond = indentation - alpha, F = force(alpha);
-      return 0.5 * F * alpha - 0.125 * compliance * F * F +
-        beyond * (F + 0.5 * beyond * stiffness(largest_indentation));
+      const double F = force(indentation);
+      return 0.5 * F * indentation - 0.125 * compliance * F * F;
     }
 
   private:
     static constexpr double pi = boost::math::double_constants::pi;
 
-    const double compliance;          ///< 1 / (pi l E*) [m/N]
-    const double force_scale;         ///< at which c + ln(l/a) = 0 [N]
-    const double least_logarithm;     ///< of these, where the tangent begins
-    const double tangent_force;       ///< there [N]
-    const double largest_indentation; ///< there [m]
+    const double compliance;  ///< 1 / (pi l E*) [m/N]
+    const double force_scale; ///< at which c + ln(l/a) = 0 [N]
+
+  public:
+    /// Where the contact is as wide as long, a = l, or the bracket is 1. [m]
+    const double largest_indentation;
   };
 } // namespace PlateImpact

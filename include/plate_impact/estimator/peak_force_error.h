@@ -12,9 +12,11 @@
 
 namespace PlateImpact
 {
-  /// Cover what estimates miss, by a sum of contributions and by the peak on a
-  /// softer plate: calibrated on random scenes (doc/theory.md).
-  constexpr double safety_of_bar = 1.55, safety_on_softer_plate = 1.5;
+  /// Cover what estimates miss, by a sum of contributions, by the peak on a
+  /// softer plate and by the force around it: calibrated on random scenes
+  /// (doc/theory.md).
+  constexpr double safety_of_bar = 1.55, safety_on_softer_plate = 2.,
+                   safety_around_peak = 1.3;
 
   /// Estimated error of the peak force by the mesh: computed less exact,
   /// relative to the peak.
@@ -29,8 +31,9 @@ namespace PlateImpact
     /// Relative to the peak.
     struct Change
     {
-      double of_peak   = 0.; ///< with its sign
-      double around_it = 0.; ///< root mean square
+      double of_peak          = 0.; ///< with its sign
+      double around_it        = 0.; ///< root mean square
+      double returns_of_waves = 1.; ///< before the peak
     };
     std::optional<Change> on_softer_plate;
 
@@ -45,13 +48,15 @@ namespace PlateImpact
     /// The mesh's part of the error bar. Where waves pass once it is the sum of
     /// absolute values, since contributions of an assumed shear strain may have
     /// the wrong sign. What they bring that have come back adds up with either
-    /// sign, and not to first order alone.
+    /// sign, and not to first order alone; the more have come back, the more of
+    /// it cancels at the peak.
     double
     bar() const
     {
       return on_softer_plate ?
         std::hypot(safety_on_softer_plate * on_softer_plate->of_peak,
-                   on_softer_plate->around_it) :
+                   safety_around_peak * on_softer_plate->around_it /
+                     std::cbrt(on_softer_plate->returns_of_waves)) :
         safety_of_bar * cells.lpNorm<1>();
     }
   };

@@ -13,28 +13,11 @@ namespace PlateImpact
   /// (doc/results.md has the keys), and answers on its standard output in JSON:
   /// `{"refine": [...], "coarsen": [...]}`, numbers of cells, or
   /// `{"sizes": [...]}`, a length for each. [m]
-  class OutsideMarking : public AdaptationControl
-  {
-  public:
-    /// @param command     empty: the cells are marked by their errors
-    /// @param adaptivity  with a strategy that gives cells the wanted sizes
-    /// @param directory   for the files; must outlive this object
-    OutsideMarking(const std::string          &command,
-                   const AdaptivityParameters &adaptivity,
-                   const ResultDirectory      &directory)
-      : AdaptationControl(adaptivity)
-      , command(command)
-      , directory(directory)
-    {}
-
-    /// Those by which the strategy gives the cells the sizes that are wanted.
-    /// @throws ComputationError where the command fails, takes more than a
-    ///         minute, or answers what is no marking
-    ErrorRatios
-    error_ratios(const Cycle &cycle) const override;
-
-  private:
-    const std::string      command;
-    const ResultDirectory &directory;
-  };
+  /// @param command    empty: no marking
+  /// @param directory  for the files; must outlive the marking
+  /// @return of the cells the ratios by which strategies give them these sizes.
+  ///         Throws a ComputationError where the command fails, takes more than
+  ///         a minute, or answers what is no marking.
+  Marking
+  outside_marking(const std::string &command, const ResultDirectory &directory);
 } // namespace PlateImpact

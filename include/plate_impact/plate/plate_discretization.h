@@ -183,16 +183,13 @@ namespace PlateImpact
     void
     number_unknowns();
 
-    /// Unknowns of a cell, in ascending order.
-    std::vector<int>
-    unknowns_of(unsigned int cell) const;
-
     dealii::DoFHandler<2>             dofs;
     dealii::AffineConstraints<double> constraints;
     bool                              holds_deflection = false; ///< some edge
 
     std::vector<dealii::types::global_dof_index> dof_of_unknown;
-    std::vector<unsigned int> components_of; ///< of an unknown, a bit each
+    std::vector<unsigned int>     components_of; ///< of an unknown, a bit each
+    std::vector<std::vector<int>> unknowns_of_cells; ///< in ascending order
 
     /// A row for each nodal value of each cell, by unknowns.
     Eigen::SparseMatrix<double, Eigen::RowMajor> nodal_values_of_cells;

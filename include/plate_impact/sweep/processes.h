@@ -13,7 +13,8 @@ namespace PlateImpact
 {
   /// The processes that share a sweep: those that mpirun has started, or this
   /// one alone, without MPI, whose start takes longer than a small scene. A
-  /// counter that all share hands out tasks, results go to the first process.
+  /// common counter hands out shares of the points, results go to the first
+  /// process.
   class Processes
   {
   public:
@@ -51,7 +52,7 @@ namespace PlateImpact
   private:
     /// The next number of 0, 1, 2, ... that no process has been given.
     std::size_t
-    next_task();
+    next_share();
 
     const bool     uses_mpi;
     MPI_Win        window; ///< with the counter of the first process
