@@ -21,7 +21,7 @@ namespace PlateImpact
 
     /// The force of doc/make/modal_series.py. A first mesh of cells half as
     /// long as the plate was off by three times its bar.
-    TEST_F(LatePeaks, MeshesThatHideWavesThatComeBackHaveNoBar)
+    TEST_F(LatePeaks, FirstMeshesSeeWavesThatComeBackToALoadOffTheCentre)
     {
       const std::string scene =
         "--set 'Plate/Side lengths=0.153, 0.101' --set Plate/Thickness=0.004 "
@@ -38,13 +38,9 @@ namespace PlateImpact
       ASSERT_EQ(run(main_scene, goal + scene), 0) << err;
       const auto   cycles = summary()["cycles"];
       const double force  = 38.911908;
-      ASSERT_GT(cycles.size(), 1);
       for (const auto &cycle : cycles)
-        if (&cycle == &cycles.front())
-          EXPECT_FALSE(cycle.contains("peak_force_error_bar"));
-        else
-          EXPECT_LT(std::abs(double(cycle["peak_force"]) / force - 1.),
-                    cycle.value("peak_force_error_bar", 0.));
+        EXPECT_LT(std::abs(double(cycle["peak_force"]) / force - 1.),
+                  cycle.value("peak_force_error_bar", 0.));
       EXPECT_LT(last_cycle()["peak_force_error_bar"], 0.01);
     }
 

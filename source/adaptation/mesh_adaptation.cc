@@ -248,20 +248,23 @@ namespace PlateImpact
 
 
 
-  void
-  refine_towards_load(Triangulation<2> &mesh, const Parameters &parameters)
+  bool
+  refine_towards_load(Triangulation<2> &mesh,
+                      const Parameters &parameters,
+                      const double      largest)
   {
     AdaptivityParameters grading = parameters.adaptivity;
+    grading.maximum_cell_size    = std::min(grading.maximum_cell_size, largest);
     // cells that may be halved are larger than the patch
     grading.minimum_cell_size = 0.5 *
       (parameters.contact.has_patch() ? parameters.contact.patch_radius :
                                         parameters.plate.thickness);
     // along a line that is much longer than wide they are too many
     grading.maximum_cells = std::min(grading.maximum_cells, 5000u);
-    refine_to_contact(mesh,
-                      1.,
-                      grading,
-                      parameters.impactor.contact_half_length());
+    return refine_to_contact(mesh,
+                             1.,
+                             grading,
+                             parameters.impactor.contact_half_length());
   }
 
 

@@ -93,10 +93,18 @@ namespace PlateImpact
     // cells disperse them most.
     if (result.waves_are_everywhere)
       halve_largest(cycle.mesh(), adaptivity.size_exponent, ratios);
-    for (const unsigned int cell : result.blind_cells)
+    // Where there is no bar the mesh hides the load, or the waves that it sends
+    // out, from the estimate: cells are halved once, whatever that says.
+    if (!result.peak_force_bar && result.time_error)
       {
-        ratios.elements[cell] = std::max(ratios.elements[cell], halving);
-        ratios.overall        = std::max(ratios.overall, halving);
+        for (const auto &cell : cycle.mesh().active_cell_iterators())
+          if (is_near_load(cell,
+                           cycle.parameters.impactor.contact_half_length()))
+            {
+              double &ratio = ratios.elements[cell->active_cell_index()];
+              ratio         = std::max(ratio, halving);
+            }
+        ratios.overall = std::max(ratios.overall, halving);
       }
     return ratios;
   }

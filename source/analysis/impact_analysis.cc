@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace PlateImpact
@@ -101,12 +100,33 @@ namespace PlateImpact
     // a plate at rest stays at rest
     if (!time_control)
       return;
-    for (std::optional<Window> next = window; next;
-         next = time_control->next(window, current->result))
+    for (std::optional<Window> next = window; next;)
       {
         window = *next;
         observe(listener);
+        next = time_control->next(window, current->result);
+        if (window.extent == Extent::peak_search &&
+            time_control->returns_of_waves(*current->result.history) > 1.)
+          show_waves(listener);
       }
+  }
+
+
+
+  void
+  ImpactAnalysis::show_waves(AnalysisListener &listener)
+  {
+    const Timer timer;
+    mesh = copy_of(current->mesh());
+    // of a quadrant of 3 x 3 cells
+    const auto sides = geometry_of(parameters.plate).side_lengths;
+    if (!refine_towards_load(*mesh,
+                             parameters,
+                             std::max(sides[0], sides[1]) / 6.))
+      return;
+    seconds_for_mesh = timer.wall_time();
+    --n_cycles;
+    begin_cycle(listener);
   }
 
 
@@ -177,8 +197,7 @@ namespace PlateImpact
     worth.returns_of_waves = time_control->returns_of_waves(*result.history);
     worth.waves_are_everywhere =
       worth.returns_of_waves > 1. && result.history->peak_is_on_ripples();
-    if (result.peak_force_error)
-      judge_mesh(worth);
+    worth.mesh_part_of_bar = mesh_part_of_bar();
     if (worth.mesh_part_of_bar && result.time_error)
       worth.peak_force_bar =
         PeakForceBar{*worth.mesh_part_of_bar,
@@ -206,39 +225,24 @@ namespace PlateImpact
 
 
 
-  void
-  ImpactAnalysis::judge_mesh(Judgement &worth) const
+  std::optional<double>
+  ImpactAnalysis::mesh_part_of_bar() const
   {
-    const CycleResult       &result  = current->result;
+    const CycleResult &result = current->result;
+    if (!result.peak_force_error)
+      return {};
     const ContactParameters &contact = parameters.contact;
     const double load = contact.has_patch() ? 2. * contact.patch_radius :
                                               parameters.plate.thickness;
-    const auto   cells_larger_than = [&](const double at_load,
-                                       const double anywhere) {
-      std::vector<unsigned int> cells;
-      for (const auto &cell : current->mesh().active_cell_iterators())
-        if (cell_size(cell) > anywhere ||
-            (cell_size(cell) > at_load &&
-             is_near_load(cell, parameters.impactor.contact_half_length())))
-          cells.push_back(cell->active_cell_index());
-      return cells;
-    };
-    const double infinite = std::numeric_limits<double>::infinity();
-    // Longer cells do not see the waves that the contact sends out, and those
-    // that come back not from a sixth of the plate on: 3 x 3 in a quadrant.
-    const auto sides  = geometry_of(parameters.plate).side_lengths;
-    worth.blind_cells = cells_larger_than(
-      0.5 * std::max(time_control->expected.wave().length, 2. * load),
-      worth.returns_of_waves > 1. ? 1.0001 * std::max(sides[0], sides[1]) / 6. :
-                                    infinite);
-    if (worth.blind_cells.empty())
-      worth.mesh_part_of_bar =
-        peak_force_error_by_mesh(*result.peak_force_error,
-                                 result.history->peak().force,
-                                 before,
-                                 result.cell_size_at_load <= load);
-    if (!worth.mesh_part_of_bar && worth.blind_cells.empty())
-      worth.blind_cells = cells_larger_than(0., infinite);
+    // nothing tells an error where the mesh does not see the waves that the
+    // contact sends out
+    if (result.cell_size_at_load >
+        0.5 * std::max(time_control->expected.wave().length, 2. * load))
+      return {};
+    return peak_force_error_by_mesh(*result.peak_force_error,
+                                    result.history->peak().force,
+                                    before,
+                                    result.cell_size_at_load <= load);
   }
 
 

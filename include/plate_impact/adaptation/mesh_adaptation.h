@@ -7,6 +7,7 @@
 #include "plate_impact/estimator/energy_norm_estimator.h"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -152,9 +153,12 @@ namespace PlateImpact
                       const AdaptivityParameters     &adaptivity);
 
   /// Refines cells until those at the load are no larger than its patch, or the
-  /// thickness, and others no larger than their distance from it, or 5000 cells
-  /// are too few for it.
-  void
+  /// thickness, and others no larger than their distance from it and a given
+  /// size, or 5000 cells are too few for it.
+  /// @param largest  [m]
+  /// @return whether the mesh is refined
+  bool
   refine_towards_load(dealii::Triangulation<2> &mesh,
-                      const Parameters         &parameters);
+                      const Parameters         &parameters,
+                      double largest = std::numeric_limits<double>::infinity());
 } // namespace PlateImpact

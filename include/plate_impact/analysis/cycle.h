@@ -79,11 +79,8 @@ namespace PlateImpact
     std::optional<ErrorRatios> error_ratios; ///< of the energy norm's target
     unsigned int               cells_above_limit = 0; ///< xi' >= 1
     unsigned int cells_at_minimum_size = 0; ///< of these, not to be refined
-    /// By active index: too large for what the estimate of the peak force must
-    /// see.
-    std::vector<unsigned int> blind_cells;
     /// Of the bar of the peak force, also where nothing is known of the step's;
-    /// none where cells are blind.
+    /// none on blind meshes.
     std::optional<double>       mesh_part_of_bar;
     std::optional<PeakForceBar> peak_force_bar;
     double returns_of_waves     = 0.; ///< from the nearest edge before the peak

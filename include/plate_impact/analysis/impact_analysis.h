@@ -77,15 +77,18 @@ namespace PlateImpact
     /// Strikes the plate until that is enough to judge the mesh.
     void
     watch(AnalysisListener &listener);
+    /// Begins the first cycle again, without the cells that are too long for
+    /// waves that come back before the peak.
+    void
+    show_waves(AnalysisListener &listener);
     /// The transient of the window; its history alone, where nothing but the
     /// time of its peak is wanted.
     void
     observe(AnalysisListener &listener);
     Judgement
     judgement() const;
-    /// Whether it sees what the estimate of the peak force is about.
-    void
-    judge_mesh(Judgement &worth) const;
+    std::optional<double>
+    mesh_part_of_bar() const;
     std::optional<Outcome>
     adapt(AdaptationControl &control, AnalysisListener &listener);
 
