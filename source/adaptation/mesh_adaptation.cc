@@ -248,23 +248,33 @@ namespace PlateImpact
 
 
 
-  bool
-  refine_towards_load(Triangulation<2> &mesh,
-                      const Parameters &parameters,
-                      const double      largest)
+  void
+  refine_towards_load(Triangulation<2> &mesh, const Parameters &parameters)
   {
     AdaptivityParameters grading = parameters.adaptivity;
-    grading.maximum_cell_size    = std::min(grading.maximum_cell_size, largest);
     // cells that may be halved are larger than the patch
     grading.minimum_cell_size = 0.5 *
       (parameters.contact.has_patch() ? parameters.contact.patch_radius :
                                         parameters.plate.thickness);
     // along a line that is much longer than wide they are too many
     grading.maximum_cells = std::min(grading.maximum_cells, 5000u);
-    return refine_to_contact(mesh,
-                             1.,
-                             grading,
-                             parameters.impactor.contact_half_length());
+    refine_to_contact(mesh,
+                      1.,
+                      grading,
+                      parameters.impactor.contact_half_length());
+  }
+
+
+
+  bool
+  refine_to_size(Triangulation<2>    &mesh,
+                 const double         largest,
+                 AdaptivityParameters adaptivity)
+  {
+    adaptivity.maximum_cell_size =
+      std::min(adaptivity.maximum_cell_size, largest);
+    const double anywhere = std::numeric_limits<double>::max();
+    return refine_to_contact(mesh, anywhere, adaptivity, 0.);
   }
 
 

@@ -120,9 +120,9 @@ namespace PlateImpact
     mesh = copy_of(current->mesh());
     // of a quadrant of 3 x 3 cells
     const auto sides = geometry_of(parameters.plate).side_lengths;
-    if (!refine_towards_load(*mesh,
-                             parameters,
-                             std::max(sides[0], sides[1]) / 6.))
+    if (!refine_to_size(*mesh,
+                        std::max(sides[0], sides[1]) / 6.,
+                        parameters.adaptivity))
       return;
     seconds_for_mesh = timer.wall_time();
     --n_cycles;

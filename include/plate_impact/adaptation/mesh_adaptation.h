@@ -7,7 +7,6 @@
 #include "plate_impact/estimator/energy_norm_estimator.h"
 
 #include <algorithm>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -153,12 +152,17 @@ namespace PlateImpact
                       const AdaptivityParameters     &adaptivity);
 
   /// Refines cells until those at the load are no larger than its patch, or the
-  /// thickness, and others no larger than their distance from it and a given
-  /// size, or 5000 cells are too few for it.
-  /// @param largest  [m]
+  /// thickness, and others no larger than their distance from it, or 5000 cells
+  /// are too few for it.
+  void
+  refine_towards_load(dealii::Triangulation<2> &mesh,
+                      const Parameters         &parameters);
+
+  /// Refines cells until none is larger than a size [m], or the maximum of
+  /// cells is too small for it.
   /// @return whether the mesh is refined
   bool
-  refine_towards_load(dealii::Triangulation<2> &mesh,
-                      const Parameters         &parameters,
-                      double largest = std::numeric_limits<double>::infinity());
+  refine_to_size(dealii::Triangulation<2> &mesh,
+                 double                    largest,
+                 AdaptivityParameters      adaptivity);
 } // namespace PlateImpact
