@@ -144,6 +144,12 @@ namespace PlateImpact
         return std::count(table.begin(), table.end(), '\n');
       };
       const auto before = n_rows();
+      // the point that was under way is none of them
+      EXPECT_EQ(text(results() / "sweep.csv").find("interrupted"),
+                std::string::npos);
+      EXPECT_NE(err.find(" " + std::to_string(before - 1) + " of 100000"),
+                std::string::npos)
+        << err;
       EXPECT_EQ(shell(for_a_while + sweep + "--resume"), 130);
       EXPECT_GT(n_rows(), before);
     }

@@ -37,6 +37,10 @@ namespace PlateImpact
           function();
           return {};
         }
+      catch (const Interruption &)
+        {
+          throw; // not the point's failure
+        }
       catch (const std::bad_alloc &)
         {
           return "not enough memory";
