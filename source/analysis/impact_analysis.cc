@@ -124,7 +124,9 @@ namespace PlateImpact
                         std::max(sides[0], sides[1]) / 6.,
                         parameters.adaptivity))
       return;
-    seconds_for_mesh = timer.wall_time();
+    // all that was before has made this first mesh
+    seconds_for_mesh = current->result.seconds.total() + timer.wall_time();
+    current.reset();
     --n_cycles;
     begin_cycle(listener);
   }
