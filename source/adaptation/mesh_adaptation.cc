@@ -4,7 +4,6 @@
 #include <deal.II/lac/vector.h>
 
 #include "plate_impact/base/entries.h"
-#include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
 
 #include <algorithm>

@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <fmt/format.h>
-#include <string>
 #include <utility>
 
 namespace PlateImpact

@@ -33,10 +33,8 @@ namespace PlateImpact
       : compliance(1. / (pi * half_length * modulus))
       , force_scale(half_length * half_length * half_length * pi * modulus /
                     (2. * radius) * std::exp(2. * constant))
-      , largest_indentation([&] {
-        const double logarithm = std::max(1., constant);
-        return compliance * force_scale * std::exp(-2. * logarithm) * logarithm;
-      }())
+      , largest_indentation(compliance * force_scale * std::max(1., constant) *
+                            std::exp(-2. * std::max(1., constant)))
     {}
 
     double
