@@ -107,14 +107,14 @@ namespace PlateImpact
         next = time_control->next(window, current->result);
         if (window.extent == Extent::peak_search &&
             time_control->returns_of_waves(*current->result.history) > 1.)
-          show_waves(listener);
+          refine_for_waves(listener);
       }
   }
 
 
 
   void
-  ImpactAnalysis::show_waves(AnalysisListener &listener)
+  ImpactAnalysis::refine_for_waves(AnalysisListener &listener)
   {
     const Timer timer;
     mesh = copy_of(current->mesh());

@@ -80,7 +80,7 @@ namespace PlateImpact
     /// Begins the first cycle again, without the cells that are too long for
     /// waves that come back before the peak.
     void
-    show_waves(AnalysisListener &listener);
+    refine_for_waves(AnalysisListener &listener);
     /// The transient of the window; its history alone, where nothing but the
     /// time of its peak is wanted.
     void
