@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace PlateImpact
@@ -34,6 +36,35 @@ namespace PlateImpact
       PlateParameters plate = unit_plate(EdgeSupport::clamped, 0.05);
       plate.impact_point    = {{x, y}};
       return plate;
+    }
+
+
+
+    TEST_F(ImpactPoint, CellsOfASizeAreAsFewAsItAllows)
+    {
+      const auto longest = [](const PlateParameters             &plate,
+                              const std::array<unsigned int, 2> &n,
+                              const unsigned int                 d) {
+        const auto mesh   = make_plate_mesh(plate, n);
+        double     length = 0.;
+        for (const auto &face : mesh->active_face_iterators())
+          if (std::abs(face->vertex(1)[1 - d] - face->vertex(0)[1 - d]) < 1e-9)
+            length = std::max(length, face->measure());
+        return length;
+      };
+      for (const PlateParameters &plate :
+           {struck_at(0., 0.), struck_at(0.2, 0.), struck_at(-0.31, 0.17)})
+        for (const double size : {0.4, 0.125, 0.0501})
+          {
+            const auto n = n_cells_of_size(geometry_of(plate), size);
+            for (unsigned int d = 0; d < 2; ++d)
+              {
+                EXPECT_LE(longest(plate, n, d), size * (1. + 1e-9));
+                auto fewer = n;
+                if (--fewer[d] > 0)
+                  EXPECT_GT(longest(plate, fewer, d), size);
+              }
+          }
     }
 
 

@@ -65,11 +65,12 @@ def process(program, more, scene=BALL):
 
 def error_of_equal_cells(program, scene, adapted, force):
     """Of the peak force, in the steps of an adapted mesh on about as many equal cells: root mean
-    square of three runs, whose cells along a side follow each other in number, since one may
-    have a small error by accident."""
-    # A quarter of a circle is made of three parts, which are halved.
+    square of runs whose cells along a side follow each other in number, since one may have a
+    small error by accident."""
+    # A quarter of a circle is made of three parts, which are halved: the numbers on either side.
     if "Plate/Outline" in scene:
-        numbers = [2 ** round(math.log2((adapted["cells"] / 3) ** 0.5))]
+        halvings = math.floor(math.log2((adapted["cells"] / 3) ** 0.5))
+        numbers = [2**halvings, 2 ** (halvings + 1)]
     else:
         n = round(adapted["cells"] ** 0.5)
         numbers = [n - 1, n, n + 1]

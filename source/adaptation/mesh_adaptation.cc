@@ -4,6 +4,7 @@
 #include <deal.II/lac/vector.h>
 
 #include "plate_impact/base/entries.h"
+#include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
 
 #include <algorithm>
@@ -247,9 +248,13 @@ namespace PlateImpact
 
 
 
-  void
-  refine_towards_load(Triangulation<2> &mesh, const Parameters &parameters)
+  std::unique_ptr<Triangulation<2>>
+  make_first_mesh(const Parameters                  &parameters,
+                  const std::array<unsigned int, 2> &n_cells)
   {
+    auto mesh = make_plate_mesh(parameters.plate, n_cells);
+    if (!parameters.adaptivity.is_for_peak_force())
+      return mesh;
     AdaptivityParameters grading = parameters.adaptivity;
     // cells that may be halved are larger than the patch
     grading.minimum_cell_size = 0.5 *
@@ -257,10 +262,21 @@ namespace PlateImpact
                                         parameters.plate.thickness);
     // along a line that is much longer than wide they are too many
     grading.maximum_cells = std::min(grading.maximum_cells, 5000u);
-    refine_to_contact(mesh,
+    refine_to_contact(*mesh,
                       1.,
                       grading,
                       parameters.impactor.contact_half_length());
+    return mesh;
+  }
+
+
+
+  bool
+  may_have_equal_cells(const Parameters &parameters)
+  {
+    return parameters.adaptivity.strategy ==
+      AdaptationStrategy::hanging_nodes &&
+      parameters.plate.outline.shape == PlateOutline::rectangle;
   }
 
 

@@ -33,18 +33,17 @@ namespace PlateImpact
 
 
 
-    /// The same for the bar of the peak force. Cells are halved once at least,
-    /// which only late peaks need: each time the bar falls to a ninth, the
-    /// median of random heavy impactors.
+    /// The same for the bar of the peak force, where only late peaks need more
+    /// than one mesh. Cells of other plates than rectangles are halved.
     double
-    growth_for_peak_force(const CycleResult &result, const double target)
+    growth_for_peak_force(const Cycle &cycle)
     {
-      const auto &bar = result.peak_force_bar;
-      if (!bar || bar->total() <= target)
+      const AdaptivityParameters &adaptivity = cycle.parameters.adaptivity;
+      const auto                 &bar        = cycle.result.peak_force_bar;
+      if (!bar || bar->total() <= adaptivity.target())
         return 1.;
-      return std::max(4.,
-                      std::pow(bar->total() / target,
-                               std::log(4.) / std::log(9.)));
+      return std::max(may_have_equal_cells(cycle.parameters) ? 1.21 : 4.,
+                      growth_for_late_peak(bar->total() / adaptivity.target()));
     }
   } // namespace
 
@@ -65,7 +64,7 @@ namespace PlateImpact
       return cost; // that of the whole run
     const bool   is_for_force = adaptivity.is_for_peak_force();
     const double growth       = is_for_force ?
-            growth_for_peak_force(result, adaptivity.target()) :
+            growth_for_peak_force(analysis.last_cycle()) :
             growth_for_energy_norm(analysis.last_cycle());
     cost.cells = std::min(growth * cost.cells, 1. * adaptivity.maximum_cells);
     // The step falls until its error, that of average acceleration, keeps to

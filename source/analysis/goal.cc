@@ -28,28 +28,26 @@ namespace PlateImpact
 
   namespace
   {
-    /// Ratios by which the largest cells are halved, until all are equal, and
-    /// then all. The order stays, by which some strategies choose.
+    /// Asks for equal cells, as many as the error needs. The order of ratios
+    /// stays, by which some strategies choose.
     void
-    halve_largest(const dealii::Triangulation<2> &mesh,
-                  const double                    size_exponent,
-                  ErrorRatios                    &ratios)
+    equal_cells(const dealii::Triangulation<2> &mesh,
+                const double                    size_exponent,
+                ErrorRatios                    &ratios)
     {
-      double sum = 0., area = 0.;
+      double largest = 0.;
       for (const auto &cell : mesh.active_cell_iterators())
-        {
-          sum += cell->measure() * cell_size(cell);
-          area += cell->measure();
-        }
-      ratios.overall = std::exp2(1. / size_exponent);
+        largest = std::max(largest, cell_size(cell));
+      const double finer =
+        std::clamp(std::sqrt(growth_for_late_peak(ratios.overall)), 1.1, 2.);
+      ratios.equal_size = largest / finer;
+      ratios.overall    = std::pow(finer, 1. / size_exponent);
       for (const auto &cell : mesh.active_cell_iterators())
         {
           double      &ratio = ratios.elements[cell->active_cell_index()];
-          const double size  = sum / area * (0.5 + 0.2 / (1. + ratio));
-          ratio =
-            std::clamp(std::pow(cell_size(cell) / size, 1. / size_exponent),
-                       1. / 3.,
-                       ratios.overall);
+          const double size =
+            ratios.equal_size * (1. - 0.1 * ratio / (1. + ratio));
+          ratio = std::pow(cell_size(cell) / size, 1. / size_exponent);
         }
     }
   } // namespace
@@ -89,10 +87,6 @@ namespace PlateImpact
       ratios.elements.push_back(
         std::max(least, std::sqrt(std::abs(cell) / share)));
     const double halving = std::exp2(1. / adaptivity.size_exponent);
-    // Waves that have come back many times are everywhere, and the largest
-    // cells disperse them most.
-    if (result.waves_are_everywhere)
-      halve_largest(cycle.mesh(), adaptivity.size_exponent, ratios);
     // Where there is no bar the mesh hides the load, or the waves that it sends
     // out, from the estimate: cells are halved once, whatever that says.
     if (!result.peak_force_bar && result.time_error)
@@ -106,6 +100,10 @@ namespace PlateImpact
             }
         ratios.overall = std::max(ratios.overall, halving);
       }
+    // Waves that have come back many times are everywhere, and the largest
+    // cells disperse them most.
+    if (result.waves_are_everywhere)
+      equal_cells(cycle.mesh(), adaptivity.size_exponent, ratios);
     return ratios;
   }
 

@@ -32,12 +32,8 @@ namespace PlateImpact
     this->parameters.adaptivity.singular_points.points =
       singular_points(parameters);
     if (mesh == nullptr)
-      {
-        mesh = make_plate_mesh(parameters.plate,
-                               parameters.discretization.initial_cells);
-        if (parameters.adaptivity.is_for_peak_force())
-          refine_towards_load(*mesh, parameters);
-      }
+      mesh =
+        make_first_mesh(parameters, parameters.discretization.initial_cells);
     if (time_control)
       window = time_control->first();
     seconds_for_mesh = timer.wall_time();
@@ -258,14 +254,24 @@ namespace PlateImpact
     ErrorRatios                 error;
     do
       {
-        // whoever keeps the last cycle needs its mesh: adapt a copy
-        auto adapted = copy_of(current->mesh());
-        error        = control.error_ratios(*current);
+        error = control.error_ratios(*current);
         // before there is a mesh that does not fit into the memory
-        if (n_wanted_cells(*adapted, error, adaptivity) >
+        if (n_wanted_cells(current->mesh(), error, adaptivity) >
             adaptivity.maximum_cells)
           return Outcome::maximum_cells;
-        if (adapt_mesh({*adapted,
+        std::unique_ptr<Triangulation<2>> adapted;
+        const bool is_equal = error.equal_size > adaptivity.minimum_cell_size &&
+          may_have_equal_cells(parameters);
+        // whoever keeps the last cycle needs its mesh: adapt a copy
+        if (is_equal)
+          adapted =
+            make_first_mesh(parameters,
+                            n_cells_of_size(geometry_of(parameters.plate),
+                                            error.equal_size));
+        else
+          adapted = copy_of(current->mesh());
+        if (is_equal ||
+            adapt_mesh({*adapted,
                         error,
                         adaptivity,
                         parameters.impactor.contact_half_length(),

@@ -58,6 +58,17 @@ namespace PlateImpact
 
 
 
+    double
+    longest_cell(const PlateGeometry &plate,
+                 const unsigned int   d,
+                 const unsigned int   n)
+    {
+      const auto lengths = cell_lengths(plate, d, n);
+      return *std::max_element(lengths.begin(), lengths.end());
+    }
+
+
+
     /// Rectangular cells, equal in size for an impact at the centre; the impact
     /// is a vertex, unless a single cell lies across an axis.
     void
@@ -288,11 +299,21 @@ namespace PlateImpact
                                   std::numeric_limits<double>::infinity())
         .second;
     // without the mesh, which may be too large to make
-    double longest = 0.;
+    const PlateGeometry geometry = geometry_of(plate);
+    return std::max(longest_cell(geometry, 0, n_cells[0]),
+                    longest_cell(geometry, 1, n_cells[1]));
+  }
+
+
+
+  CellNumbers
+  n_cells_of_size(const PlateGeometry &rectangle, const double size)
+  {
+    CellNumbers result;
     for (unsigned int d = 0; d < 2; ++d)
-      for (const double length :
-           cell_lengths(geometry_of(plate), d, n_cells[d]))
-        longest = std::max(longest, length);
-    return longest;
+      for (result[d] = 1;
+           longest_cell(rectangle, d, result[d]) > size * (1. + 1e-9);)
+        ++result[d];
+    return result;
   }
 } // namespace PlateImpact

@@ -181,12 +181,14 @@ namespace PlateImpact
     if (peak <= 0. || history.rise_time() < 3.5 * scheme.dt)
       return {};
     const double time = history.peak().time;
+    // of other humps or of waves that are back, which may be too low for humps
+    const bool has_ripples = history.peak_is_on_ripples() ||
+      time > return_of_waves(parameters.plate, make_zener_impact(parameters));
     // three states make a peak
-    const bool   is_on_ripples = history.peak_is_on_ripples();
     const double until =
       std::min(scheme.n_steps * scheme.dt,
                std::max(time + 3. * scheme.dt,
-                        is_on_ripples ? past_ripples * time : 0.));
+                        has_ripples ? past_ripples * time : 0.));
     ContactHistory doubled;
     try
       {
@@ -207,7 +209,7 @@ namespace PlateImpact
     // such a peak may change little by accident where the ripples change much,
     // and these by less than the order tells while their phases do: 1.8 is
     // chosen on random heavy impactors
-    if (is_on_ripples)
+    if (has_ripples)
       change = std::max(change, 1.8 * doubled.difference_around(time, history));
     const double by_step = change / (std::exp2(scheme.order) - 1.),
                  missed  = peak - history.peak().force;

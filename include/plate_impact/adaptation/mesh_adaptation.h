@@ -151,12 +151,19 @@ namespace PlateImpact
                       const ErrorRatios              &error,
                       const AdaptivityParameters     &adaptivity);
 
-  /// Refines cells until those at the load are no larger than its patch, or the
-  /// thickness, and others no larger than their distance from it, or 5000 cells
-  /// are too few for it.
-  void
-  refine_towards_load(dealii::Triangulation<2> &mesh,
-                      const Parameters         &parameters);
+  /// A mesh of as many cells, which for the goal of the peak force are refined
+  /// until those at the load are no larger than its patch, or the thickness,
+  /// and others no larger than their distance from it, or 5000 cells are too
+  /// few for it.
+  std::unique_ptr<dealii::Triangulation<2>>
+  make_first_mesh(const Parameters                  &parameters,
+                  const std::array<unsigned int, 2> &n_cells);
+
+  /// Whether a mesh may give way to a first mesh of any number of equal cells:
+  /// that of a rectangle, where cells are to have their target sizes as nearly
+  /// as hanging nodes can.
+  bool
+  may_have_equal_cells(const Parameters &parameters);
 
   /// Refines cells until none is larger than a size [m], or the maximum of
   /// cells is too small for it.

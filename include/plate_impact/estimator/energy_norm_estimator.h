@@ -28,6 +28,10 @@ namespace PlateImpact
     /// xi' = 1/T int ||e||_i / e_m dt, by active index.
     std::vector<double> elements;
 
+    /// Where waves are everywhere, that of a mesh of equal cells; 0 where cells
+    /// have sizes of their own. [m]
+    double equal_size = 0.;
+
     double
     max_element() const
     {

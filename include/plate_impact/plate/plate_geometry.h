@@ -81,6 +81,11 @@ namespace PlateImpact
   double
   initial_cell_size(const Parameters &parameters);
 
+  /// The least numbers of cells along the sides of a rectangle that are no
+  /// longer than a size [m].
+  std::array<unsigned int, 2>
+  n_cells_of_size(const PlateGeometry &rectangle, double size);
+
   /// The strength lambda of the singularity at a corner of a Reissner-Mindlin
   /// plate: near it the moments grow as r^{lambda - 1}, or the shear forces do
   /// where these grow faster. The rotations behave as the displacements of
