@@ -72,7 +72,8 @@ namespace PlateImpact
                    const AdaptivityParameters     &adaptivity);
 
   /// Raises errors so that no cell has a larger target than as many equal cells
-  /// as all targets ask for would have, or half as many as there are.
+  /// as all targets ask for would have, or 0.7 times as many as there are: by
+  /// the fourth power of the size waves are then off by twice as much.
   /// @return whether a cell is larger than that
   bool
   equalize(const dealii::Triangulation<2> &mesh,
