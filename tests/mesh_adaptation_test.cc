@@ -100,10 +100,10 @@ namespace PlateImpact
                 4.);
 
       // few cells are wanted, but there are many, of two sizes: the larger ones
-      // may have up to 2^(1/4) times the size of equal ones
-      for (const double share_of_large : {0.25, 0.875})
+      // may have up to sqrt(2) times the size of equal ones
+      for (const double share_of_large : {0.25, 0.75})
         {
-          const auto uneven = unit_square(8);
+          const auto uneven = unit_square(4);
           for (const auto &cell : uneven->active_cell_iterators())
             if (cell->center()[0] > share_of_large)
               cell->set_refine_flag();

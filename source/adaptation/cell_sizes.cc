@@ -95,7 +95,7 @@ namespace PlateImpact
       area += cell_size(cell) * cell_size(cell);
     const double n_cells = std::max(
       n_cells_of_sizes(mesh, target_sizes(mesh, error, adaptivity), adaptivity),
-      std::sqrt(0.5) * mesh.n_active_cells());
+      0.5 * mesh.n_active_cells());
     const double equal     = std::sqrt(area / n_cells);
     bool         is_larger = false;
     for (const auto &cell : mesh.active_cell_iterators())

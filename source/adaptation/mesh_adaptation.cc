@@ -261,7 +261,8 @@ namespace PlateImpact
       (parameters.contact.has_patch() ? parameters.contact.patch_radius :
                                         parameters.plate.thickness);
     // along a line that is much longer than wide they are too many
-    grading.maximum_cells = std::min(grading.maximum_cells, 5000u);
+    grading.maximum_cells =
+      std::min(grading.maximum_cells, mesh->n_active_cells() + 5000);
     refine_to_contact(*mesh,
                       1.,
                       grading,

@@ -33,8 +33,8 @@ namespace PlateImpact
 
 
 
-    /// The same for the bar of the peak force, where only late peaks need more
-    /// than one mesh. Cells of other plates than rectangles are halved.
+    /// The same for the bar of the peak force: cells are halved once at least
+    /// where a rectangle is not divided anew.
     double
     growth_for_peak_force(const Cycle &cycle)
     {
@@ -42,7 +42,9 @@ namespace PlateImpact
       const auto                 &bar        = cycle.result.peak_force_bar;
       if (!bar || bar->total() <= adaptivity.target())
         return 1.;
-      return std::max(may_have_equal_cells(cycle.parameters) ? 1.21 : 4.,
+      const bool is_divided = cycle.result.waves_are_everywhere &&
+        may_have_equal_cells(cycle.parameters);
+      return std::max(is_divided ? 1.21 : 4.,
                       growth_for_late_peak(bar->total() / adaptivity.target()));
     }
   } // namespace

@@ -2,6 +2,7 @@
 
 #include "plate_impact/adaptation/mesh_adaptation.h"
 #include "plate_impact/base/text.h"
+#include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
 
 #include <algorithm>
@@ -28,27 +29,50 @@ namespace PlateImpact
 
   namespace
   {
-    /// Asks for equal cells, as many as the error needs. The order of ratios
-    /// stays, by which some strategies choose.
+    /// Ratios by which the largest cells are halved, until all are equal, and
+    /// then all. The order stays, by which some strategies choose.
     void
-    equal_cells(const dealii::Triangulation<2> &mesh,
-                const double                    size_exponent,
-                ErrorRatios                    &ratios)
+    halve_largest(const dealii::Triangulation<2> &mesh,
+                  const double                    size_exponent,
+                  ErrorRatios                    &ratios)
     {
-      double largest = 0.;
+      double sum = 0., area = 0.;
       for (const auto &cell : mesh.active_cell_iterators())
-        largest = std::max(largest, cell_size(cell));
-      const double finer =
-        std::clamp(std::sqrt(growth_for_late_peak(ratios.overall)), 1.1, 2.);
-      ratios.equal_size = largest / finer;
-      ratios.overall    = std::pow(finer, 1. / size_exponent);
+        {
+          sum += cell->measure() * cell_size(cell);
+          area += cell->measure();
+        }
+      ratios.overall = std::exp2(1. / size_exponent);
       for (const auto &cell : mesh.active_cell_iterators())
         {
           double      &ratio = ratios.elements[cell->active_cell_index()];
-          const double size =
-            ratios.equal_size * (1. - 0.1 * ratio / (1. + ratio));
-          ratio = std::pow(cell_size(cell) / size, 1. / size_exponent);
+          const double size  = sum / area * (0.5 + 0.2 / (1. + ratio));
+          ratio =
+            std::clamp(std::pow(cell_size(cell) / size, 1. / size_exponent),
+                       1. / 3.,
+                       ratios.overall);
         }
+    }
+
+
+
+    /// As many equal cells as an error that is this factor smaller needs, but
+    /// no fewer along a side and no more than halved ones; zeros where they
+    /// would be below the minimum cell size.
+    std::array<unsigned int, 2>
+    equal_cells(const Cycle &cycle, const double factor)
+    {
+      std::array<double, 2> longest{};
+      for (const auto &cell : cycle.mesh().active_cell_iterators())
+        for (unsigned int d = 0; d < 2; ++d)
+          longest[d] = std::max(longest[d], cell->extent_in_direction(d));
+      const double size = std::max(longest[0], longest[1]) /
+        std::clamp(std::sqrt(growth_for_late_peak(factor)), 1.1, 2.);
+      if (size < cycle.parameters.adaptivity.minimum_cell_size)
+        return {};
+      for (double &length : longest)
+        length = std::min(length, size);
+      return n_cells_of_size(geometry_of(cycle.parameters.plate), longest);
     }
   } // namespace
 
@@ -87,6 +111,12 @@ namespace PlateImpact
       ratios.elements.push_back(
         std::max(least, std::sqrt(std::abs(cell) / share)));
     const double halving = std::exp2(1. / adaptivity.size_exponent);
+    // Waves that have come back many times are everywhere, and the largest
+    // cells disperse them most.
+    if (result.waves_are_everywhere && may_have_equal_cells(cycle.parameters))
+      ratios.equal_cells = equal_cells(cycle, ratios.overall);
+    else if (result.waves_are_everywhere)
+      halve_largest(cycle.mesh(), adaptivity.size_exponent, ratios);
     // Where there is no bar the mesh hides the load, or the waves that it sends
     // out, from the estimate: cells are halved once, whatever that says.
     if (!result.peak_force_bar && result.time_error)
@@ -100,10 +130,6 @@ namespace PlateImpact
             }
         ratios.overall = std::max(ratios.overall, halving);
       }
-    // Waves that have come back many times are everywhere, and the largest
-    // cells disperse them most.
-    if (result.waves_are_everywhere)
-      equal_cells(cycle.mesh(), adaptivity.size_exponent, ratios);
     return ratios;
   }
 

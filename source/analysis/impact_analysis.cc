@@ -254,23 +254,18 @@ namespace PlateImpact
     ErrorRatios                 error;
     do
       {
-        error = control.error_ratios(*current);
+        error                 = control.error_ratios(*current);
+        const auto [n_x, n_y] = error.equal_cells;
         // before there is a mesh that does not fit into the memory
-        if (n_wanted_cells(current->mesh(), error, adaptivity) >
+        if ((n_x > 0 ? 1. * n_x * n_y :
+                       n_wanted_cells(current->mesh(), error, adaptivity)) >
             adaptivity.maximum_cells)
           return Outcome::maximum_cells;
-        std::unique_ptr<Triangulation<2>> adapted;
-        const bool is_equal = error.equal_size > adaptivity.minimum_cell_size &&
-          may_have_equal_cells(parameters);
         // whoever keeps the last cycle needs its mesh: adapt a copy
-        if (is_equal)
-          adapted =
-            make_first_mesh(parameters,
-                            n_cells_of_size(geometry_of(parameters.plate),
-                                            error.equal_size));
-        else
-          adapted = copy_of(current->mesh());
-        if (is_equal ||
+        auto adapted = n_x > 0 ?
+          make_first_mesh(parameters, error.equal_cells) :
+          copy_of(current->mesh());
+        if (n_x > 0 ||
             adapt_mesh({*adapted,
                         error,
                         adaptivity,

@@ -307,12 +307,12 @@ namespace PlateImpact
 
 
   CellNumbers
-  n_cells_of_size(const PlateGeometry &rectangle, const double size)
+  n_cells_of_size(const PlateGeometry         &rectangle,
+                  const std::array<double, 2> &longest)
   {
-    CellNumbers result;
+    CellNumbers result = {{1, 1}};
     for (unsigned int d = 0; d < 2; ++d)
-      for (result[d] = 1;
-           longest_cell(rectangle, d, result[d]) > size * (1. + 1e-9);)
+      while (longest_cell(rectangle, d, result[d]) > longest[d] * (1. + 1e-9))
         ++result[d];
     return result;
   }

@@ -72,8 +72,7 @@ namespace PlateImpact
                    const AdaptivityParameters     &adaptivity);
 
   /// Raises errors so that no cell has a larger target than as many equal cells
-  /// as all targets ask for would have, or 0.7 times as many as there are: by
-  /// the fourth power of the size waves are then off by twice as much.
+  /// as all targets ask for would have, or half as many as there are.
   /// @return whether a cell is larger than that
   bool
   equalize(const dealii::Triangulation<2> &mesh,
@@ -152,17 +151,16 @@ namespace PlateImpact
                       const ErrorRatios              &error,
                       const AdaptivityParameters     &adaptivity);
 
-  /// A mesh of as many cells, which for the goal of the peak force are refined
-  /// until those at the load are no larger than its patch, or the thickness,
-  /// and others no larger than their distance from it, or 5000 cells are too
-  /// few for it.
+  /// A mesh of as many cells along the sides. For the goal of the peak force
+  /// cells are refined until those at the load are no larger than its patch, or
+  /// the thickness, and others no larger than their distance from it, or 5000
+  /// more cells are too few for it.
   std::unique_ptr<dealii::Triangulation<2>>
   make_first_mesh(const Parameters                  &parameters,
                   const std::array<unsigned int, 2> &n_cells);
 
-  /// Whether a mesh may give way to a first mesh of any number of equal cells:
-  /// that of a rectangle, where cells are to have their target sizes as nearly
-  /// as hanging nodes can.
+  /// Whether a mesh may give way to such a mesh of other numbers of cells: that
+  /// of a rectangle, with hanging nodes.
   bool
   may_have_equal_cells(const Parameters &parameters);
 

@@ -10,6 +10,7 @@
 #include <Eigen/QR>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <vector>
@@ -28,9 +29,9 @@ namespace PlateImpact
     /// xi' = 1/T int ||e||_i / e_m dt, by active index.
     std::vector<double> elements;
 
-    /// Where waves are everywhere, that of a mesh of equal cells; 0 where cells
-    /// have sizes of their own. [m]
-    double equal_size = 0.;
+    /// Equal cells along the sides of a rectangle that are to take the place of
+    /// all of these; 0: none.
+    std::array<unsigned int, 2> equal_cells = {};
 
     double
     max_element() const

@@ -82,9 +82,10 @@ namespace PlateImpact
   initial_cell_size(const Parameters &parameters);
 
   /// The least numbers of cells along the sides of a rectangle that are no
-  /// longer than a size [m].
+  /// longer than that. [m]
   std::array<unsigned int, 2>
-  n_cells_of_size(const PlateGeometry &rectangle, double size);
+  n_cells_of_size(const PlateGeometry         &rectangle,
+                  const std::array<double, 2> &longest);
 
   /// The strength lambda of the singularity at a corner of a Reissner-Mindlin
   /// plate: near it the moments grow as r^{lambda - 1}, or the shear forces do
