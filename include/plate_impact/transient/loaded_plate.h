@@ -108,10 +108,10 @@ namespace PlateImpact
     /// Error of the peak force by the time step, relative to it (Richardson):
     /// its change when the step is doubled, divided by 2^p - 1 with p the order
     /// of the scheme, and what the peak of the curve exceeds the largest step.
-    /// On ripples, where two peaks may differ little by accident, the change is
-    /// at least 1.8 times the root mean square of that of the force around the
-    /// peak. Empty where fewer than four steps lead from first touch to the
-    /// peak, or doubled ones fail.
+    /// On ripples and once waves are back, where two peaks may differ little by
+    /// accident, the change is at least 1.8 times the root mean square of that
+    /// of the force around the peak. Empty where fewer than four steps lead
+    /// from first touch to the peak, or doubled ones fail.
     std::optional<double>
     time_error(const ContactHistory &history) const;
 
