@@ -247,6 +247,40 @@ namespace PlateImpact
 
 
 
+    TEST(ImpactAnalysis, DividesARectangleAnewForALatePeak)
+    {
+      // four plate masses
+      const Parameters parameters =
+        parameters_with({"Plate/Side lengths=0.3, 0.2",
+                         "Plate/Thickness=0.005",
+                         "Impactor/Radius=0.015",
+                         "Impactor/Mass=10",
+                         "Impactor/Velocity=0.2",
+                         "Time/End time=0",
+                         "Time/Time step=0",
+                         "Discretization/Initial cells=3,3",
+                         "Adaptivity/Goal=peak force",
+                         "Adaptivity/Target peak force error=0.004"});
+      ImpactAnalysis    analysis(parameters);
+      AdaptationControl control(parameters.adaptivity);
+      AnalysisListener  listener;
+      std::vector<unsigned int>
+        equal; // cells of the cycles, without halved ones
+      listener.cycle = [&](Cycle &cycle) {
+        equal.push_back(cycle.mesh().n_cells(0));
+      };
+      EXPECT_EQ(analysis.run(control, listener), Outcome::target_reached);
+      ASSERT_GT(equal.size(), 1u);
+      EXPECT_EQ(equal.front(), 9u); // and 9 for ever, if they were halved
+      for (std::size_t i = 1; i < equal.size(); ++i)
+        {
+          EXPECT_GT(equal[i], equal[i - 1]);
+          EXPECT_LE(equal[i], 4 * equal[i - 1]);
+        }
+    }
+
+
+
     TEST(ImpactAnalysis, TellsEveryStepAndCycleToTheEnd)
     {
       const Parameters parameters =

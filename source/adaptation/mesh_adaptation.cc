@@ -301,15 +301,15 @@ namespace PlateImpact
     const auto share = number_between(0, 1);
     const auto entry = entries.section("Adaptivity");
     entry("Strategy", "hanging nodes", one_of(strategies), strategy)
-      .means(
-        "How the mesh is adapted to the error. hanging nodes: cells are "
-        "refined and coarsened to their target sizes; for the peak force "
-        "of a heavy impactor a rectangle is divided anew. remeshing: a new "
-        "mesh of quadrilaterals has the target sizes. fixed fraction, "
-        "fixed number: the cells with the largest errors are halved, up "
-        "to a given share of the error or of the cells. uniform: all "
-        "cells are halved. graded: cell sizes are proportional to the "
-        "distance from the contact, whatever the error. none: one mesh.");
+      .means("How the mesh is adapted to the error. hanging nodes: cells are "
+             "refined and coarsened to their target sizes; where the peak "
+             "force is the goal and comes late a rectangle is divided anew. "
+             "remeshing: a new mesh of quadrilaterals has the target sizes. "
+             "fixed fraction, fixed number: the cells with the largest errors "
+             "are halved, up to a given share of the error or of the cells. "
+             "uniform: all cells are halved. graded: cell sizes are "
+             "proportional to the distance from the contact, whatever the "
+             "error. none: one mesh.");
     entry("Goal", "energy norm", one_of(goals), goal)
       .means("What the mesh is adapted for. energy norm: the relative error in "
              "the energy norm eta, as in the paper, down to Target error. peak "

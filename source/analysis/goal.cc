@@ -57,11 +57,13 @@ namespace PlateImpact
 
 
     /// As many equal cells as an error that is this factor smaller needs, but
-    /// no fewer along a side and no more than halved ones; zeros where they
-    /// would be below the minimum cell size.
+    /// no fewer along a side and no more than halved ones; zeros where a mesh
+    /// may not have them, or they would be below the minimum cell size.
     std::array<unsigned int, 2>
     equal_cells(const Cycle &cycle, const double factor)
     {
+      if (!may_have_equal_cells(cycle.parameters))
+        return {};
       std::array<double, 2> longest{};
       for (const auto &cell : cycle.mesh().active_cell_iterators())
         for (unsigned int d = 0; d < 2; ++d)
@@ -113,10 +115,11 @@ namespace PlateImpact
     const double halving = std::exp2(1. / adaptivity.size_exponent);
     // Waves that have come back many times are everywhere, and the largest
     // cells disperse them most.
-    if (result.waves_are_everywhere && may_have_equal_cells(cycle.parameters))
-      ratios.equal_cells = equal_cells(cycle, ratios.overall);
-    else if (result.waves_are_everywhere)
-      halve_largest(cycle.mesh(), adaptivity.size_exponent, ratios);
+    if (result.waves_are_everywhere)
+      {
+        ratios.equal_cells = equal_cells(cycle, ratios.overall);
+        halve_largest(cycle.mesh(), adaptivity.size_exponent, ratios);
+      }
     // Where there is no bar the mesh hides the load, or the waves that it sends
     // out, from the estimate: cells are halved once, whatever that says.
     if (!result.peak_force_bar && result.time_error)

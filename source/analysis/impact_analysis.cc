@@ -256,16 +256,17 @@ namespace PlateImpact
       {
         error                 = control.error_ratios(*current);
         const auto [n_x, n_y] = error.equal_cells;
+        const bool is_divided = n_x > 0;
         // before there is a mesh that does not fit into the memory
-        if ((n_x > 0 ? 1. * n_x * n_y :
-                       n_wanted_cells(current->mesh(), error, adaptivity)) >
+        if ((is_divided ? 1. * n_x * n_y :
+                          n_wanted_cells(current->mesh(), error, adaptivity)) >
             adaptivity.maximum_cells)
           return Outcome::maximum_cells;
         // whoever keeps the last cycle needs its mesh: adapt a copy
-        auto adapted = n_x > 0 ?
+        auto adapted = is_divided ?
           make_first_mesh(parameters, error.equal_cells) :
           copy_of(current->mesh());
-        if (n_x > 0 ||
+        if (is_divided ||
             adapt_mesh({*adapted,
                         error,
                         adaptivity,

@@ -131,9 +131,7 @@ namespace PlateImpact
         CycleResult       impact = coarse_impact(parameters, *zener);
         const bool is_resolved   = impact.min_cell_size < 0.5 * wave.length;
         until                    = impact.history->states.back().time;
-        contact_end = impact.history->end_of_impact(/*is_held=*/true);
-        if (!contact_end)
-          contact_end = impact.history->end_of_impact();
+        contact_end              = impact.history->last_end_of_impact();
         source = "on a coarse mesh of " + counted(impact.cells, "cell");
         if (!is_resolved)
           {

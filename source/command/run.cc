@@ -71,7 +71,7 @@ namespace PlateImpact
           if (result.peak_force_bar)
             bar = 100. * result.peak_force_bar->total();
           peak_time = time_unit(result.history->peak().time);
-          if (const auto end = result.history->end_of_impact())
+          if (const auto end = result.history->last_end_of_impact())
             contact_end = time_unit(*end);
         }
       return column(5, "{:.0f}", result.cycle) +

@@ -174,6 +174,15 @@ namespace PlateImpact
 
 
 
+  double
+  LoadedPlate::returns_of_waves(const double time) const
+  {
+    return time /
+      return_of_waves(parameters.plate, make_zener_impact(parameters));
+  }
+
+
+
   std::optional<double>
   LoadedPlate::time_error(const ContactHistory &history) const
   {
@@ -182,8 +191,8 @@ namespace PlateImpact
       return {};
     const double time = history.peak().time;
     // of other humps or of waves that are back, which may be too low for humps
-    const bool has_ripples = history.peak_is_on_ripples() ||
-      time > return_of_waves(parameters.plate, make_zener_impact(parameters));
+    const bool has_ripples =
+      history.peak_is_on_ripples() || returns_of_waves(time) > 1.;
     // three states make a peak
     const double until =
       std::min(scheme.n_steps * scheme.dt,
@@ -284,8 +293,7 @@ namespace PlateImpact
     if (!scheme.conserves_energy || !system.is_linear ||
         history.peak().force <= 0. || peak > most_steps_to_peak * scheme.dt)
       return {};
-    const double returns_of_waves =
-      peak / return_of_waves(parameters.plate, make_zener_impact(parameters));
+    const double   returns = returns_of_waves(peak);
     TimeParameters to_peak = parameters.time;
     to_peak.time_step      = scheme.dt;
     to_peak.end_time       = scheme.dt * std::round(peak / scheme.dt);
@@ -295,7 +303,7 @@ namespace PlateImpact
     if (is_stepped_on_the_mesh())
       {
         to_peak.integrator = IntegratorType::Ritz_vectors;
-        if (returns_of_waves > 1.)
+        if (returns > 1.)
           to_peak.end_time =
             scheme.dt * std::round(past_ripples * peak / scheme.dt);
         to_peak.ritz_tolerance = 1e-2; // vectors for the error alone
@@ -315,6 +323,6 @@ namespace PlateImpact
                    std::max(32u, of_dual.n_states_at_once() / 2)),
       &of_dual,
       std::move(own),
-      returns_of_waves};
+      returns};
   }
 } // namespace PlateImpact

@@ -163,6 +163,15 @@ namespace PlateImpact
       return {};
     }
 
+    /// That of a plate that throws the impactor back or, where it does not, of
+    /// the first contact. [s]
+    std::optional<double>
+    last_end_of_impact() const
+    {
+      const auto end = end_of_impact(/*is_held=*/true);
+      return end ? end : end_of_impact();
+    }
+
     unsigned int
     n_contacts() const
     {

@@ -150,6 +150,10 @@ namespace PlateImpact
     }
 
   private:
+    /// From the nearest edge, before a time [s]; no whole number. [-]
+    double
+    returns_of_waves(double time) const;
+
     ContactHistory
     in_longer_steps(unsigned int        factor,
                     SemidiscreteSystem &plate,
