@@ -56,7 +56,7 @@ namespace PlateImpact
            {struck_at(0., 0.), struck_at(0.2, 0.), struck_at(-0.31, 0.17)})
         for (const double size : {0.4, 0.125, 0.0501})
           {
-            const auto n = n_cells_of_size(geometry_of(plate), {{size, size}});
+            const auto n = n_cells_of_size(plate, {{size, size}});
             for (unsigned int d = 0; d < 2; ++d)
               {
                 EXPECT_LE(longest(plate, n, d), size * (1. + 1e-9));

@@ -2,7 +2,6 @@
 of three plate masses, whose waves cross the plate dozens of times before."""
 
 import json
-import math
 import os
 import pathlib
 import tempfile
@@ -67,17 +66,13 @@ def error_of_equal_cells(program, scene, adapted, force):
     """Of the peak force, in the steps of an adapted mesh on about as many equal cells: root mean
     square of runs whose cells along a side follow each other in number, since one may have a
     small error by accident."""
-    # A quarter of a circle is made of three parts, which are halved: the numbers on either side.
-    if "Plate/Outline" in scene:
-        halvings = math.floor(math.log2((adapted["cells"] / 3) ** 0.5))
-        numbers = [2**halvings, 2 ** (halvings + 1)]
-    else:
-        n = round(adapted["cells"] ** 0.5)
-        numbers = [n - 1, n, n + 1]
+    # a quarter of a circle is made of three parts
+    parts = 3 if "Plate/Outline" in scene else 1
+    n = round((adapted["cells"] / parts) ** 0.5)
     equal = [process(program, {"Adaptivity/Strategy": "none", "Time/Time step": adapted["time_step"],
                                "Time/End time": 1.1 * adapted["time_of_peak_force"],
-                               "Discretization/Initial cells": f"{n},{n}"}, scene)
-             for n in numbers]
+                               "Discretization/Initial cells": f"{parts * m},{m}"}, scene)
+             for m in (n - 1, n, n + 1)]
     return root_mean_square(one["peak_force"] / force - 1 for one in equal)
 
 

@@ -277,7 +277,7 @@ namespace PlateImpact
   {
     return parameters.adaptivity.strategy ==
       AdaptationStrategy::hanging_nodes &&
-      parameters.plate.outline.shape == PlateOutline::rectangle;
+      !parameters.plate.is_from_file();
   }
 
 
@@ -303,7 +303,8 @@ namespace PlateImpact
     entry("Strategy", "hanging nodes", one_of(strategies), strategy)
       .means("How the mesh is adapted to the error. hanging nodes: cells are "
              "refined and coarsened to their target sizes; where the peak "
-             "force is the goal and comes late a rectangle is divided anew. "
+             "force is the goal and comes late a rectangle or circle is "
+             "divided anew. "
              "remeshing: a new mesh of quadrilaterals has the target sizes. "
              "fixed fraction, fixed number: the cells with the largest errors "
              "are halved, up to a given share of the error or of the cells. "

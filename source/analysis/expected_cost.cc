@@ -34,7 +34,7 @@ namespace PlateImpact
 
 
     /// The same for the bar of the peak force: cells are halved once at least
-    /// where a rectangle is not divided anew.
+    /// where a plate is not divided anew.
     double
     growth_for_peak_force(const Cycle &cycle)
     {

@@ -64,17 +64,14 @@ namespace PlateImpact
     {
       if (!may_have_equal_cells(cycle.parameters))
         return {};
-      std::array<double, 2> longest{};
-      for (const auto &cell : cycle.mesh().active_cell_iterators())
-        for (unsigned int d = 0; d < 2; ++d)
-          longest[d] = std::max(longest[d], cell->extent_in_direction(d));
-      const double size = std::max(longest[0], longest[1]) /
+      auto         longest = longest_extents(cycle.mesh());
+      const double size    = std::max(longest[0], longest[1]) /
         std::clamp(std::sqrt(growth_for_late_peak(factor)), 1.1, 2.);
       if (size < cycle.parameters.adaptivity.minimum_cell_size)
         return {};
       for (double &length : longest)
         length = std::min(length, size);
-      return n_cells_of_size(geometry_of(cycle.parameters.plate), longest);
+      return n_cells_of_size(cycle.parameters.plate, longest);
     }
   } // namespace
 

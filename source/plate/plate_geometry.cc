@@ -12,6 +12,7 @@
 
 #include <cmath>
 #include <limits>
+#include <list>
 
 namespace PlateImpact
 {
@@ -106,6 +107,20 @@ namespace PlateImpact
 
 
 
+    CellNumbers
+    rectangle_of_size(const PlateParameters       &parameters,
+                      const std::array<double, 2> &longest)
+    {
+      const PlateGeometry plate  = geometry_of(parameters);
+      CellNumbers         result = {{1, 1}};
+      for (unsigned int d = 0; d < 2; ++d)
+        while (longest_cell(plate, d, result[d]) > longest[d])
+          ++result[d];
+      return result;
+    }
+
+
+
     /// The first side length is the diameter.
     PlateGeometry
     circle(const PlateParameters &plate)
@@ -125,16 +140,42 @@ namespace PlateImpact
 
 
 
-    /// A few cells, refined until there are as many as asked for; those at the
-    /// edge are curved.
+    /// Round edges, and the planes of symmetry between them.
     void
-    mesh_circle(const PlateParameters &parameters,
-                const CellNumbers     &n_cells,
-                Triangulation<2>      &mesh)
+    mark_circle(const PlateParameters &parameters, Triangulation<2> &mesh)
     {
-      const PlateGeometry plate       = geometry_of(parameters);
-      const auto [across_x, across_y] = plate.is_symmetric;
-      const double radius             = 0.5 * plate.side_lengths[0];
+      const PlateGeometry plate = geometry_of(parameters);
+      for (const auto &face : mesh.active_face_iterators())
+        if (face->at_boundary())
+          {
+            face->set_boundary_id(edge_round);
+            face->set_manifold_id(0);
+            for (const unsigned int d : {0, 1})
+              if (plate.is_symmetric[d] &&
+                  std::abs(face->center()[d]) < 1e-10 * plate.end[0])
+                {
+                  face->set_boundary_id(d == 0 ? symmetry_x : symmetry_y);
+                  face->set_manifold_id(numbers::flat_manifold_id);
+                  // on the plane, whatever a rotation has rounded
+                  for (const unsigned int v : {0, 1})
+                    face->vertex(v)[d] = 0.;
+                }
+          }
+      mesh.set_manifold(0,
+                        SphericalManifold<2>(
+                          Point<2>(-parameters.impact_point[0],
+                                   -parameters.impact_point[1])));
+    }
+
+
+
+    /// Some cells of a circle, or of its half or quarter.
+    Triangulation<2>
+    few_cells(const PlateParameters &parameters)
+    {
+      const auto [across_x, across_y] = geometry_of(parameters).is_symmetric;
+      const double     radius         = 0.5 * parameters.side_lengths[0];
+      Triangulation<2> mesh;
       if (across_x && across_y)
         GridGenerator::quarter_hyper_ball(mesh, Point<2>(), radius);
       else if (across_x || across_y)
@@ -146,29 +187,77 @@ namespace PlateImpact
         }
       else
         GridGenerator::hyper_ball_balanced(mesh, Point<2>(), radius);
-      const Point<2> centre(-parameters.impact_point[0],
-                            -parameters.impact_point[1]);
-      GridTools::shift(centre, mesh);
+      GridTools::shift(Tensor<1, 2>({-parameters.impact_point[0],
+                                     -parameters.impact_point[1]}),
+                       mesh);
       mesh.reset_all_manifolds();
-      for (const auto &face : mesh.active_face_iterators())
-        if (face->at_boundary())
-          {
-            face->set_boundary_id(edge_round);
-            face->set_manifold_id(0);
-            for (const unsigned int d : {0, 1})
-              if (plate.is_symmetric[d] &&
-                  std::abs(face->center()[d]) < 1e-10 * radius)
-                {
-                  face->set_boundary_id(d == 0 ? symmetry_x : symmetry_y);
-                  face->set_manifold_id(numbers::flat_manifold_id);
-                  // on the plane, whatever the rotation has rounded
-                  for (const unsigned int v : {0, 1})
-                    face->vertex(v)[d] = 0.;
-                }
-          }
-      mesh.set_manifold(0, SphericalManifold<2>(centre));
-      while (mesh.n_active_cells() < n_cells[0] * n_cells[1])
-        mesh.refine_global();
+      mark_circle(parameters, mesh);
+      return mesh;
+    }
+
+
+
+    /// A few cells, each divided into n x n; n is the least with as many as
+    /// asked for. Those at the edge are curved.
+    void
+    mesh_circle(const PlateParameters &parameters,
+                const CellNumbers     &n_cells,
+                Triangulation<2>      &mesh)
+    {
+      const Triangulation<2> few = few_cells(parameters);
+      unsigned int           n   = 1;
+      while (n * n * few.n_active_cells() < n_cells[0] * n_cells[1])
+        ++n;
+      std::list<Triangulation<2>>           parts;
+      std::vector<const Triangulation<2> *> all;
+      for (const auto &cell : few.active_cell_iterators())
+        {
+          // Transfinite interpolation between the sides (Gordon & Hall 1973,
+          // doi:10.1007/BF01436298): lines 0 to 3 of the unit cell are at
+          // x = 0, x = 1, y = 0, y = 1.
+          const auto on_line = [&](const unsigned int l, const double weight) {
+            const auto line = cell->line(l);
+            return line->get_manifold().get_intermediate_point(line->vertex(0),
+                                                               line->vertex(1),
+                                                               weight);
+          };
+          const auto place = [&](const Point<2> &unit) {
+            const auto [x, y] = std::array<double, 2>{{unit[0], unit[1]}};
+            Point<2> point    = (1. - x) * on_line(0, y) + x * on_line(1, y) +
+              ((1. - y) * on_line(2, x) + y * on_line(3, x));
+            for (const unsigned int v : cell->vertex_indices())
+              point -= GeometryInfo<2>::d_linear_shape_function(unit, v) *
+                cell->vertex(v);
+            return point;
+          };
+          GridGenerator::subdivided_hyper_cube(parts.emplace_back(), n);
+          GridTools::transform(place, parts.back());
+          all.push_back(&parts.back());
+        }
+      GridGenerator::merge_triangulations(all,
+                                          mesh,
+                                          1e-9 * parameters.side_lengths[0]);
+      mark_circle(parameters, mesh);
+    }
+
+
+
+    CellNumbers
+    circle_of_size(const PlateParameters       &parameters,
+                   const std::array<double, 2> &longest)
+    {
+      const unsigned int few = few_cells(parameters).n_active_cells();
+      for (unsigned int n = 1;;)
+        {
+          const CellNumbers result = {{few * n, n}};
+          const auto        extents =
+            longest_extents(*make_plate_mesh(parameters, result));
+          const double excess =
+            std::max(extents[0] / longest[0], extents[1] / longest[1]);
+          if (excess <= 1.)
+            return result;
+          n = std::max(n + 1, static_cast<unsigned int>(excess * n));
+        }
     }
 
 
@@ -248,11 +337,14 @@ namespace PlateImpact
       void (*make_mesh)(const PlateParameters &,
                         const CellNumbers &,
                         Triangulation<2> &);
+      /// As n_cells_of_size(); null where a file has the cells.
+      CellNumbers (*of_size)(const PlateParameters &,
+                             const std::array<double, 2> &) = nullptr;
     };
 
     const std::vector<OutlineRow> outlines = {
-      {PlateOutline::rectangle, rectangle, mesh_rectangle},
-      {PlateOutline::circle, circle, mesh_circle},
+      {PlateOutline::rectangle, rectangle, mesh_rectangle, rectangle_of_size},
+      {PlateOutline::circle, circle, mesh_circle, circle_of_size},
       {PlateOutline::file, plate_of_file, mesh_of_file}};
   } // namespace
 
@@ -307,13 +399,10 @@ namespace PlateImpact
 
 
   CellNumbers
-  n_cells_of_size(const PlateGeometry         &rectangle,
-                  const std::array<double, 2> &longest)
+  n_cells_of_size(const PlateParameters &plate, std::array<double, 2> longest)
   {
-    CellNumbers result = {{1, 1}};
-    for (unsigned int d = 0; d < 2; ++d)
-      while (longest_cell(rectangle, d, result[d]) > longest[d] * (1. + 1e-9))
-        ++result[d];
-    return result;
+    for (double &length : longest)
+      length *= 1. + 1e-9;
+    return row_of(plate.outline.shape, outlines).of_size(plate, longest);
   }
 } // namespace PlateImpact

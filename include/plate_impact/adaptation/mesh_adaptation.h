@@ -160,7 +160,7 @@ namespace PlateImpact
                   const std::array<unsigned int, 2> &n_cells);
 
   /// Whether a mesh may give way to such a mesh of other numbers of cells: that
-  /// of a rectangle, with hanging nodes.
+  /// of a rectangle or circle, with hanging nodes.
   bool
   may_have_equal_cells(const Parameters &parameters);
 

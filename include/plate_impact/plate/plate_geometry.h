@@ -81,11 +81,10 @@ namespace PlateImpact
   double
   initial_cell_size(const Parameters &parameters);
 
-  /// The least numbers of cells along the sides of a rectangle that are no
-  /// longer than that. [m]
+  /// The numbers of cells of the coarsest such mesh of a rectangle or circle
+  /// that has none longer than that along x and y. [m]
   std::array<unsigned int, 2>
-  n_cells_of_size(const PlateGeometry         &rectangle,
-                  const std::array<double, 2> &longest);
+  n_cells_of_size(const PlateParameters &plate, std::array<double, 2> longest);
 
   /// The strength lambda of the singularity at a corner of a Reissner-Mindlin
   /// plate: near it the moments grow as r^{lambda - 1}, or the shear forces do

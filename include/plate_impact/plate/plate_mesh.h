@@ -54,6 +54,17 @@ namespace PlateImpact
     return longest;
   }
 
+  /// The largest extents of active cells along x and y. [m]
+  inline std::array<double, 2>
+  longest_extents(const dealii::Triangulation<2> &mesh)
+  {
+    std::array<double, 2> longest{};
+    for (const auto &cell : mesh.active_cell_iterators())
+      for (unsigned int d = 0; d < 2; ++d)
+        longest[d] = std::max(longest[d], cell->extent_in_direction(d));
+    return longest;
+  }
+
   /// Whether a point is inside a cell or at one of its vertices.
   inline bool
   touches_point(const dealii::Triangulation<2>::cell_iterator &cell,
