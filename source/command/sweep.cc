@@ -7,7 +7,6 @@
 #include "plate_impact/command/commands.h"
 #include "plate_impact/output/console.h"
 #include "plate_impact/output/result_directory.h"
-#include "plate_impact/sweep/sweep_results.h"
 
 #include <algorithm>
 #include <cerrno>

@@ -7,7 +7,6 @@
 #include "plate_impact/analysis/impact_quantities.h"
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/version.h"
-#include "plate_impact/output/plate_fields.h"
 #include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
 #include "plate_impact/plate/plate_section.h"

@@ -5,7 +5,6 @@
 #include "plate_impact/base/text.h"
 #include "plate_impact/estimator/peak_force_error.h"
 #include "plate_impact/estimator/stress_recovery.h"
-#include "plate_impact/output/plate_fields.h"
 #include "plate_impact/plate/plate_mesh.h"
 #include "plate_impact/plate/plate_section.h"
 

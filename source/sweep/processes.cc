@@ -1,11 +1,10 @@
-#include "plate_impact/sweep/processes.h"
-
 #include <deal.II/base/utilities.h>
 
 #include "plate_impact/analysis/impact_analysis.h"
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
+#include "plate_impact/sweep/sweep.h"
 
 #include <boost/serialization/is_bitwise_serializable.hpp>
 #include <boost/serialization/vector.hpp>

@@ -1,10 +1,8 @@
-#include "plate_impact/sweep/sweep_results.h"
-
 #include "plate_impact/analysis/impact_quantities.h"
 #include "plate_impact/base/version.h"
 #include "plate_impact/output/report.h"
 #include "plate_impact/output/run_in_words.h"
-#include "plate_impact/page/page.h"
+#include "plate_impact/sweep/sweep.h"
 
 #include <algorithm>
 #include <regex>

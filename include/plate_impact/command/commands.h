@@ -1,7 +1,7 @@
 #pragma once
 
 #include "plate_impact/scene/scene.h"
-#include "plate_impact/sweep/processes.h"
+#include "plate_impact/sweep/sweep.h"
 
 #include <string>
 

@@ -1,12 +1,8 @@
 #pragma once
 
-#include "plate_impact/analysis/cycle.h"
 #include "plate_impact/analysis/goal.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/output/report.h"
-#include "plate_impact/output/result_directory.h"
-#include "plate_impact/output/run_in_words.h"
-#include "plate_impact/scene/scene.h"
 
 #include <string>
 

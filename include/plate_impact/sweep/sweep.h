@@ -1,9 +1,12 @@
 #pragma once
 
+#include <deal.II/base/mpi.h>
+
 #include "plate_impact/contact/contact_history.h"
 #include "plate_impact/scene/scene.h"
 
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -55,4 +58,54 @@ namespace PlateImpact
              const std::vector<std::optional<SweepRow>>  &rows,
              const std::map<std::size_t, ContactHistory> &histories,
              const SweepWork                             &work);
+
+
+  /// The processes that share a sweep: those that mpirun has started, or this
+  /// one alone, without MPI, whose start takes longer than a small scene. A
+  /// common counter hands out shares of the points, results go to the first
+  /// process.
+  class Processes
+  {
+  public:
+    Processes();
+    ~Processes();
+
+    Processes(const Processes &) = delete;
+
+    /// Makes the first process' numbers known to all.
+    void
+    broadcast(std::vector<std::size_t> &numbers) const
+    {
+      if (uses_mpi)
+        numbers = dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, numbers);
+    }
+
+    /// Computes points, a share of them on each process: those of one group
+    /// after another on one struck plate, if adaptive on the last mesh of the
+    /// worst, the one with the shortest contact in Zener's equation, then with
+    /// the largest force. Whatever goes wrong with a point becomes the failure
+    /// of its row.
+    /// @param to_do  in ascending order
+    /// @param take   called on the first process with every point, whoever has
+    ///              computed it
+    /// @throws Interruption, between two points
+    /// @throws ComputationError that `take` throws, after which nobody goes on
+    void
+    compute(SweepScene                             &scene,
+            const SweepGroups                      &groups,
+            const std::vector<std::size_t>         &to_do,
+            const std::function<void(SweepRow &&)> &take);
+
+    int size = 1, rank = 0; ///< rank 0 is the first process
+
+  private:
+    /// The next number of 0, 1, 2, ... that no process has been given.
+    std::size_t
+    next_share();
+
+    const bool     uses_mpi;
+    MPI_Win        window; ///< with the counter of the first process
+    unsigned long *shared_counter = nullptr;
+    std::size_t    counter        = 0; ///< without MPI
+  };
 } // namespace PlateImpact
