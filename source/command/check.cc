@@ -320,22 +320,17 @@ namespace PlateImpact
         const std::string     steps = format("{} s is {} steps to the peak",
                                          about(time.time_step),
                                          about(rise / time.time_step));
-        if (time.step_is_chosen)
-          line("Time/Time step",
-               format("0: the program chooses it; {}{}",
-                      parameters.adaptivity.is_for_peak_force() ? "at first " :
-                                                                  "",
-                      steps));
-        else if (crossings_before_peak())
-          line("Time/Time step",
-               "0: the ripples on a late peak need far shorter steps than "
-               "its rise; the scene's " +
-                 steps);
-        else
-          line("Time/Time step",
-               format("at most {} s for 0.1 %, or 0; the scene's {}",
-                      about(0.04 * rise),
-                      steps));
+        const bool is_refined       = parameters.adaptivity.is_for_peak_force();
+        line("Time/Time step",
+             (time.step_is_chosen ?
+                "0: the program chooses it; " +
+                  std::string(is_refined ? "at first " : "") :
+                crossings_before_peak() ?
+                "0: the ripples on a late peak need far shorter steps than "
+                "its rise; the scene's " :
+                "at most " + about(0.04 * rise) +
+                  " s for 0.1 %, or 0; the scene's ") +
+               steps);
         line("Time/End time",
              format("about {} s covers the {}; the scene's is {}",
                     about(contact_end ? 1.1 * *contact_end : 2. * rise),

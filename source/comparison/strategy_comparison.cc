@@ -134,12 +134,7 @@ namespace PlateImpact
 
 
 
-    /// Thrown out of a cycle that would exceed the time budget.
-    struct BudgetSpent
-    {};
-
-
-
+    /// @throws Outcome  out of a cycle that would exceed the time budget
     void
     add_meshes(StrategyComparison &comparison, ComparisonCurve &curve)
     {
@@ -173,7 +168,7 @@ namespace PlateImpact
       AnalysisListener teller;
       teller.step = [&](auto cycle, auto step, auto n_steps) {
         if (is_spent())
-          throw BudgetSpent();
+          throw Outcome::time_budget;
         comparison.listener.step(cycle, step, n_steps);
       };
       teller.cycle = [&](Cycle &cycle) {
@@ -261,9 +256,9 @@ namespace PlateImpact
       {
         add_meshes(*this, curve);
       }
-    catch (const BudgetSpent &)
+    catch (const Outcome outcome)
       {
-        curve.end = word_for(Outcome::time_budget);
+        curve.end = word_for(outcome);
       }
     catch (const ComputationError &error)
       {

@@ -220,23 +220,17 @@ namespace PlateImpact
 
 
 
-    /// A point and its group.
-    struct Task
-    {
-      std::size_t group, point;
-    };
-
-    /// Those of a group one after another.
+    /// Groups and points, those of a group one after another.
     /// @param to_do  points in ascending order
-    std::vector<Task>
+    std::vector<std::pair<std::size_t, std::size_t>>
     tasks_of(const std::vector<std::vector<std::size_t>> &groups,
              const std::vector<std::size_t>              &to_do)
     {
-      std::vector<Task> tasks;
+      std::vector<std::pair<std::size_t, std::size_t>> tasks;
       for (std::size_t group = 0; group < groups.size(); ++group)
         for (const std::size_t point : groups[group])
           if (std::binary_search(to_do.begin(), to_do.end(), point))
-            tasks.push_back({group, point});
+            tasks.emplace_back(group, point);
       return tasks;
     }
 
@@ -363,7 +357,7 @@ namespace PlateImpact
                ++task)
             {
               SweepRow row =
-                computation.compute(tasks[task].group, tasks[task].point);
+                computation.compute(tasks[task].first, tasks[task].second);
               if (rank == 0)
                 {
                   take(std::move(row));
