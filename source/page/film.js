@@ -1,9 +1,6 @@
 // ---------------------------------------------------------------- film
 
-function decoded(text, Type) {
-  const bytes = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
-  return new Type(bytes.buffer);
-}
+const decoded = (text, Type) => new Type(Uint8Array.from(atob(text), (c) => c.charCodeAt(0)).buffer);
 
 /** Splits a quadrilateral along the limits of the bands that its field passes.
     @param points  of the four corners, in turn
@@ -43,7 +40,7 @@ function clipped(polygon, limit, sign) {
     computed, seen from any side, coloured by one of its fields. */
 class Film {
   constructor(holder, { film, patch, symmetric }, mesh) {
-    Object.assign(this, { film, patch, symmetric, mesh, azimuth: 0.6, elevation: 0.55, zoom: 1, timer: null });
+    Object.assign(this, { film, patch, symmetric, mesh, azimuth: 0.6, elevation: 0.55, zoom: 1 });
     this.deflections = decoded(film.deflections, Int16Array);
     this.cellErrors = decoded(film.cellErrors, Int16Array);
     this.nodesPerCell = film.nodesPerSide ** 2;
@@ -108,38 +105,37 @@ class Film {
   }
 
   makeControls(holder) {
-    const { film } = this, zoom = (factor) => this.zoomTo(factor * this.zoom), reset = () => this.zoomTo(1);
+    const { film } = this, zoom = (factor) => this.show({ zoom: factor * this.zoom }), reset = () => this.show({ zoom: 1 });
     // five radii to either side, or a part of the plate under a point load
-    const contact = () => this.zoomTo(this.radius / (this.patch.radius > 0 ? 5 * this.patch.radius : this.radius / 16));
+    const contact = () => this.show({ zoom: this.radius / (this.patch.radius > 0 ? 5 * this.patch.radius : this.radius / 16) });
+    const turn = (azimuth, elevation) => this.show({ azimuth: this.azimuth + azimuth, elevation: this.elevation + elevation });
     this.canvas = element('canvas', { tabIndex: 0, role: 'img',
       'aria-label': 'The deflected plate. Arrow keys turn it, + and - change its size.' });
     this.button = button('▶ Play', () => this.toggle());
     this.slider = element('input', { type: 'range', min: 0, max: film.times.length - 1, value: this.frame, 'aria-label': 'Time',
-      oninput: () => this.show(Number(this.slider.value)) });
+      oninput: () => this.show({ frame: Number(this.slider.value) }) });
     this.readout = element('div', { className: 'readout', 'aria-live': 'off' });
     this.scale = element('div');
     holder.append(this.canvas, element('div', { className: 'controls' }, this.button, this.slider,
       selection('Colour: ', this.fields.map(({ name }) => name), (chosen) => this.colourBy(chosen)),
-      button('from above', () => this.turn(-this.azimuth, Math.PI), { title: 'x to the right, y upwards' }), zoomButtons(zoom, reset, contact)),
+      button('from above', () => turn(-this.azimuth, Math.PI), { title: 'x to the right, y upwards' }), zoomButtons(zoom, reset, contact)),
     this.readout, this.scale,
     element('figcaption', {}, `Deflection magnified ${formatted(this.lift / film.deflectionUnit, 3)} times; the largest is ` +
       `${withUnit(this.largest * film.deflectionUnit, 'm')}. ξ is the error of a cell divided by the error that the target allows it at that time. ` +
       'Drag or arrow keys turn the plate; wheel (after a click), two fingers, + and − change its size.'));
     makeZoomable(this.canvas, { zoom, reset,
-      drag: (right, down) => this.turn(-0.01 * right, 0.01 * down), step: (right, down) => this.turn(-0.1 * right, 0.1 * down) });
+      drag: (right, down) => turn(-0.01 * right, 0.01 * down), step: (right, down) => turn(-0.1 * right, 0.1 * down) });
     this.canvas.addEventListener('pointerdown', (event) => this.canvas.setPointerCapture(event.pointerId));
     new ResizeObserver(() => this.draw()).observe(this.canvas);
     for (const medium of ['(prefers-color-scheme: dark)', 'print']) matchMedia(medium).addEventListener('change', () => this.draw());
   }
 
-  turn(azimuth, elevation) {
-    this.azimuth += azimuth;
-    this.elevation = Math.min(Math.PI / 2, Math.max(0.05, this.elevation + elevation));
-    this.draw();
-  }
-
-  zoomTo(zoom) {
-    this.zoom = Math.min(Math.max(zoom, 1), 1e4);
+  /** @param change  of frame, zoom, azimuth, elevation */
+  show(change) {
+    Object.assign(this, change);
+    this.zoom = Math.min(Math.max(this.zoom, 1), 1e4);
+    this.elevation = Math.min(Math.PI / 2, Math.max(0.05, this.elevation));
+    this.slider.value = this.frame;
     this.draw();
   }
 
@@ -152,20 +148,12 @@ class Film {
 
   toggle() {
     const last = this.film.times.length - 1;
-    if (this.timer) {
-      clearInterval(this.timer);
-      this.timer = null;
-    } else {
-      if (this.frame === last) this.show(0);
-      this.timer = setInterval(() => { if (this.frame === last) this.toggle(); else this.show(this.frame + 1); }, 90);
+    if (this.timer) this.timer = clearInterval(this.timer); // to nothing
+    else {
+      if (this.frame === last) this.show({ frame: 0 });
+      this.timer = setInterval(() => { if (this.frame === last) this.toggle(); else this.show({ frame: this.frame + 1 }); }, 90);
     }
     this.button.textContent = this.timer ? '❚❚ Pause' : '▶ Play';
-  }
-
-  show(frame) {
-    this.frame = frame;
-    this.slider.value = frame;
-    this.draw();
   }
 
   draw() {

@@ -83,10 +83,8 @@ const preformatted = (text) => element('pre', { tabIndex: 0 }, text);
 /** Adds a section to the page and to its contents; nothing of what is null or false. */
 function section(title, ...content) {
   const id = `section-${document.querySelectorAll('section').length + 1}`;
-  const made = element('section', { id }, element('h2', {}, title), ...content);
-  document.getElementById('content').append(made);
+  document.getElementById('content').append(element('section', { id }, element('h2', {}, title), ...content));
   document.querySelector('nav ul').append(element('li', {}, element('a', { href: `#${id}` }, title)));
-  return made;
 }
 
 /** What a reader must know first, in a colour and with a sign of its own.

@@ -120,15 +120,15 @@ function readByKeys(canvas) {
   };
 }
 
-function makePlot(canvas, entry) {
-  const plot = shown(entry);
+function makePlot(entry) {
+  const { canvas, view } = entry, plot = shown(entry);
   const bars = Boolean(plot.categories);
   const unit = (title) => (title.match(/\[(.*)\]/) ?? ['', ''])[1];
   Chart.getChart(canvas)?.destroy();
   Object.assign(Chart.defaults, { color: cssColour('text'), borderColor: cssColour('line'), animation: false, maintainAspectRatio: false });
   return new Chart(canvas, {
     type: bars ? 'bar' : 'line',
-    data: { labels: bars ? plot.categories : undefined, datasets: datasets(plot, entry.view) },
+    data: { labels: bars ? plot.categories : undefined, datasets: datasets(plot, view) },
     options: {
       indexAxis: bars ? 'y' : 'x',
       interaction: bars ? { mode: 'index', axis: 'y', intersect: false } : { mode: 'nearestOfEach', intersect: false },
@@ -240,7 +240,7 @@ function saveButtons(canvas, entry) {
 /** One legend for plots beside each other, by colours and by shapes, with the choices of the abscissa and of the series. */
 function makeLegend(entries) {
   const { plot, view } = entries[0];
-  const redraw = () => entries.forEach((entry) => makePlot(entry.canvas, entry));
+  const redraw = () => entries.forEach(makePlot);
   const bar = element('div', { className: 'controls legend' },
     selection('Against: ', [plot.x, ...plot.moreX].map((x) => x.title), (x) => { view.x = x; redraw(); }),
     plot.views.length > 1 && selection('Elements: ', plot.views.map(({ title }) => title), (chosen) => { view.chosen = chosen; redraw(); }));
@@ -276,15 +276,13 @@ const plots = [];
     @param size  small, for many, or large */
 function plotGrid(list, size = '') {
   const view = { x: 0, hidden: new Set(), chosen: 0 }; // what they share: the abscissa, what is hidden, the view
-  const entries = [];
-  const figures = list.map((plot) => {
-    const canvas = element('canvas', { tabIndex: 0, role: 'img',
-      'aria-label': `${plot.title}: ${plot.y.title} over ${plot.x.title}. Left and right keys read values.` });
+  const entries = list.map((plot) => ({ plot, view, canvas: element('canvas', { tabIndex: 0, role: 'img',
+    'aria-label': `${plot.title}: ${plot.y.title} over ${plot.x.title}. Left and right keys read values.` }) }));
+  const figures = entries.map((entry) => {
+    const { plot, canvas } = entry;
     const holder = element('div', { className: plot.categories ? 'plot flat' : 'plot' }, canvas);
     if (plot.categories) holder.style.height = 6 + 2.2 * plot.categories.length + 'rem';
     readByKeys(canvas);
-    const entry = { canvas, plot, view };
-    entries.push(entry);
     return element('figure', {}, element('h3', {}, plot.title), holder, saveButtons(canvas, entry),
       plot.caption && element('figcaption', {}, plot.caption));
   });
@@ -294,9 +292,7 @@ function plotGrid(list, size = '') {
 }
 
 /** Draws all plots in the colours and the size of the medium. */
-function drawPlots() {
-  plots.forEach((entry) => makePlot(entry.canvas, entry));
-}
+const drawPlots = () => plots.forEach(makePlot);
 
 matchMedia('(prefers-color-scheme: dark)').addEventListener('change', drawPlots);
 matchMedia('print').addEventListener('change', drawPlots);

@@ -48,37 +48,33 @@ function factsOfRun({ summary, expected, words }) {
 
 /** What the peak force depends on, and how much of it is known: mesh, time step, load. */
 function evidenceOfRun({ summary, words }) {
-  const last = summary.cycles.at(-1), before = summary.cycles.at(-2), rows = [];
-  if (last.discretization_error !== undefined)
-    rows.push(['Mesh: estimated error', `η = ${percentage(last.discretization_error)} in the energy norm, ` +
+  const last = summary.cycles.at(-1), before = summary.cycles.at(-2);
+  const rows = [
+    last.discretization_error !== undefined && ['Mesh: estimated error', `η = ${percentage(last.discretization_error)} in the energy norm, ` +
       `target ${percentage(Number(summary.inputs['Adaptivity/Target error']))}` +
       (summary.inputs['Adaptivity/Goal'] === 'peak force' ? ' (not the goal of this run)' : '') +
       `; largest ξ′ ${formatted(last.max_element_error)}; what that means for the peak force is the next row.` +
       (last.singular_cells ? ` ${last.singular_cells} cells are at the point load: ${percentage(last.discretization_error_of_all_cells)} ` +
-        `with them, ${percentage(last.discretization_error_of_regular_cells)} without.` : '')]);
-  if (last.peak_force_error_bar !== undefined)
-    rows.push(['Mesh: error of the peak force', `${percentage(last.peak_force_error_space, 3)} ${words.estimate}`]);
-  else if (last.peak_force_error_estimate !== undefined)
-    rows.push(['Mesh: error of the peak force',
-      'not known: the mesh or the time step is too coarse to tell']);
-  if (last.verification)
-    rows.push(['Mesh: every cell halved', `${deviation(last.verification.peak_force, last.peak_force)} ` +
-      `(to ${withUnit(last.verification.peak_force, 'N')} on ${last.verification.cells} cells)`]);
-  if (before)
-    rows.push(['Mesh: change in the last cycle',
-      `${deviation(last.peak_force, before.peak_force)} (from ${withUnit(before.peak_force, 'N')})`]);
-  rows.push(['Time step', `${withUnit(last.time_step, 's')}, ${last.steps} steps` +
-    (last.time_error === undefined ? '' : `; estimated error of the peak force ${percentage(last.time_error)}`) +
-    `; energy drift ${formatted(last.relative_energy_drift)}` +
-    (last.first_contact_end ? `; ${Math.round(last.first_contact_end / last.time_step)} of the steps in the first contact` : '')],
-  ['Local response under the contact',
-    `${words.localResponse}; contact radius ${formatted(last.contact_radius_over_thickness)} of the thickness`],
-  ['Load', `${words.load}; smallest cell ${withUnit(last.min_cell_size, 'm')}`],
-  ['Model: errors from comparisons', (summary.verdict.model.errors ?? []).map(({ of, relative }) =>
-    `${of} ${relative === undefined ? 'not known' : percentage(relative, 2)}`).join('; ')],
-  ['Contact', summary.verdict.contact],
-  ...(summary.verdict.damage ? [['Damage', summary.verdict.damage]] : []));
-  return table(['What the peak force depends on', 'Evidence'], rows, 'words');
+        `with them, ${percentage(last.discretization_error_of_regular_cells)} without.` : '')],
+    last.peak_force_error_bar !== undefined ?
+      ['Mesh: error of the peak force', `${percentage(last.peak_force_error_space, 3)} ${words.estimate}`] :
+      last.peak_force_error_estimate !== undefined && ['Mesh: error of the peak force', 'not known: the mesh or the time step is too coarse to tell'],
+    last.verification && ['Mesh: every cell halved', `${deviation(last.verification.peak_force, last.peak_force)} ` +
+      `(to ${withUnit(last.verification.peak_force, 'N')} on ${last.verification.cells} cells)`],
+    before && ['Mesh: change in the last cycle',
+      `${deviation(last.peak_force, before.peak_force)} (from ${withUnit(before.peak_force, 'N')})`],
+    ['Time step', `${withUnit(last.time_step, 's')}, ${last.steps} steps` +
+      (last.time_error === undefined ? '' : `; estimated error of the peak force ${percentage(last.time_error)}`) +
+      `; energy drift ${formatted(last.relative_energy_drift)}` +
+      (last.first_contact_end ? `; ${Math.round(last.first_contact_end / last.time_step)} of the steps in the first contact` : '')],
+    ['Local response under the contact',
+      `${words.localResponse}; contact radius ${formatted(last.contact_radius_over_thickness)} of the thickness`],
+    ['Load', `${words.load}; smallest cell ${withUnit(last.min_cell_size, 'm')}`],
+    ['Model: errors from comparisons', (summary.verdict.model.errors ?? []).map(({ of, relative }) =>
+      `${of} ${relative === undefined ? 'not known' : percentage(relative, 2)}`).join('; ')],
+    ['Contact', summary.verdict.contact],
+    summary.verdict.damage && ['Damage', summary.verdict.damage]];
+  return table(['What the peak force depends on', 'Evidence'], rows.filter(Boolean), 'words');
 }
 
 /** What an axis shows: 0 and the quantities of one history, round, with a little room above. */
@@ -177,7 +173,7 @@ function showStressesAlongLines({ stresses }) {
   const grid = plotGrid(show(first), 'small'), entries = plots.slice(at);
   const choose = selection('Stress: ', fields.map(({ name }) => name), (field) => show(field).forEach((plot, i) => {
     entries[i].plot = plot;
-    makePlot(entries[i].canvas, entries[i]);
+    makePlot(entries[i]);
   }), first);
   section('Raw and recovered stresses', paragraph('Stresses at the peak force. The raw stresses of the elements jump from cell to cell; patch recovery ' +
     'fits polynomials to them. The estimator takes the difference of the two for the error.'),

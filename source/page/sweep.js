@@ -5,27 +5,24 @@ const plottedQuantities = ['peak_force', 'first_contact_end', 'coefficient_of_re
   'number_of_contacts', 'peak_force_over_zener', 'discretization_error'];
 const mostCurves = 8, mostPanels = 8, mostMapPoints = 40000, mostRows = 200;
 
-/** The swept entries, what the points have become, and how both are numbered. */
-class SweepResults {
-  constructor({ entries, isProduct, quantities, statuses, warned }) {
-    Object.assign(this, { entries, isProduct, quantities, statuses, warned: new Set(warned) });
-    this.shown = plottedQuantities.map((name) => quantities.find((quantity) => quantity.name === name))
-      .filter((quantity) => quantity?.values.some((value) => value !== null))
-      .filter(({ name, values }) => name !== 'number_of_contacts' || values.some((value) => value > 1))
-      .map(({ title, unit, values }) => {
-        const scale = prefixed(unit, values);
-        return { name: title, title: titled(title, scale.name), unit: titled('', scale.name).trim(), values: scale.of(values) };
-      });
-  }
-
-  /** The texts of a point; in a product the values of the last entry change fastest. */
-  valuesAt(point) {
-    let stride = this.statuses.length;
-    return this.entries.map(({ values }) => {
-      stride = this.isProduct ? stride / values.length : 1;
-      return values[Math.floor(point / stride) % values.length];
+/** The quantities that are shown, in units that read well. */
+function shownQuantities(quantities) {
+  return plottedQuantities.map((name) => quantities.find((quantity) => quantity.name === name))
+    .filter((quantity) => quantity?.values.some((value) => value !== null))
+    .filter(({ name, values }) => name !== 'number_of_contacts' || values.some((value) => value > 1))
+    .map(({ title, unit, values }) => {
+      const scale = prefixed(unit, values);
+      return { name: title, title: titled(title, scale.name), unit: titled('', scale.name).trim(), values: scale.of(values) };
     });
-  }
+}
+
+/** The texts of a point; in a product the values of the last entry change fastest. */
+function valuesAt({ entries, isProduct, statuses }, point) {
+  let stride = statuses.length;
+  return entries.map(({ values }) => {
+    stride = isProduct ? stride / values.length : 1;
+    return values[Math.floor(point / stride) % values.length];
+  });
 }
 
 /** An entry as an axis; words have the numbers 1, 2, ... */
@@ -41,7 +38,7 @@ function assignment({ path, unit }, value, between) {
 }
 
 /** A quantity over an entry, a curve for each name; points with warnings are dots of their own. */
-function curvesOf(results, quantity, x, names, points) {
+function curvesOf({ warned }, quantity, x, names, points) {
   const numbered = (curve) => curve.map((point, i) => ({ point, x: x.values[i], y: quantity.values[point] }));
   const series = points.map((curve, s) => {
     const sorted = numbered(curve);
@@ -50,7 +47,7 @@ function curvesOf(results, quantity, x, names, points) {
     return { name: names[s], x: shown.map((one) => one.x), y: shown.map((one) => one.y), colour: s,
       style: curve.length <= 40 ? 'line and points' : 'line' };
   });
-  const marked = points.flatMap(numbered).filter(({ point }) => results.warned.has(point));
+  const marked = points.flatMap(numbered).filter(({ point }) => warned.has(point));
   if (marked.length > 0)
     series.push({ name: 'with warnings', x: marked.map((one) => one.x), y: marked.map((one) => one.y), colour: 7, style: 'points' });
   return { title: quantity.name, caption: x.caption, x: { title: x.title }, y: { title: quantity.title }, series };
@@ -82,7 +79,7 @@ function panelsOf(results, panels, size) {
     paired up; maps or families of curves over two; over three such a panel for each value of the third, on one
     scale. */
 function showQuantities(results) {
-  const { entries, shown, statuses } = results, [first, , third] = entries;
+  const { entries, statuses } = results, [first, , third] = entries, shown = shownQuantities(results.quantities);
   const all = statuses.map((_, point) => point);
   if (entries.length === 1 || !results.isProduct)
     return section('Figures', plotGrid(shown.map((quantity) => curvesOf(results, quantity, scaleOf(first), [''], [all]))));
@@ -100,34 +97,36 @@ function extremesOf(results) {
   const known = values.map((value, point) => ({ value, point })).filter(({ value }) => value !== null).sort((a, b) => a.value - b.value);
   if (known.length === 0) return [];
   return [['Smallest peak force', known[0]], ['Largest peak force', known.at(-1)]].map(([name, { value, point }]) =>
-    [name, withUnit(value, unit), `at ${results.valuesAt(point).map((text, i) => assignment(results.entries[i], text, ' ')).join(', ')}`]);
+    [name, withUnit(value, unit), `at ${valuesAt(results, point).map((text, i) => assignment(results.entries[i], text, ' ')).join(', ')}`]);
 }
 
-function showForcesOfPoints(results, histories) {
+function showForcesOfPoints(results) {
+  const { histories } = results;
   if (histories.length === 0) return;
   const newton = prefixed('N', histories.flatMap(({ force }) => force)), second = prefixed('s', histories.flatMap(({ time }) => time));
   section('Force against time', plotGrid([{ title: 'Force against time', x: { title: titled('time', second.name) },
     y: { title: titled('force', newton.name) }, series: histories.map(({ point, time, force }, colour) =>
-      ({ name: results.valuesAt(point).join(', '), colour, style: 'line', x: second.of(time), y: newton.of(force) })) }]));
+      ({ name: valuesAt(results, point).join(', '), colour, style: 'line', x: second.of(time), y: newton.of(force) })) }]));
 }
 
-function showTable({ entries, quantities, statuses, warned }, results) {
-  const rows = statuses.slice(0, mostRows).map((status, point) => [...results.valuesAt(point),
-    ...quantities.map((quantity) => formatted(quantity.values[point], 6)), status === 'ok' && results.warned.has(point) ? 'ok, with warnings' : status]);
+function showTable(results) {
+  const { entries, quantities, statuses, warned } = results;
+  const rows = statuses.slice(0, mostRows).map((status, point) => [...valuesAt(results, point),
+    ...quantities.map((quantity) => formatted(quantity.values[point], 6)), status === 'ok' && warned.has(point) ? 'ok, with warnings' : status]);
   section('Table', table([...entries, ...quantities].map(({ path, title, unit }) => titled(path ?? title, unit)).concat('Status'), rows, 'words'),
     statuses.length > mostRows && paragraph(`The first ${mostRows} of ${statuses.length} points; all of them are in sweep.csv.`));
 }
 
 function showSweep(study) {
-  const results = new SweepResults(study), { work, statuses } = study;
+  const results = { ...study, warned: new Set(study.warned) }, { work, statuses } = study;
   section('Outcome', facts([...extremesOf(results),
     ['Points', String(statuses.length), `failed: ${statuses.filter((status) => status !== 'ok').length}, with warnings: ${study.warned.length}`],
     ['Meshes', String(work.meshes), `plate models: ${work.plates}, responses to a load: ${work.loads}`]]),
   study.warnings.map((warning) => notice(`Warning: ${warning}`)), study.words.map(paragraph),
   paragraph('The numbers of meshes, plate models and responses are those of the last start of this sweep; points with the same plate, mesh and load share them.'));
   showQuantities(results);
-  showForcesOfPoints(results, study.histories);
-  showTable(study, results);
+  showForcesOfPoints(results);
+  showTable(results);
   section('Scene', preformatted(study.text), paragraph(`plate-impact ${study.version}`));
 }
 
