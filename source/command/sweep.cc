@@ -215,17 +215,16 @@ namespace PlateImpact
         work.meshes += row.work.meshes;
         work.plates += row.work.plates;
         work.loads += row.work.loads;
-        // the table, which may have a million rows, is not to hold histories
-        const ContactHistory history = std::exchange(row.history, {});
-        if (!history.states.empty())
+        if (!row.history.states.empty())
           {
             directory.write_file("contact_history_point_" +
                                    std::to_string(row.point + 1) + ".csv",
                                  [&](std::ostream &out) {
-                                   history.write(out);
+                                   row.history.write(out);
                                  });
-            if (histories.size() < most_plotted_histories)
-              histories[row.point] = history;
+            // the table, which may have a million rows, is not to hold them all
+            if (++n_histories > most_plotted_histories)
+              row.history = {};
           }
         table << line(scene.plan, row) << '\n' << std::flush;
         if (!table)
@@ -244,8 +243,7 @@ namespace PlateImpact
         table.close();
         write_table();
         if (scene.parameters.output.write_report)
-          directory.write_file("sweep.html",
-                               sweep_page(scene, rows, histories, work));
+          directory.write_file("sweep.html", sweep_page(scene, rows, work));
         const double seconds = timer.wall_time();
         console.print("\nComputed    " + counted(n_computed, "point") + " in " +
                       about(seconds) + " s, " + about(n_computed / seconds) +
@@ -379,9 +377,9 @@ namespace PlateImpact
       const dealii::Timer   timer;
       std::size_t           n_computed = 0;
       SweepWork             work; ///< for these
+      std::size_t           n_histories = 0;
 
-      std::vector<std::optional<SweepRow>>  rows; ///< none of points to come
-      std::map<std::size_t, ContactHistory> histories; ///< for the page
+      std::vector<std::optional<SweepRow>> rows; ///< none of points to come
     };
   } // namespace
 
@@ -412,7 +410,8 @@ namespace PlateImpact
         {
           failure = std::current_exception();
         }
-    processes.broadcast(to_do);
+    if (processes.size > 1)
+      to_do = dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, to_do);
     if (failure)
       std::rethrow_exception(failure);
 

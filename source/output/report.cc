@@ -47,17 +47,10 @@ namespace PlateImpact
 
 
 
-    Json
-    values_on_page(const SectionField &field)
-    {
-      return numbers_on_page({field.values.begin(), field.values.end()});
-    }
-
-
-
     /// A straight line away from a point; distances along it are lengths.
     struct Ray
     {
+      const char  *title;
       Point<2>     origin;
       Tensor<1, 2> direction;
     };
@@ -94,8 +87,9 @@ namespace PlateImpact
     }
 
     /// Along a ray: `distance` from the impact [m], and the fields of the
-    /// section as the elements have them, `raw`, and `recovered`. Cells are set
-    /// apart by a null, since raw values jump between them.
+    /// section as the elements have them, `raw`, and `recovered`, with the
+    /// `title`. Cells are set apart by a null, since raw values jump between
+    /// them.
     Json
     stresses_along(const Ray      &ray,
                    const Cycle    &cycle,
@@ -137,11 +131,12 @@ namespace PlateImpact
             field.evaluate(cell, unit_points);
         }
       Json result = {{"distance", numbers_on_page(distances)}};
-      for (const SectionField &line : section_fields(section, raw.transpose()))
-        result["raw"].push_back(values_on_page(line));
-      for (const SectionField &line :
-           section_fields(section, recovered.transpose()))
-        result["recovered"].push_back(values_on_page(line));
+      for (const auto &[name, resultants] :
+           {std::make_pair("raw", raw), std::make_pair("recovered", recovered)})
+        for (const SectionField &line :
+             section_fields(section, resultants.transpose()))
+          result[name].push_back(numbers_on_page(line.values));
+      result["title"] = ray.title;
       return result;
     }
 
@@ -158,18 +153,16 @@ namespace PlateImpact
                                plate.section.stiffness(),
                                state.unknowns);
       // beside edges of cells, which would belong to two of them
-      const double aside = 1e-6 * cycle.result.min_cell_size;
-      const double half  = std::sqrt(0.5);
-      const std::pair<const char *, Ray> rays[] = {
-        {"Along x", {{0., aside}, Point<2>(1., 0.)}},
-        {"Along y", {{aside, 0.}, Point<2>(0., 1.)}},
-        {"Along the diagonal", {{aside, 0.}, Point<2>(half, half)}}};
-      Json lines;
-      for (const auto &[title, ray] : rays)
-        {
-          lines.push_back(stresses_along(ray, cycle, recovered, state));
-          lines.back()["title"] = title;
-        }
+      const double aside  = 1e-6 * cycle.result.min_cell_size;
+      const double half   = std::sqrt(0.5);
+      const Ray    rays[] = {{"Along x", {0., aside}, Point<2>(1., 0.)},
+                             {"Along y", {aside, 0.}, Point<2>(0., 1.)},
+                             {"Along the diagonal",
+                              {aside, 0.},
+                              Point<2>(half, half)}};
+      Json         lines;
+      for (const Ray &ray : rays)
+        lines.push_back(stresses_along(ray, cycle, recovered, state));
       return lines;
     }
   } // namespace
@@ -246,7 +239,7 @@ namespace PlateImpact
       {
         Json named = {{"name", field.name}, {"unit", field.unit}};
         stresses.back()["fields"].push_back(named);
-        named["values"] = values_on_page(field);
+        named["values"] = numbers_on_page(field.values);
         mesh["fields"].push_back(named);
       }
   }

@@ -24,31 +24,22 @@ namespace PlateImpact
       "marking_cycle_[0-9]+\\.json|"
       "comparison\\.(csv|json|html)|sweep\\.(csv|html))"
       "(\\.incomplete)?");
-
-
-
-    int
-    create_and_open(const fs::path &directory)
-    {
-      std::error_code error;
-      fs::create_directories(directory, error);
-      if (error == std::errc::not_a_directory ||
-          error == std::errc::file_exists)
-        throw InputError({"the output directory " + directory.string() +
-                          " is a file, or within one; expected a directory"});
-      if (error)
-        throw ComputationError("the output directory " + directory.string() +
-                               " cannot be created: " + error.message());
-      return open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    }
   } // namespace
 
 
 
   ResultDirectory::ResultDirectory(const std::string &path)
     : directory(path)
-    , descriptor(create_and_open(directory))
   {
+    std::error_code error;
+    fs::create_directories(directory, error);
+    if (error == std::errc::not_a_directory || error == std::errc::file_exists)
+      throw InputError({"the output directory " + path +
+                        " is a file, or within one; expected a directory"});
+    if (error)
+      throw ComputationError("the output directory " + path +
+                             " cannot be created: " + error.message());
+    descriptor = open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     // The lock goes with the process, however that ends. A file system that
     // has no locks is no reason not to compute.
     if (flock(descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK)

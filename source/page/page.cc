@@ -4,8 +4,6 @@
 
 #include "plate_impact/plate/plate_geometry.h"
 
-#include <cstdlib>
-#include <fmt/format.h>
 #include <string_view>
 #include <utility>
 
@@ -52,18 +50,6 @@ namespace PlateImpact
                                 replace_in_string(data, "<", "\\u003c")),
                        fmt::arg("library", library),
                        fmt::arg("script", script));
-  }
-
-
-
-  Json
-  numbers_on_page(const std::vector<double> &values)
-  {
-    Json numbers = Json::array();
-    for (const double value : values)
-      numbers.push_back(
-        std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr));
-    return numbers;
   }
 
 

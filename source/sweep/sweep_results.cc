@@ -88,10 +88,9 @@ namespace PlateImpact
 
 
   std::string
-  sweep_page(const SweepScene                            &scene,
-             const std::vector<std::optional<SweepRow>>  &rows,
-             const std::map<std::size_t, ContactHistory> &histories,
-             const SweepWork                             &work)
+  sweep_page(const SweepScene                           &scene,
+             const std::vector<std::optional<SweepRow>> &rows,
+             const SweepWork                            &work)
   {
     const SweepPlan &plan  = scene.plan;
     Json             study = {{"study", "sweep"},
@@ -114,11 +113,10 @@ namespace PlateImpact
         study["statuses"].push_back(row->failure.empty() ? "ok" : row->failure);
         if (!row->warnings.empty())
           study["warned"].push_back(row->point);
-      }
-    for (const auto &[point, history] : histories)
-      {
-        study["histories"].push_back(history_on_page(history));
-        study["histories"].back()["point"] = point;
+        if (row->history.states.empty())
+          continue;
+        study["histories"].push_back(history_on_page(row->history));
+        study["histories"].back()["point"] = row->point;
       }
     study["words"].push_back("The scene, except for the swept entries: " +
                              scene_in_words(scene.parameters));

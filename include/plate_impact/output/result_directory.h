@@ -53,6 +53,6 @@ namespace PlateImpact
 
   private:
     const std::filesystem::path directory;
-    const int descriptor; ///< of the directory; carries the lock
+    int descriptor; ///< of the directory; carries the lock
   };
 } // namespace PlateImpact

@@ -6,6 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstdlib>
+#include <fmt/format.h>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,8 +44,16 @@ namespace PlateImpact
 
   /// Numbers for a page, which shows no more than six digits; null for what is
   /// not finite.
+  template <typename Numbers = std::vector<double>>
   Json
-  numbers_on_page(const std::vector<double> &values);
+  numbers_on_page(const Numbers &values)
+  {
+    Json numbers = Json::array();
+    for (const double value : values)
+      numbers.push_back(
+        std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr));
+    return numbers;
+  }
 
   /// A mesh for a page: `title`, `vertices` (x and y of each [m]), `cells`
   /// (four vertices of each, lexicographic), and `fields`, with xi' as the

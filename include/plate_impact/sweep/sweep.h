@@ -7,7 +7,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -51,13 +50,11 @@ namespace PlateImpact
 
   /// sweep.html: the range of the force, the quantities of the points over the
   /// swept values, histories and the table.
-  /// @param rows       of all points
-  /// @param histories  of some points
+  /// @param rows  of all points, some with their histories
   std::string
-  sweep_page(const SweepScene                            &scene,
-             const std::vector<std::optional<SweepRow>>  &rows,
-             const std::map<std::size_t, ContactHistory> &histories,
-             const SweepWork                             &work);
+  sweep_page(const SweepScene                           &scene,
+             const std::vector<std::optional<SweepRow>> &rows,
+             const SweepWork                            &work);
 
 
   /// The processes that share a sweep: those that mpirun has started, or this
@@ -71,14 +68,6 @@ namespace PlateImpact
     ~Processes();
 
     Processes(const Processes &) = delete;
-
-    /// Makes the first process' numbers known to all.
-    void
-    broadcast(std::vector<std::size_t> &numbers) const
-    {
-      if (uses_mpi)
-        numbers = dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, numbers);
-    }
 
     /// Computes points, a share of them on each process: those of one group
     /// after another on one struck plate, if adaptive on the last mesh of the
