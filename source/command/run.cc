@@ -7,7 +7,6 @@
 #include "plate_impact/marking/outside_marking.h"
 #include "plate_impact/output/console.h"
 #include "plate_impact/output/output.h"
-#include "plate_impact/output/run_in_words.h"
 
 #include <algorithm>
 #include <iostream>

@@ -1,7 +1,6 @@
-#include "plate_impact/output/run_in_words.h"
-
 #include "plate_impact/base/text.h"
 #include "plate_impact/contact/make_contact.h"
+#include "plate_impact/output/report.h"
 #include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_section.h"
 

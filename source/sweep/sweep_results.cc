@@ -1,7 +1,6 @@
 #include "plate_impact/analysis/impact_quantities.h"
 #include "plate_impact/base/version.h"
 #include "plate_impact/output/report.h"
-#include "plate_impact/output/run_in_words.h"
 #include "plate_impact/sweep/sweep.h"
 
 #include <algorithm>

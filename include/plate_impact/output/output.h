@@ -1,6 +1,5 @@
 #pragma once
 
-#include "plate_impact/analysis/goal.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/output/report.h"
 
