@@ -94,13 +94,6 @@ function rootScale({ name, unit }, high, isSigned) {
     { isSigned, title, palette: palettes.sequential, labels: [0, high / 4, high].map(label), place: root };
 }
 
-/** Places of values on a palette, for all meshes of a group alike. */
-function fieldScale(fields) {
-  if (fields[0].isRatio) return ratioScale;
-  const [low, high] = rangeOf(fields.flatMap(({ values }) => values));
-  return rootScale(fields[0], Math.max(high, -low) || 1, low < 0);
-}
-
 /** One part of the plate in all pictures of a group, with a scale bar in each. */
 function makeMeshView(pictures, controls) {
   const [left, top, width, height] = pictures[0].getAttribute('viewBox').split(' ').map(Number);
@@ -169,7 +162,8 @@ function meshGroup(meshes, patch) {
   const group = element('div', { className: 'mesh-group' }, controls, scaleHolder, element('div', { className: 'grid meshes' }, figures), readout);
   if (!meshes.every((mesh) => mesh.fields.length > 0)) return group;
   const show = (chosen) => {
-    const fields = meshes.map((mesh) => mesh.fields[chosen]), scale = fieldScale(fields);
+    const fields = meshes.map((mesh) => mesh.fields[chosen]), [low, high] = rangeOf(fields.flatMap(({ values }) => values));
+    const scale = fields[0].isRatio ? ratioScale : rootScale(fields[0], Math.max(high, -low) || 1, low < 0);
     scaleHolder.replaceChildren(makeScale(scale.palette, scale.labels, scale.title));
     figures.forEach((figure, i) => figure.querySelectorAll('polygon').forEach((cell, c) =>
       cell.setAttribute('fill', colourAt(scale.palette, scale.place(fields[i].values[c])))));

@@ -144,20 +144,18 @@ namespace PlateImpact
         const Impact      impact = plate.strike();
         work.loads += plate_model->work().loads - loads_before;
 
-        Computed     computed;
-        CycleResult &result  = computed.first;
+        CycleResult result;
         result.history       = impact.history;
         result.impulse       = impact.impulse;
         result.sensitivity   = plate.sensitivity(impact.history);
         result.min_cell_size = min_cell_size;
         // an adapted mesh was judged with the worst point
-        computed.second =
+        const Warnings warnings =
           impact_warnings({parameters, point.expected, result},
                           parameters.adaptivity.is_adaptive() ?
                             nullptr :
-                            &plate_model->discretization().mesh())
-            .all();
-        return computed;
+                            &plate_model->discretization().mesh());
+        return {std::move(result), warnings.all()};
       }
 
       /// The mesh of a group, made for the worst of its valid points.
