@@ -116,10 +116,7 @@ function table(columns, rows, className = '') {
 function makeSortable({ tHead, tBodies: [body] }) {
   const heads = [...tHead.rows[0].cells];
   // a number may be in parentheses; text sorts behind
-  const numberIn = (text) => {
-    const number = parseFloat(text.replace('(', ''));
-    return Number.isNaN(number) ? Infinity : number;
-  };
+  const numberIn = (text) => [parseFloat(text.replace('(', '')), Infinity].find((number) => !Number.isNaN(number));
   heads.forEach((head, column) => head.replaceChildren(button(head.textContent, () => {
     const sign = head.getAttribute('aria-sort') === 'ascending' ? -1 : 1;
     heads.forEach((other) => other.removeAttribute('aria-sort'));

@@ -181,16 +181,12 @@ function svgOf(chart, plot) {
     `text-anchor="${anchor}" ${more}>${String(words).replaceAll('&', '&amp;').replaceAll('<', '&lt;')}</text>`;
   const parts = [`<rect width="${width}" height="${height + 24}" fill="${cssColour('ground')}"/>`,
     text(width / 2, 16, plot.title, 'middle', 'font-weight="bold"'), '<g transform="translate(0 24)">'];
-  scales.x.ticks.forEach((tick, i) => {
-    const x = scales.x.getPixelForTick(i);
-    parts.push(`<path d="M${x.toFixed(1)} ${area.top}V${area.bottom}" stroke="${cssColour('line')}"/>`,
-      text(x, area.bottom + 15, tick.label));
+  const grid = (scale, lineAt, labelAt) => scale.ticks.forEach(({ label }, i) => {
+    const at = scale.getPixelForTick(i);
+    parts.push(`<path d="${lineAt(at.toFixed(1))}" stroke="${cssColour('line')}"/>`, labelAt(at, label));
   });
-  scales.y.ticks.forEach((tick, i) => {
-    const y = scales.y.getPixelForTick(i);
-    parts.push(`<path d="M${area.left} ${y.toFixed(1)}H${area.right}" stroke="${cssColour('line')}"/>`,
-      text(area.left - 5, y + 4, tick.label, 'end'));
-  });
+  grid(scales.x, (x) => `M${x} ${area.top}V${area.bottom}`, (x, label) => text(x, area.bottom + 15, label));
+  grid(scales.y, (y) => `M${area.left} ${y}H${area.right}`, (y, label) => text(area.left - 5, y + 4, label, 'end'));
   parts.push(text((area.left + area.right) / 2, area.bottom + 31, plot.x.title),
     text(12, (area.top + area.bottom) / 2, plot.y.title, 'middle', `transform="rotate(-90 12 ${(area.top + area.bottom) / 2})"`),
     // a picture within the picture shows nothing beyond its edges
