@@ -1,5 +1,6 @@
 // What to expect of a scene before paying for it.
 #include "plate_impact/analysis/expected_cost.h"
+#include "plate_impact/analysis/warnings.h"
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/base/text.h"
 #include "plate_impact/command/commands.h"
