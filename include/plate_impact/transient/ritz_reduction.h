@@ -69,14 +69,6 @@ namespace PlateImpact
            const Impactor      &impactor,
            unsigned int         n_steps);
 
-    /// The response of such a system, kept; for schemes that conserve energy.
-    const PlateResponse &
-    response(const NewmarkScheme &by, SemidiscreteSystem &system)
-    {
-      return responses.try_emplace({&system, by.n_steps}, by, system)
-        .first->second;
-    }
-
   private:
     /// @return a reduced system, or that of the mesh
     SemidiscreteSystem *
