@@ -49,8 +49,6 @@ namespace PlateImpact
                                   n_steps / most_estimator_samples :
                                   0u,
                                 impact.adaptivity.sampling_interval)))
-        , n_samples_at_once(std::min(n_steps / sampling_interval + 1,
-                                     system.n_states_at_once()))
         , samples_per_frame(1 +
                             n_steps / sampling_interval /
                               std::clamp(most_frame_unknowns /
@@ -66,12 +64,17 @@ namespace PlateImpact
             if (cell->center().norm() < 0.5 * impact.plate.thickness)
               singular_cells.push_back(cell->active_cell_index());
         if (wanted.errors)
-          estimator.emplace(cycle.discretization(),
-                            cycle.recovery(),
-                            singular_cells,
-                            impact.adaptivity.singular_cells_count,
-                            wanted.film ? samples_per_frame : 0,
-                            impact.adaptivity.indicator);
+          {
+            states.resize(system.load.size(),
+                          std::min(n_steps / sampling_interval + 1,
+                                   system.n_states_at_once()));
+            estimator.emplace(cycle.discretization(),
+                              cycle.recovery(),
+                              singular_cells,
+                              impact.adaptivity.singular_cells_count,
+                              wanted.film ? samples_per_frame : 0,
+                              impact.adaptivity.indicator);
+          }
         cycle.charge(&Seconds::estimation);
       }
 
@@ -93,11 +96,9 @@ namespace PlateImpact
           return;
         if (wanted.film && ++n_samples % samples_per_frame == 0)
           seen.frames.push_back({time, state});
-        if (times.empty())
-          states.resize(state.size(), n_samples_at_once);
         states.col(times.size()) = state;
         times.push_back(time);
-        if (times.size() == n_samples_at_once)
+        if (states.cols() == static_cast<Eigen::Index>(times.size()))
           {
             cycle.charge(&Seconds::stepping);
             estimate();
@@ -160,8 +161,7 @@ namespace PlateImpact
       const SemidiscreteSystem &system;
       Cycle                    &cycle;
 
-      const unsigned int sampling_interval, n_samples_at_once,
-        samples_per_frame;
+      const unsigned int                 sampling_interval, samples_per_frame;
       unsigned int                       n_samples = 0;
       std::optional<EnergyNormEstimator> estimator; ///< where errors are wanted
 

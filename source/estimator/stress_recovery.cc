@@ -58,9 +58,7 @@ namespace PlateImpact
           for (const Point<2> &point : points.get_points())
             sample_points.push_back(
               mapping_of(cell).transform_unit_to_real_cell(cell, point));
-          auto &vertices = vertices_of_cell.emplace_back();
-          for (const unsigned int v : cell->vertex_indices())
-            vertices[v] = cell->vertex_index(v);
+          cells.push_back(cell);
           for (const auto &face : cell->face_iterators())
             if (face->has_children())
               // the vertex that hangs on it
@@ -92,8 +90,8 @@ namespace PlateImpact
           if (make_fit(patch))
             return patch;
           for (const Image &image : patch.images)
-            for (const unsigned int around : vertices_of_cell[image.cell])
-              add_images(around, image, images);
+            for (const unsigned int v : cells[image.cell]->vertex_indices())
+              add_images(cells[image.cell]->vertex_index(v), image, images);
           if (images.size() == patch.images.size())
             return patch;
         }
@@ -164,8 +162,8 @@ namespace PlateImpact
     const std::vector<std::set<Triangulation<2>::active_cell_iterator>>
       cells_at_vertex;
 
-    std::vector<Point<2>>                    sample_points;
-    std::vector<std::array<unsigned int, 4>> vertices_of_cell;
+    std::vector<Triangulation<2>::active_cell_iterator> cells;
+    std::vector<Point<2>>                               sample_points;
     std::vector<bool> is_on_symmetry_x, is_on_symmetry_y, uses_neighbours;
 
     /// Fits and whether their samples determine them, by positions of samples
