@@ -319,14 +319,12 @@ namespace PlateImpact
   ReferenceError::ReferenceError(const PlateDiscretization   &fine,
                                  const std::vector<Snapshot> &snapshots)
   {
-    for (const Snapshot &snapshot : snapshots)
-      times.push_back(snapshot.time);
     const Eigen::MatrixXd        states = columns(snapshots);
     const std::vector<Point<2>> &unit_points =
       fine.element.quadrature.get_points();
     const unsigned int m = fine.section.n_resultants();
     exact.resize(m * unit_points.size() * fine.mesh().n_active_cells(),
-                 times.size());
+                 states.cols());
     for (const auto &cell : fine.mesh().active_cell_iterators())
       {
         const unsigned int c = cell->active_cell_index();
@@ -362,7 +360,7 @@ namespace PlateImpact
     // curved cells of two meshes differ by a little at the edge, of a cell
     const double       tolerance = &mapping == &curved_mapping() ? 0.05 : 1e-10;
     auto               hint      = discretization.mesh().begin_active();
-    Eigen::RowVectorXd e2 = Eigen::RowVectorXd::Zero(times.size()), u2 = e2;
+    Eigen::RowVectorXd e2 = Eigen::RowVectorXd::Zero(snapshots.size()), u2 = e2;
     for (unsigned int p = 0; p < points.size(); ++p)
       {
         const auto [cell, unit_point] =
@@ -383,8 +381,8 @@ namespace PlateImpact
         e2 += weights[p] * error.colwise().squaredNorm();
       }
     TimeIntegral<Eigen::Array2d> norms{Eigen::Array2d::Zero()};
-    for (unsigned int n = 0; n < times.size(); ++n)
-      norms.add(times[n], Eigen::Array2d(e2[n], u2[n]).sqrt());
+    for (unsigned int n = 0; n < snapshots.size(); ++n)
+      norms.add(snapshots[n].time, Eigen::Array2d(e2[n], u2[n]).sqrt());
     return norms.integral[0] / norms.integral[1];
   }
 } // namespace PlateImpact

@@ -259,7 +259,6 @@ namespace PlateImpact
   private:
     std::vector<dealii::Point<2>> points;
     std::vector<double>           weights; ///< [m^2]
-    Eigen::MatrixXd     exact; ///< m point + resultant, scaled, by times
-    std::vector<double> times; ///< [s]
+    Eigen::MatrixXd exact; ///< m point + resultant, scaled, by times
   };
 } // namespace PlateImpact
