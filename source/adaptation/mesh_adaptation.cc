@@ -86,49 +86,6 @@ namespace PlateImpact
 
 
 
-    /// Refines cells that are larger than theta times their distance from the
-    /// contact, or than cells may be, again and again, as long as the maximum
-    /// of cells allows it.
-    /// @return whether the mesh is refined
-    bool
-    refine_to_contact(Triangulation<2>           &mesh,
-                      const double                theta,
-                      const AdaptivityParameters &adaptivity,
-                      const double                contact_half_length)
-    {
-      const double largest = (1. + 1e-6) * adaptivity.maximum_cell_size;
-      for (bool is_refined = false;; is_refined = true)
-        {
-          for (const auto &cell : mesh.active_cell_iterators())
-            {
-              const Point<2> centre = cell->center();
-              const Point<2> nearest(std::clamp(centre[0],
-                                                -contact_half_length,
-                                                contact_half_length),
-                                     0.);
-              if (cell_size(cell) >
-                    std::min(theta * centre.distance(nearest), largest) &&
-                  !is_smallest(cell, adaptivity))
-                cell->set_refine_flag();
-            }
-          // with those that hanging nodes ask for
-          mesh.prepare_coarsening_and_refinement();
-          unsigned int n_cells = mesh.n_active_cells();
-          for (const auto &cell : mesh.active_cell_iterators())
-            n_cells += cell->refine_flag_set() ? 3 : 0;
-          if (n_cells == mesh.n_active_cells() ||
-              n_cells > adaptivity.maximum_cells)
-            {
-              for (const auto &cell : mesh.active_cell_iterators())
-                cell->clear_refine_flag();
-              return is_refined;
-            }
-          mesh.execute_coarsening_and_refinement();
-        }
-    }
-
-
-
     /// A mesh chosen before anything is known of its error: cells are at most
     /// theta r large, r the distance of their centre from the contact, down to
     /// the minimum cell size. The ratio theta is 1 first and halved from mesh
@@ -283,14 +240,40 @@ namespace PlateImpact
 
 
   bool
-  refine_to_size(Triangulation<2>    &mesh,
-                 const double         largest,
-                 AdaptivityParameters adaptivity)
+  refine_to_contact(Triangulation<2>           &mesh,
+                    const double                theta,
+                    const AdaptivityParameters &adaptivity,
+                    const double                contact_half_length)
   {
-    adaptivity.maximum_cell_size =
-      std::min(adaptivity.maximum_cell_size, largest);
-    const double anywhere = std::numeric_limits<double>::max();
-    return refine_to_contact(mesh, anywhere, adaptivity, 0.);
+    const double largest = (1. + 1e-6) * adaptivity.maximum_cell_size;
+    for (bool is_refined = false;; is_refined = true)
+      {
+        for (const auto &cell : mesh.active_cell_iterators())
+          {
+            const Point<2> centre = cell->center();
+            const Point<2> nearest(std::clamp(centre[0],
+                                              -contact_half_length,
+                                              contact_half_length),
+                                   0.);
+            if (cell_size(cell) >
+                  std::min(theta * centre.distance(nearest), largest) &&
+                !is_smallest(cell, adaptivity))
+              cell->set_refine_flag();
+          }
+        // with those that hanging nodes ask for
+        mesh.prepare_coarsening_and_refinement();
+        unsigned int n_cells = mesh.n_active_cells();
+        for (const auto &cell : mesh.active_cell_iterators())
+          n_cells += cell->refine_flag_set() ? 3 : 0;
+        if (n_cells == mesh.n_active_cells() ||
+            n_cells > adaptivity.maximum_cells)
+          {
+            for (const auto &cell : mesh.active_cell_iterators())
+              cell->clear_refine_flag();
+            return is_refined;
+          }
+        mesh.execute_coarsening_and_refinement();
+      }
   }
 
 

@@ -115,10 +115,12 @@ namespace PlateImpact
     const Timer timer;
     mesh = copy_of(current->mesh());
     // of a quadrant of 3 x 3 cells
-    const auto sides = geometry_of(parameters.plate).side_lengths;
-    if (!refine_to_size(*mesh,
-                        std::max(sides[0], sides[1]) / 6.,
-                        parameters.adaptivity))
+    const auto           sides = geometry_of(parameters.plate).side_lengths;
+    AdaptivityParameters adaptivity = parameters.adaptivity;
+    adaptivity.maximum_cell_size =
+      std::min(adaptivity.maximum_cell_size, std::max(sides[0], sides[1]) / 6.);
+    const double anywhere = std::numeric_limits<double>::max();
+    if (!refine_to_contact(*mesh, anywhere, adaptivity, 0.))
       return;
     // all that was before has made this first mesh
     seconds_for_mesh = current->result.seconds.total() + timer.wall_time();

@@ -164,11 +164,13 @@ namespace PlateImpact
   bool
   may_have_equal_cells(const Parameters &parameters);
 
-  /// Refines cells until none is larger than a size [m], or the maximum of
-  /// cells is too small for it.
+  /// Refines cells that are larger than theta times their distance from the
+  /// contact, or than cells may be, again and again, as long as the maximum of
+  /// cells allows it.
   /// @return whether the mesh is refined
   bool
-  refine_to_size(dealii::Triangulation<2> &mesh,
-                 double                    largest,
-                 AdaptivityParameters      adaptivity);
+  refine_to_contact(dealii::Triangulation<2>   &mesh,
+                    double                      theta,
+                    const AdaptivityParameters &adaptivity,
+                    double                      contact_half_length);
 } // namespace PlateImpact
