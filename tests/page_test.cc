@@ -2,7 +2,9 @@
 #include <deal.II/base/utilities.h>
 
 #include "plate_impact/base/text.h"
+#include "plate_impact/output/report.h"
 #include "plate_impact/page/page.h"
+#include "plate_impact/scene/scene.h"
 #include "program_fixture.h"
 
 #include <gtest/gtest.h>
@@ -88,6 +90,20 @@ namespace PlateImpact
       EXPECT_EQ(text(1e-30, "s"), "1e-18 ps");
       EXPECT_EQ(PrefixedUnit("m", std::nan("")).name, "m");
       EXPECT_EQ(percentage(0.0246771), "2.468 %");
+    }
+
+
+
+    TEST(Page, MassesAreInGramsBelowOneKilogram)
+    {
+      const auto words = [](const std::string &mass) {
+        return scene_in_words(
+          read_scene(SCENES "/drop-weight.prm", {"Impactor/Mass=" + mass})
+            .parameters);
+      };
+      EXPECT_NE(words("5").find(" mass 5 kg "), std::string::npos);
+      EXPECT_NE(words("2000").find(" mass 2000 kg "), std::string::npos);
+      EXPECT_NE(words("0.25").find(" mass 250 g "), std::string::npos);
     }
 
 

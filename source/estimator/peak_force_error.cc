@@ -24,7 +24,7 @@ namespace PlateImpact
       const ContactState  &peak = here.peak();
       return {of_softer.peak().force / peak.force - 1.,
               of_softer.difference_around(peak.time, here) / peak.force,
-              problem.returns_of_waves};
+              problem.crossings_of_waves};
     }
   } // namespace
 
@@ -64,8 +64,10 @@ namespace PlateImpact
                    [&](const auto &cell, const auto &, const auto &e, auto &) {
                      result.cells[cell->active_cell_index()] =
                        n_parts * (e * products).cwiseProduct(e).sum();
-                     result.missed_energies.selfadjointView<Eigen::Lower>()
-                       .rankUpdate(e.transpose(), n_parts);
+                     if (!discretization.element.has_reduced_shear() ||
+                         !discretization.is_at_twisting_edge(cell))
+                       result.missed_energies.selfadjointView<Eigen::Lower>()
+                         .rankUpdate(e.transpose(), n_parts);
                    });
     return result;
   }

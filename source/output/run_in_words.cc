@@ -157,11 +157,11 @@ namespace PlateImpact
       return "A " + target + ". Nothing strikes it.";
 
     const ImpactorParameters &impactor = parameters.impactor;
-    // masses in grams below one kilogram
+    const double              mass     = make_impactor(impactor).mass;
     return "A " + word_for(impactor.shape) + " of radius " +
       number(impactor.radius, "m") + " and mass " +
-      number(1e3 * make_impactor(impactor).mass, "g") + " strikes " +
-      place_in_words(plate) + " a " + target + ", at " +
+      (mass < 1. ? number(1e3 * mass, "g") : rounded(mass) + " kg") +
+      " strikes " + place_in_words(plate) + " a " + target + ", at " +
       number(impactor.velocity, "m/s") + ".";
   }
 

@@ -32,15 +32,12 @@ namespace PlateImpact
         return 4;
       if (type == 15) // a point
         return 1;
-      static const std::map<int, std::string> others = {
-        {2, " (Triangle)"},
-        {9, " (Triangle of 6 nodes)"},
-        {10, " (Quadrilateral of 9 nodes)"},
-        {16, " (Quadrilateral of 8 nodes)"}};
-      const auto other = others.find(type);
+      std::map<int, std::string> others = {{2, " (Triangle)"},
+                                           {9, " (Triangle of 6 nodes)"},
+                                           {10, " (Quadrilateral of 9 nodes)"},
+                                           {16, " (Quadrilateral of 8 nodes)"}};
       throw InputError(
-        {"holds elements of the type " + std::to_string(type) +
-         (other != others.end() ? other->second : "") +
+        {"holds elements of the type " + std::to_string(type) + others[type] +
          "; expected quadrilaterals of four nodes alone (in Gmsh: "
          "Mesh.RecombineAll = 1, Mesh.SubdivisionAlgorithm = 1, "
          "Mesh.ElementOrder = 1)"});
@@ -99,8 +96,8 @@ namespace PlateImpact
       {
         for (auto &[group, edge] : edge_of_group)
           {
-            const std::string name =
-              names.count(group) > 0 ? names[group] : std::to_string(group);
+            const std::string &name =
+              names.try_emplace(group, std::to_string(group)).first->second;
             if (printable(name) != name ||
                 name.find_first_of(",:#\"") != std::string::npos)
               throw InputError({"has a physical group '" + name +

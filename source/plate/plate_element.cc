@@ -32,6 +32,15 @@ namespace PlateImpact
 
 
 
+  bool
+  PlateElement::has_reduced_shear() const
+  {
+    return row_of(type, elements).assumed_shear.tying_points.size() ==
+      gauss_2.tying_points.size();
+  }
+
+
+
   void
   PlateElement::add_internal_constraints(
     const DoFHandler<2>       &dof_handler,

@@ -157,6 +157,8 @@ namespace PlateImpact
       {
         const auto &row = row_of(support, support_rows);
         rotations[edge] = row.held;
+        if (!row.held.tangential)
+          twisting_edges.insert(edge);
         if (!row.holds_deflection)
           continue;
         holds_deflection = true;

@@ -293,10 +293,11 @@ namespace PlateImpact
     if (!scheme.conserves_energy || !system.is_linear ||
         history.peak().force <= 0. || peak > most_steps_to_peak * scheme.dt)
       return {};
-    const double   returns = returns_of_waves(peak);
-    TimeParameters to_peak = parameters.time;
-    to_peak.time_step      = scheme.dt;
-    to_peak.end_time       = scheme.dt * std::round(peak / scheme.dt);
+    const double        returns  = returns_of_waves(peak);
+    const PlateGeometry geometry = geometry_of(parameters.plate);
+    TimeParameters      to_peak  = parameters.time;
+    to_peak.time_step            = scheme.dt;
+    to_peak.end_time             = scheme.dt * std::round(peak / scheme.dt);
     const NewmarkScheme rise(to_peak, scheme.integration);
     // on the mesh it would take three more transients up to the peak
     std::unique_ptr<RitzReduction> own;
@@ -323,6 +324,7 @@ namespace PlateImpact
                    std::max(32u, of_dual.n_states_at_once() / 2)),
       &of_dual,
       std::move(own),
-      returns};
+      returns,
+      returns * 2. * geometry.distance_to_edge / std::sqrt(geometry.area)};
   }
 } // namespace PlateImpact

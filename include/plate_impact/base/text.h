@@ -50,9 +50,9 @@ namespace PlateImpact
 
     /// A result with the unit.
     std::string
-    text(double value) const
+    text(const double value, const int digits = 4) const
     {
-      return rounded(factor * value) + ' ' + name;
+      return rounded(factor * value, digits) + ' ' + name;
     }
 
     std::string name; ///< with the prefix
@@ -94,8 +94,7 @@ namespace PlateImpact
   inline std::string
   about(const double value, const std::string &unit)
   {
-    const PrefixedUnit prefixed(unit, value);
-    return about(prefixed(value)) + ' ' + prefixed.name;
+    return PrefixedUnit(unit, value).text(value, 3);
   }
   inline std::string
   about_percentage(const double fraction)

@@ -68,11 +68,7 @@ namespace PlateImpact
     const ContactState &
     peak() const
     {
-      return *std::max_element(states.begin(),
-                               states.end(),
-                               [](const auto &a, const auto &b) {
-                                 return a.force < b.force;
-                               });
+      return *std::max_element(states.begin(), states.end(), by_force);
     }
 
     /// Largest force of the history as a curve: of the parabola through the
@@ -83,23 +79,17 @@ namespace PlateImpact
       const std::size_t n = &peak() - states.data();
       if (n == 0 || n + 1 == states.size())
         return states[n].force;
-      const double slope = 0.5 * (states[n + 1].force - states[n - 1].force),
-                   curvature = states[n + 1].force - 2. * states[n].force +
-        states[n - 1].force;
-      return curvature < 0. ?
-        states[n].force - 0.5 * slope * slope / curvature :
-        states[n].force;
+      const double before = states[n - 1].force, force = states[n].force,
+                   after = states[n + 1].force, slope = 0.5 * (after - before),
+                   curvature = after - 2. * force + before;
+      return curvature < 0. ? force - 0.5 * slope * slope / curvature : force;
     }
 
     /// Whether the force falls on its way to the peak: other humps lead there.
     bool
     peak_is_on_ripples() const
     {
-      return !std::is_sorted(states.data(),
-                             &peak() + 1,
-                             [](const auto &a, const auto &b) {
-                               return a.force < b.force;
-                             });
+      return !std::is_sorted(states.data(), &peak() + 1, by_force);
     }
 
     /// Root of the mean square of the difference to the force of another
@@ -237,6 +227,13 @@ namespace PlateImpact
     serialize(Archive &archive, const unsigned int)
     {
       archive &states;
+    }
+
+  private:
+    static bool
+    by_force(const ContactState &a, const ContactState &b)
+    {
+      return a.force < b.force;
     }
   };
 } // namespace PlateImpact

@@ -16,7 +16,7 @@ namespace PlateImpact
   /// softer plate and by the force around it: calibrated on random scenes
   /// (doc/theory.md).
   constexpr double safety_of_bar = 1.55, safety_on_softer_plate = 2.,
-                   safety_around_peak = 1.3;
+                   safety_around_peak = 1.15;
 
   /// Estimated error of the peak force by the mesh: computed less exact,
   /// relative to the peak.
@@ -31,9 +31,9 @@ namespace PlateImpact
     /// Relative to the peak.
     struct Change
     {
-      double of_peak          = 0.; ///< with its sign
-      double around_it        = 0.; ///< root mean square
-      double returns_of_waves = 1.; ///< before the peak
+      double of_peak            = 0.; ///< with its sign
+      double around_it          = 0.; ///< root mean square
+      double crossings_of_waves = 1.; ///< before the peak
     };
     std::optional<Change> on_softer_plate;
 
@@ -48,15 +48,15 @@ namespace PlateImpact
     /// The mesh's part of the error bar. Where waves pass once it is the sum of
     /// absolute values, since contributions of an assumed shear strain may have
     /// the wrong sign. What they bring that have come back adds up with either
-    /// sign, and not to first order alone; the more have come back, the more of
-    /// it cancels at the peak.
+    /// sign, and not to first order alone; the more often they have crossed the
+    /// plate, the more of it cancels at the peak.
     double
     bar() const
     {
       return on_softer_plate ?
         std::hypot(safety_on_softer_plate * on_softer_plate->of_peak,
                    safety_around_peak * on_softer_plate->around_it /
-                     std::cbrt(on_softer_plate->returns_of_waves)) :
+                     std::cbrt(on_softer_plate->crossings_of_waves)) :
         safety_of_bar * cells.lpNorm<1>();
     }
   };
@@ -74,7 +74,9 @@ namespace PlateImpact
     /// Motions that those above are combinations of, states of the system, a
     /// column each, and for every pair of them
     ///   int (sigma* - sigma)^T_i D^-1 (sigma* - sigma)_j
-    /// over the plate. [J]
+    /// over the plate, less cells at twisting edges where the shear strain is
+    /// reduced: recovery finds energy in the layer there that such a stiffness
+    /// does not miss. [J]
     Eigen::MatrixXd motions, missed_energies;
   };
 

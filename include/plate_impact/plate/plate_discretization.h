@@ -13,6 +13,7 @@
 
 #include <functional>
 #include <memory>
+#include <set>
 #include <vector>
 
 namespace PlateImpact
@@ -172,6 +173,19 @@ namespace PlateImpact
     add_cells(const std::function<Eigen::MatrixXd(unsigned int)> &matrix_of,
               Epetra_CrsMatrix                                   &sum) const;
 
+    /// Whether a cell is at an edge along which the plate may rotate, soft
+    /// simply supported or free: a layer as thin as the plate twists there.
+    bool
+    is_at_twisting_edge(
+      const dealii::Triangulation<2>::active_cell_iterator &cell) const
+    {
+      for (const auto &face : cell->face_iterators())
+        if (face->at_boundary() &&
+            twisting_edges.count(face->boundary_id()) > 0)
+          return true;
+      return false;
+    }
+
   private:
     /// Constrains what supports and planes of symmetry hold. On an edge that
     /// runs in any direction a rotation is held along its tangent, an arc's
@@ -186,6 +200,7 @@ namespace PlateImpact
     dealii::DoFHandler<2>             dofs;
     dealii::AffineConstraints<double> constraints;
     bool                              holds_deflection = false; ///< some edge
+    std::set<dealii::types::boundary_id> twisting_edges;
 
     std::vector<dealii::types::global_dof_index> dof_of_unknown;
     std::vector<unsigned int>     components_of; ///< of an unknown, a bit each

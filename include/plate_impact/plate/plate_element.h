@@ -97,6 +97,11 @@ namespace PlateImpact
       const dealii::DoFHandler<2>       &dof_handler,
       dealii::AffineConstraints<double> &constraints) const;
 
+    /// Whether the shear strain is that at 2 x 2 Gauss points: its energy then
+    /// is not that of the displacements.
+    bool
+    has_reduced_shear() const;
+
     /// Strains at points of the reference cell.
     CellStrains
     strains_at(const dealii::Triangulation<2>::active_cell_iterator &cell,

@@ -80,7 +80,8 @@ namespace PlateImpact
     DualMotions                    motions;
     SemidiscreteSystem            *system;
     std::unique_ptr<RitzReduction> own_reduction; ///< null: shared
-    double returns_of_waves; ///< from the nearest edge before the peak
+    double returns_of_waves;   ///< from the nearest edge before the peak
+    double crossings_of_waves; ///< of a square of the plate's area before it
   };
 
 
