@@ -40,6 +40,37 @@ namespace PlateImpact
 
 
 
+    TEST_F(ImpactPoint, CellsOfASizeAreAsFewAsItAllowsOnACircle)
+    {
+      for (const double x : {0., 0.2})
+        {
+          PlateParameters plate = struck_at(x, 0.);
+          plate.outline.shape   = PlateOutline::circle;
+          const auto longest    = [&](const std::array<unsigned int, 2> &n) {
+            const auto lengths = longest_extents(*make_plate_mesh(plate, n));
+            return std::max(lengths[0], lengths[1]);
+          };
+          unsigned int before = 0;
+          for (const double size : {0.3, 0.1, 0.051, 0.02})
+            {
+              const auto n = n_cells_of_size(plate, {{size, size}});
+              // a few times as many parts along a side
+              const unsigned int few = n[0] / n[1];
+              EXPECT_EQ(make_plate_mesh(plate, n)->n_active_cells(),
+                        few * n[1] * n[1]);
+              EXPECT_LE(longest(n), size * (1. + 1e-9));
+              EXPECT_GT(n[1], before);
+              if (n[1] > 1)
+                {
+                  EXPECT_GT(longest({{few * (n[1] - 1), n[1] - 1}}), size);
+                }
+              before = n[1];
+            }
+        }
+    }
+
+
+
     TEST_F(ImpactPoint, CellsOfASizeAreAsFewAsItAllows)
     {
       const auto longest = [](const PlateParameters             &plate,

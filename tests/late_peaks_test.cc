@@ -59,7 +59,7 @@ namespace PlateImpact
         "error=";
       ASSERT_EQ(run(main_scene, heavy + "5e-4'"), 0) << err;
       const auto fine = last_cycle(), cycles = summary()["cycles"];
-      // the largest cells are halved, not those at the load, and there are
+      // the mesh has as many equal cells as the bar asks for, and there are
       // steps enough
       const auto before = cycles[cycles.size() - 2];
       ASSERT_TRUE(before.contains("peak_force_error_bar"));

@@ -78,11 +78,13 @@ namespace PlateImpact
     };
 
     MissedEnergy
-    missed_energy(const EdgeSupport support, const ElementType type)
+    missed_energy(const EdgeSupport  support,
+                  const ElementType  type,
+                  const unsigned int n_cells = 8)
     {
       const PlateParameters plate = unit_plate(support, 0.06);
       const auto            fine  = make_plate_mesh(plate, {{40, 40}}),
-                 mesh             = make_plate_mesh(plate, {{8, 8}});
+                 mesh = make_plate_mesh(plate, {{n_cells, n_cells}});
       const PlateElement  of_fine(ElementType::MITC9), element(type);
       PlateDiscretization finer(*fine, of_fine, plate),
         discretization(*mesh, element, plate);
@@ -135,6 +137,14 @@ namespace PlateImpact
           const MissedEnergy missed = missed_energy(soft, type);
           EXPECT_GT(missed.of_all_cells, 2.) << type;
           EXPECT_LT(missed.of_estimate, 0.5 * missed.of_all_cells) << type;
+          EXPECT_GT(missed.of_estimate, 0.5) << type;
+        }
+      // where they are most of the plate, they count
+      for (const unsigned int n_cells : {1, 2})
+        {
+          const MissedEnergy few =
+            missed_energy(soft, ElementType::serendipity, n_cells);
+          EXPECT_NEAR(few.of_estimate / few.of_all_cells, 1., 1e-9);
         }
       // others miss the layer indeed
       const MissedEnergy mixed = missed_energy(soft, ElementType::MITC9),

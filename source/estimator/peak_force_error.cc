@@ -26,6 +26,25 @@ namespace PlateImpact
               of_softer.difference_around(peak.time, here) / peak.force,
               problem.crossings_of_waves};
     }
+
+
+
+    /// Whether recovery finds energy at soft edges that the stiffness does not
+    /// miss; on strips and meshes of few rows, where such cells make up most of
+    /// the plate, they count all the same.
+    bool
+    leaves_soft_edges_out(const PlateDiscretization &discretization)
+    {
+      double area = 0., at_edges = 0.;
+      for (const auto &cell : discretization.mesh().active_cell_iterators())
+        {
+          area += cell->measure();
+          if (discretization.is_at_soft_edge(cell))
+            at_edges += cell->measure();
+        }
+      return discretization.element.has_reduced_shear() &&
+        at_edges < 0.6 * area;
+    }
   } // namespace
 
 
@@ -56,6 +75,7 @@ namespace PlateImpact
     result.motions = system.states(span, combinations);
     result.cells.resize(discretization.mesh().n_active_cells());
     result.missed_energies.setZero(combinations.cols(), combinations.cols());
+    const bool leaves_out = leaves_soft_edges_out(discretization);
     // integrals are over one of the parts of the plate
     const double n_parts = discretization.n_parts;
     visit_energies(discretization,
@@ -64,8 +84,7 @@ namespace PlateImpact
                    [&](const auto &cell, const auto &, const auto &e, auto &) {
                      result.cells[cell->active_cell_index()] =
                        n_parts * (e * products).cwiseProduct(e).sum();
-                     if (!discretization.element.has_reduced_shear() ||
-                         !discretization.is_at_twisting_edge(cell))
+                     if (!leaves_out || !discretization.is_at_soft_edge(cell))
                        result.missed_energies.selfadjointView<Eigen::Lower>()
                          .rankUpdate(e.transpose(), n_parts);
                    });

@@ -152,7 +152,8 @@ namespace PlateImpact
             face->set_manifold_id(0);
             for (const unsigned int d : {0, 1})
               if (plate.is_symmetric[d] &&
-                  std::abs(face->center()[d]) < 1e-10 * plate.end[0])
+                  std::abs(face->center()[d]) <
+                    1e-10 * parameters.side_lengths[0])
                 {
                   face->set_boundary_id(d == 0 ? symmetry_x : symmetry_y);
                   face->set_manifold_id(numbers::flat_manifold_id);
@@ -216,10 +217,12 @@ namespace PlateImpact
           // doi:10.1007/BF01436298): lines 0 to 3 of the unit cell are at
           // x = 0, x = 1, y = 0, y = 1.
           const auto on_line = [&](const unsigned int l, const double weight) {
-            const auto line = cell->line(l);
-            return line->get_manifold().get_intermediate_point(line->vertex(0),
-                                                               line->vertex(1),
-                                                               weight);
+            const auto end = [&](const unsigned int v) {
+              return cell->vertex(GeometryInfo<2>::line_to_cell_vertices(l, v));
+            };
+            return cell->line(l)->get_manifold().get_intermediate_point(end(0),
+                                                                        end(1),
+                                                                        weight);
           };
           const auto place = [&](const Point<2> &unit) {
             const auto [x, y] = std::array<double, 2>{{unit[0], unit[1]}};

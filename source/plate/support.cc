@@ -157,11 +157,11 @@ namespace PlateImpact
       {
         const auto &row = row_of(support, support_rows);
         rotations[edge] = row.held;
-        if (!row.held.tangential)
-          twisting_edges.insert(edge);
         if (!row.holds_deflection)
           continue;
         holds_deflection = true;
+        if (!row.held.tangential)
+          soft_edges.insert(edge);
         DoFTools::make_zero_boundary_constraints(dofs,
                                                  edge,
                                                  constraints,

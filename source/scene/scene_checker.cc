@@ -185,7 +185,9 @@ namespace PlateImpact
   {
     const auto &cells = discretization.initial_cells;
     if (static_cast<double>(cells[0]) * cells[1] > 250000.)
-      refuse({"Discretization/Initial cells"}, "are more than 250000 cells");
+      // no mesh is made of them
+      return refuse({"Discretization/Initial cells"},
+                    "are more than 250000 cells");
     const double h = initial_cell_size(*this);
     if (adaptivity.minimum_cell_size > h)
       refuse({"Adaptivity/Minimum cell size",

@@ -325,6 +325,8 @@ namespace PlateImpact
       &of_dual,
       std::move(own),
       returns,
-      returns * 2. * geometry.distance_to_edge / std::sqrt(geometry.area)};
+      std::max(1.,
+               returns * 2. * geometry.distance_to_edge /
+                 std::sqrt(geometry.area))};
   }
 } // namespace PlateImpact

@@ -29,8 +29,8 @@ namespace PlateImpact
     /// xi' = 1/T int ||e||_i / e_m dt, by active index.
     std::vector<double> elements;
 
-    /// Equal cells along the sides of a rectangle that are to take the place of
-    /// all of these; 0: none.
+    /// Equal cells along x and y, of a rectangle or circle, that are to take
+    /// the place of all of these; 0: none.
     std::array<unsigned int, 2> equal_cells = {};
 
     double

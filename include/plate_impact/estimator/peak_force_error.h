@@ -74,9 +74,9 @@ namespace PlateImpact
     /// Motions that those above are combinations of, states of the system, a
     /// column each, and for every pair of them
     ///   int (sigma* - sigma)^T_i D^-1 (sigma* - sigma)_j
-    /// over the plate, less cells at twisting edges where the shear strain is
-    /// reduced: recovery finds energy in the layer there that such a stiffness
-    /// does not miss. [J]
+    /// over the plate, less cells at soft simply supported edges where the
+    /// shear strain is reduced: recovery finds energy in the layer there that
+    /// such a stiffness does not miss. [J]
     Eigen::MatrixXd motions, missed_energies;
   };
 

@@ -173,15 +173,14 @@ namespace PlateImpact
     add_cells(const std::function<Eigen::MatrixXd(unsigned int)> &matrix_of,
               Epetra_CrsMatrix                                   &sum) const;
 
-    /// Whether a cell is at an edge along which the plate may rotate, soft
-    /// simply supported or free: a layer as thin as the plate twists there.
+    /// Whether a cell is at a soft simply supported edge, along which a layer
+    /// as thin as the plate twists.
     bool
-    is_at_twisting_edge(
+    is_at_soft_edge(
       const dealii::Triangulation<2>::active_cell_iterator &cell) const
     {
       for (const auto &face : cell->face_iterators())
-        if (face->at_boundary() &&
-            twisting_edges.count(face->boundary_id()) > 0)
+        if (face->at_boundary() && soft_edges.count(face->boundary_id()) > 0)
           return true;
       return false;
     }
@@ -200,7 +199,7 @@ namespace PlateImpact
     dealii::DoFHandler<2>             dofs;
     dealii::AffineConstraints<double> constraints;
     bool                              holds_deflection = false; ///< some edge
-    std::set<dealii::types::boundary_id> twisting_edges;
+    std::set<dealii::types::boundary_id> soft_edges;
 
     std::vector<dealii::types::global_dof_index> dof_of_unknown;
     std::vector<unsigned int>     components_of; ///< of an unknown, a bit each

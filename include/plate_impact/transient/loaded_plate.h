@@ -81,7 +81,7 @@ namespace PlateImpact
     SemidiscreteSystem            *system;
     std::unique_ptr<RitzReduction> own_reduction; ///< null: shared
     double returns_of_waves;   ///< from the nearest edge before the peak
-    double crossings_of_waves; ///< of a square of the plate's area before it
+    double crossings_of_waves; ///< of a square of the plate's area, at least 1
   };
 
 
