@@ -10,17 +10,29 @@ namespace PlateImpact
 {
   namespace
   {
-    /// By how much the number of cells is to grow for the energy norm. Target
-    /// sizes take about twice as many cells, since cells are halved and sizes
-    /// change slowly from cell to cell. Strategies without target sizes need
-    /// cells as eta needs them, and so do waves that are everywhere: what they
-    /// ask for becomes cells of one size. The factors are chosen on random
-    /// scenes (doc/make/error_bars.py).
+    /// By how much the number of cells is to grow.
     double
-    growth_for_energy_norm(const Cycle &cycle)
+    growth_of(const Cycle &cycle)
     {
       const AdaptivityParameters &adaptivity = cycle.parameters.adaptivity;
       const CycleResult          &result     = cycle.result;
+      if (adaptivity.is_for_peak_force())
+        {
+          const auto &bar = result.peak_force_bar;
+          if (!bar || bar->total() <= adaptivity.target())
+            return 1.;
+          // cells are halved once at least where a plate is not divided anew
+          const bool is_divided = result.waves_are_everywhere &&
+            may_have_equal_cells(cycle.parameters);
+          return std::max(is_divided ? 1.21 : 4.,
+                          growth_for_late_peak(bar->total() /
+                                               adaptivity.target()));
+        }
+      // Target sizes take about twice as many cells, since cells are halved and
+      // sizes change slowly from cell to cell. Strategies without target sizes
+      // need cells as eta needs them, and so do waves that are everywhere: what
+      // they ask for becomes cells of one size. The factors are chosen on
+      // random scenes (doc/make/error_bars.py).
       const double of_eta = result.error->eta / adaptivity.target_error;
       const double of_sizes =
         n_wanted_cells(cycle.mesh(), *result.error_ratios, adaptivity) /
@@ -29,23 +41,6 @@ namespace PlateImpact
                       result.waves_are_everywhere ? 2.4 * of_eta :
                         of_sizes == 1.            ? of_eta :
                                                     1.8 * of_sizes);
-    }
-
-
-
-    /// The same for the bar of the peak force: cells are halved once at least
-    /// where a plate is not divided anew.
-    double
-    growth_for_peak_force(const Cycle &cycle)
-    {
-      const AdaptivityParameters &adaptivity = cycle.parameters.adaptivity;
-      const auto                 &bar        = cycle.result.peak_force_bar;
-      if (!bar || bar->total() <= adaptivity.target())
-        return 1.;
-      const bool is_divided = cycle.result.waves_are_everywhere &&
-        may_have_equal_cells(cycle.parameters);
-      return std::max(is_divided ? 1.21 : 4.,
-                      growth_for_late_peak(bar->total() / adaptivity.target()));
     }
   } // namespace
 
@@ -64,14 +59,12 @@ namespace PlateImpact
     if (outcome != Outcome::maximum_cycles ||
         scene.adaptivity.maximum_cycles <= 2)
       return cost; // that of the whole run
-    const bool   is_for_force = adaptivity.is_for_peak_force();
-    const double growth       = is_for_force ?
-            growth_for_peak_force(analysis.last_cycle()) :
-            growth_for_energy_norm(analysis.last_cycle());
-    cost.cells = std::min(growth * cost.cells, 1. * adaptivity.maximum_cells);
+    cost.cells = std::min(growth_of(analysis.last_cycle()) * cost.cells,
+                          1. * adaptivity.maximum_cells);
     // The step falls until its error, that of average acceleration, keeps to
     // its share.
-    if (is_for_force && scene.time.step_is_chosen && result.time_error)
+    if (adaptivity.is_for_peak_force() && scene.time.step_is_chosen &&
+        result.time_error)
       cost.steps *= std::max(1.,
                              std::sqrt(*result.time_error /
                                        (share_of_step * adaptivity.target())));
