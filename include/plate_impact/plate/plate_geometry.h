@@ -82,7 +82,7 @@ namespace PlateImpact
   initial_cell_size(const Parameters &parameters);
 
   /// The numbers of cells of the coarsest such mesh of a rectangle or circle
-  /// that has none longer than that along x and y. [m]
+  /// that has none longer than that along its own two axes. [m]
   std::array<unsigned int, 2>
   n_cells_of_size(const PlateParameters &plate, std::array<double, 2> longest);
 

@@ -54,7 +54,7 @@ namespace PlateImpact
     return longest;
   }
 
-  /// The largest extents of active cells along x and y. [m]
+  /// The largest extents of active cells along their own two axes. [m]
   inline std::array<double, 2>
   longest_extents(const dealii::Triangulation<2> &mesh)
   {
