@@ -46,27 +46,64 @@ namespace PlateImpact
         {
           PlateParameters plate = struck_at(x, 0.);
           plate.outline.shape   = PlateOutline::circle;
-          const auto longest    = [&](const std::array<unsigned int, 2> &n) {
-            const auto lengths = longest_extents(*make_plate_mesh(plate, n));
+          const auto mesh_of    = [&](const unsigned int n_cells) {
+            return make_plate_mesh(plate, {{n_cells, 1}});
+          };
+          const auto longest = [&](const unsigned int n_cells) {
+            const auto lengths = longest_extents(*mesh_of(n_cells));
             return std::max(lengths[0], lengths[1]);
           };
-          unsigned int before = 0;
-          for (const double size : {0.3, 0.1, 0.051, 0.02})
+          for (const double size : {0.4, 0.3, 0.1, 0.051, 0.02})
             {
-              const auto n = n_cells_of_size(plate, {{size, size}});
-              // a few times as many parts along a side
-              const unsigned int few = n[0] / n[1];
-              EXPECT_EQ(make_plate_mesh(plate, n)->n_active_cells(),
-                        few * n[1] * n[1]);
-              EXPECT_LE(longest(n), size * (1. + 1e-9));
-              EXPECT_GT(n[1], before);
-              if (n[1] > 1)
+              const auto [wanted, one] = n_cells_of_size(plate, {{size, size}});
+              EXPECT_EQ(one, 1);
+              EXPECT_LE(longest(wanted), size * (1. + 1e-9));
+              // the mesh before among those that there are
+              unsigned int fewer = 0, n_cells = 0;
+              while (n_cells < wanted)
                 {
-                  EXPECT_GT(longest({{few * (n[1] - 1), n[1] - 1}}), size);
+                  fewer   = n_cells;
+                  n_cells = mesh_of(n_cells + 1)->n_active_cells();
                 }
-              before = n[1];
+              EXPECT_EQ(n_cells, wanted);
+              if (fewer > 0)
+                {
+                  EXPECT_GT(longest(fewer), size);
+                }
             }
         }
+    }
+
+
+
+    /// Waves from the centre of a circle run across cells that are longer along
+    /// the edge, and equal along a radius.
+    TEST_F(ImpactPoint, ACircleHasTheMostCellsAlongARadius)
+    {
+      for (const double y : {0., 0.2})
+        for (const unsigned int n : {1, 4, 8})
+          {
+            PlateParameters plate       = struck_at(0., y);
+            plate.outline.shape         = PlateOutline::circle;
+            const unsigned int quarters = y > 0. ? 2 : 1;
+            const auto mesh = make_plate_mesh(plate, {{quarters * 5 * n, n}});
+            EXPECT_EQ(mesh->n_active_cells(), quarters * 5 * n * n);
+            unsigned int n_along = 0;
+            for (const auto &face : mesh->active_face_iterators())
+              if (face->at_boundary() && face->boundary_id() == symmetry_x)
+                {
+                  ++n_along;
+                  EXPECT_NEAR(face->measure(), 0.5 / (3. * n), 1e-9);
+                }
+            EXPECT_EQ(n_along, quarters * 3 * n);
+            const double mean =
+              std::sqrt(GridTools::volume(*mesh) / mesh->n_active_cells());
+            for (const auto &cell : mesh->active_cell_iterators())
+              {
+                EXPECT_GT(cell->measure(), 0.3 * mean * mean);
+                EXPECT_GT(cell->minimum_vertex_distance(), 0.4 * mean);
+              }
+          }
     }
 
 

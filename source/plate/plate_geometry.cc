@@ -170,97 +170,114 @@ namespace PlateImpact
 
 
 
-    /// Some cells of a circle, or of its half or quarter.
-    Triangulation<2>
-    few_cells(const PlateParameters &parameters)
+    unsigned int
+    n_quarters(const PlateParameters &parameters)
     {
       const auto [across_x, across_y] = geometry_of(parameters).is_symmetric;
-      const double     radius         = 0.5 * parameters.side_lengths[0];
-      Triangulation<2> mesh;
-      if (across_x && across_y)
-        GridGenerator::quarter_hyper_ball(mesh, Point<2>(), radius);
-      else if (across_x || across_y)
-        {
-          // x > 0, or turned to y > 0
-          GridGenerator::half_hyper_ball(mesh, Point<2>(), radius);
-          if (across_y)
-            GridTools::rotate(0.5 * numbers::PI, mesh);
-        }
-      else
-        GridGenerator::hyper_ball_balanced(mesh, Point<2>(), radius);
-      GridTools::shift(Tensor<1, 2>({-parameters.impact_point[0],
-                                     -parameters.impact_point[1]}),
-                       mesh);
-      mesh.reset_all_manifolds();
-      mark_circle(parameters, mesh);
-      return mesh;
+      return across_x && across_y ? 1 : across_x || across_y ? 2 : 4;
     }
 
 
 
-    /// A few cells, each divided into n x n; n is the least with as many as
-    /// asked for. Those at the edge are curved.
+    unsigned int
+    n_circle_cells(const PlateParameters &parameters, const unsigned int n)
+    {
+      return n_quarters(parameters) * 5 * n * n;
+    }
+
+
+
+    /// Around the origin, of radius 1: n x n cells around the centre, and
+    /// between them and the edge a ring of two parts of 2 n x n, whose cells
+    /// are longer along the edge. Waves from a load run across the ring. About
+    /// half as many cells carry them as well as ones as long as wide do, and
+    /// most bending is near the load.
+    Triangulation<2>
+    quarter_of_circle(const unsigned int n)
+    {
+      // Cells along the axes are equal. The inner part is a little longer along
+      // the diagonal, so that cells are the most equal in size.
+      const double   side = 1. / 3., diagonal = 1.12 * side;
+      const Point<2> corner(diagonal * numbers::SQRT1_2,
+                            diagonal * numbers::SQRT1_2);
+      const auto     inner = [&](const Point<2> &unit) {
+        const auto [x, y] = std::array<double, 2>{{unit[0], unit[1]}};
+        return Point<2>(x * (1. - y) * side, y * (1. - x) * side) +
+          x * y * corner;
+      };
+      // from the axis to the diagonal along the ring
+      const auto below = [&](const double outwards, const double along) {
+        const double angle = 0.25 * numbers::PI * along;
+        return (1. - outwards) * inner({1., along}) +
+          outwards * Point<2>(std::cos(angle), std::sin(angle));
+      };
+      const auto part = [](const CellNumbers &n_cells, const auto &place) {
+        Triangulation<2> result;
+        GridGenerator::subdivided_hyper_rectangle(result,
+                                                  {n_cells[0], n_cells[1]},
+                                                  Point<2>(),
+                                                  Point<2>(1., 1.));
+        GridTools::transform(place, result);
+        return result;
+      };
+      const auto parts = std::array<Triangulation<2>, 3>{
+        {part({{n, n}}, inner),
+         part({{2 * n, n}},
+              [&](const Point<2> &unit) { return below(unit[0], unit[1]); }),
+         part({{n, 2 * n}}, [&](const Point<2> &unit) {
+           const auto mirrored = below(unit[1], unit[0]);
+           return Point<2>(mirrored[1], mirrored[0]);
+         })}};
+      Triangulation<2> result;
+      GridGenerator::merge_triangulations({&parts[0], &parts[1], &parts[2]},
+                                          result,
+                                          1e-3 / n);
+      return result;
+    }
+
+
+
+    /// Of the quarters that symmetry leaves; as many cells as asked for or the
+    /// next number that there is. Those at the edge are curved.
     void
     mesh_circle(const PlateParameters &parameters,
                 const CellNumbers     &n_cells,
                 Triangulation<2>      &mesh)
     {
-      const Triangulation<2> few = few_cells(parameters);
-      unsigned int           n   = 1;
-      while (n * n * few.n_active_cells() < n_cells[0] * n_cells[1])
+      unsigned int n = 1;
+      while (n_circle_cells(parameters, n) < n_cells[0] * n_cells[1])
         ++n;
-      std::list<Triangulation<2>>           parts;
+      // x > 0 is between the last quarter and the first, y > 0 before the third
+      const bool is_right = geometry_of(parameters).is_symmetric[0];
+      std::list<Triangulation<2>>           quarters;
       std::vector<const Triangulation<2> *> all;
-      for (const auto &cell : few.active_cell_iterators())
+      for (unsigned int q = 0; q < n_quarters(parameters); ++q)
         {
-          // Transfinite interpolation between the sides (Gordon & Hall 1973,
-          // doi:10.1007/BF01436298): lines 0 to 3 of the unit cell are at
-          // x = 0, x = 1, y = 0, y = 1.
-          const auto on_line = [&](const unsigned int l, const double weight) {
-            const auto end = [&](const unsigned int v) {
-              return cell->vertex(GeometryInfo<2>::line_to_cell_vertices(l, v));
-            };
-            return cell->line(l)->get_manifold().get_intermediate_point(end(0),
-                                                                        end(1),
-                                                                        weight);
-          };
-          const auto place = [&](const Point<2> &unit) {
-            const auto [x, y] = std::array<double, 2>{{unit[0], unit[1]}};
-            Point<2> point    = (1. - x) * on_line(0, y) + x * on_line(1, y) +
-              ((1. - y) * on_line(2, x) + y * on_line(3, x));
-            for (const unsigned int v : cell->vertex_indices())
-              point -= GeometryInfo<2>::d_linear_shape_function(unit, v) *
-                cell->vertex(v);
-            return point;
-          };
-          GridGenerator::subdivided_hyper_cube(parts.emplace_back(), n);
-          GridTools::transform(place, parts.back());
-          all.push_back(&parts.back());
+          quarters.push_back(quarter_of_circle(n));
+          GridTools::rotate((is_right ? -0.5 : 0.5) * numbers::PI * q,
+                            quarters.back());
+          all.push_back(&quarters.back());
         }
-      GridGenerator::merge_triangulations(all,
-                                          mesh,
-                                          1e-9 * parameters.side_lengths[0]);
+      GridGenerator::merge_triangulations(all, mesh, 1e-3 / n);
+      GridTools::scale(0.5 * parameters.side_lengths[0], mesh);
+      GridTools::shift(Tensor<1, 2>({-parameters.impact_point[0],
+                                     -parameters.impact_point[1]}),
+                       mesh);
       mark_circle(parameters, mesh);
     }
 
 
 
+    /// The sides at the edge are the longest.
     CellNumbers
     circle_of_size(const PlateParameters       &parameters,
                    const std::array<double, 2> &longest)
     {
-      const unsigned int few = few_cells(parameters).n_active_cells();
-      for (unsigned int n = 1;;)
-        {
-          const CellNumbers result = {{few * n, n}};
-          const auto        extents =
-            longest_extents(*make_plate_mesh(parameters, result));
-          const double excess =
-            std::max(extents[0] / longest[0], extents[1] / longest[1]);
-          if (excess <= 1.)
-            return result;
-          n = std::max(n + 1, static_cast<unsigned int>(excess * n));
-        }
+      unsigned int n = 1;
+      while (parameters.side_lengths[0] * std::sin(numbers::PI / (8. * n)) >
+             std::max(longest[0], longest[1]))
+        ++n;
+      return {{n_circle_cells(parameters, n), 1}};
     }
 
 
