@@ -1,6 +1,7 @@
 """What a peak that comes late costs, on uniform meshes and by the program's own choice: a ball
 of three plate masses, whose waves cross the plate dozens of times before."""
 
+import functools
 import json
 import os
 import pathlib
@@ -62,18 +63,25 @@ def process(program, more, scene=BALL):
             **{key: last[key] for key in kept if key in last}}
 
 
-def error_of_equal_cells(program, scene, adapted, force):
-    """Of the peak force, in the steps of an adapted mesh on about as many equal cells: root mean
+def errors_of_equal_cells(program, scene, force, step, end):
+    """Of the peak force, as a function of the number of equal cells in these steps: root mean
     square of runs whose cells along a side follow each other in number, since one may have a
     small error by accident."""
     # a quarter of a circle that is struck at its centre has five times n x n
     parts = 5 if "Plate/Outline" in scene else 1
-    n = round((adapted["cells"] / parts) ** 0.5)
-    equal = [process(program, {"Adaptivity/Strategy": "none", "Time/Time step": adapted["time_step"],
-                               "Time/End time": 1.1 * adapted["time_of_peak_force"],
-                               "Discretization/Initial cells": f"{parts * m},{m}"}, scene)
-             for m in (n - 1, n, n + 1)]
-    return root_mean_square(one["peak_force"] / force - 1 for one in equal)
+
+    @functools.cache
+    def error(n):
+        equal = process(program, {"Adaptivity/Strategy": "none", "Time/Time step": step,
+                                  "Time/End time": end,
+                                  "Discretization/Initial cells": f"{parts * n},{n}"}, scene)
+        return equal["peak_force"] / force - 1
+
+    def around(cells):
+        n = round((cells / parts) ** 0.5)
+        return root_mean_square(error(m) for m in (n - 1, n, n + 1))
+
+    return around
 
 
 def beside_equal_cells(program, scene, force, entries, target, values):
@@ -82,11 +90,14 @@ def beside_equal_cells(program, scene, force, entries, target, values):
     the same steps, since an adapted mesh may have a small error by accident, too. As many equal
     cells stand beside each."""
     chosen = process(program, {"Time/Time step": 0, **entries, target: values[1]}, scene)
-    meshes = [process(program, {**entries, target: value, "Time/Time step": chosen["time_step"] / 4},
-                      scene) for value in values]
+    step = chosen["time_step"] / 4
+    meshes = [process(program, {**entries, target: value, "Time/Time step": step}, scene)
+              for value in values]
+    of_equal_cells = errors_of_equal_cells(program, scene, force, step,
+                                           1.1 * chosen["time_of_peak_force"])
     return {**chosen, "error": chosen["peak_force"] / force - 1,
             "meshes": [{**mesh, "error": mesh["peak_force"] / force - 1,
-                        "error_of_equal_cells": error_of_equal_cells(program, scene, mesh, force)}
+                        "error_of_equal_cells": of_equal_cells(mesh["cells"])}
                        for mesh in meshes]}
 
 
