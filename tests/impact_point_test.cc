@@ -57,7 +57,7 @@ namespace PlateImpact
             {
               const auto [wanted, one] = n_cells_of_size(plate, {{size, size}});
               EXPECT_EQ(one, 1);
-              EXPECT_LE(longest(wanted), size * (1. + 1e-9));
+              EXPECT_LE(longest(wanted), 1.02 * size * (1. + 1e-9));
               // the mesh before among those that there are
               unsigned int fewer = 0, n_cells = 0;
               while (n_cells < wanted)
@@ -66,9 +66,12 @@ namespace PlateImpact
                   n_cells = mesh_of(n_cells + 1)->n_active_cells();
                 }
               EXPECT_EQ(n_cells, wanted);
+              // half the size is no less than halved cells
+              const double half = 0.5 * longest(wanted);
+              EXPECT_EQ(n_cells_of_size(plate, {{half, half}})[0], 4 * wanted);
               if (fewer > 0)
                 {
-                  EXPECT_GT(longest(fewer), size);
+                  EXPECT_GT(longest(fewer), 1.02 * size);
                 }
             }
         }

@@ -268,14 +268,15 @@ namespace PlateImpact
 
 
 
-    /// The sides at the edge are the longest.
+    /// The sides at the edge are the longest. They may be 2 % longer: halves of
+    /// an arc are a little longer than half its chord.
     CellNumbers
     circle_of_size(const PlateParameters       &parameters,
                    const std::array<double, 2> &longest)
     {
       unsigned int n = 1;
       while (parameters.side_lengths[0] * std::sin(numbers::PI / (8. * n)) >
-             std::max(longest[0], longest[1]))
+             1.02 * std::max(longest[0], longest[1]))
         ++n;
       return {{n_circle_cells(parameters, n), 1}};
     }
