@@ -82,7 +82,8 @@ namespace PlateImpact
   initial_cell_size(const Parameters &parameters);
 
   /// The numbers of cells of the coarsest such mesh of a rectangle or circle
-  /// that has none longer than that along its own two axes. [m]
+  /// that has none longer than that along its own two axes; on a circle along
+  /// either, and by 2 % at most. [m]
   std::array<unsigned int, 2>
   n_cells_of_size(const PlateParameters &plate, std::array<double, 2> longest);
 
