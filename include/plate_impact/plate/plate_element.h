@@ -120,8 +120,19 @@ namespace PlateImpact
     Eigen::MatrixXd
     stiffness(const CellShape &shape, const PlateSection &section) const;
 
-    /// Consistent mass with rotary inertia. [kg, kg m^2 by the components]
+    /// Consistent mass with rotary inertia, and wave_mass(). [kg, kg m^2 by the
+    /// components]
     Eigen::MatrixXd
     mass(const CellShape &shape, const PlateSection &section) const;
+
+    /// What mass() adds to the consistent mass of the deflection, so that
+    /// waves of any direction have their speed: m/15 times the integral of
+    /// w_xx v_xx + w_yy v_yy - (w_xx v_yy + w_yy v_xx) / 2 with the mass per
+    /// area m and derivatives in coordinates of the cell from -1 to 1. Without
+    /// it the stiffness of cells of length h makes the squares of frequencies
+    /// too large by a multiple of (kh)^4 (c^6 + s^6) for waves of wave number k
+    /// in the direction (c, s). Not negative. [kg, by pairs of nodes]
+    Eigen::MatrixXd
+    wave_mass(const CellShape &shape, const PlateSection &section) const;
   };
 } // namespace PlateImpact
