@@ -91,6 +91,8 @@ namespace PlateImpact
         if (!leaves_out || !discretization.is_at_soft_edge(cell))
           missed.energies.selfadjointView<Eigen::Lower>()
             .rankUpdate(e.transpose(), n_parts);
+        if (element.mass_of_deflection == PlateMass::consistent)
+          return;
         const Eigen::MatrixXd w =
           discretization.cell_values(i, fields)(element.dofs_of(deflection),
                                                 Eigen::all);

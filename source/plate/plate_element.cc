@@ -195,7 +195,8 @@ namespace PlateImpact
       M(dofs_of(c), dofs_of(c)) = of_component *
         (c == rotation_x || c == rotation_y ? section.rotary_inertia :
                                               section.mass_per_area);
-    M(dofs_of(deflection), dofs_of(deflection)) += wave_mass(shape, section);
+    if (mass_of_deflection == PlateMass::of_waves)
+      M(dofs_of(deflection), dofs_of(deflection)) += wave_mass(shape, section);
     return M;
   }
 

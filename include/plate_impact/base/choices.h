@@ -83,6 +83,14 @@ namespace PlateImpact
     MITC9
   };
 
+  /// Of the deflection. `of_waves` gives waves of any length and direction
+  /// their frequency, which the consistent mass makes too large.
+  enum class PlateMass
+  {
+    consistent,
+    of_waves
+  };
+
   enum class SolverType
   {
     CHOLMOD,

@@ -73,6 +73,10 @@ namespace PlateImpact
                                    0.;
     }
 
+    /// Mass of the impactor over that of the whole plate.
+    double
+    mass_ratio(const PlateParameters &plate) const;
+
     /// Zener's dimensionless loss factor for a sphere under Hertz's law,
     ///   lambda = m / (8 T sqrt(D rho t)),  T = (m / (k sqrt(v)))^{2/5},
     /// on which alone the restitution depends; empty for other laws.
