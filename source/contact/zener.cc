@@ -2,7 +2,6 @@
 
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/contact/hertz_law.h"
-#include "plate_impact/plate/plate_geometry.h"
 
 #include <algorithm>
 
@@ -107,14 +106,6 @@ namespace PlateImpact
         before = alpha;
       }
     throw ComputationError("Zener's equation has no peak of the contact force");
-  }
-
-
-
-  double
-  ZenerImpact::mass_ratio(const PlateParameters &plate) const
-  {
-    return impactor.mass / (geometry_of(plate).area * section.mass_per_area);
   }
 
 

@@ -69,7 +69,7 @@ namespace PlateImpact
       std::string                       failure = {}; ///< why there is none
       std::vector<std::string>          mesh_warnings = {}; ///< of this mesh
 
-      /// Of the current group, for impactors lighter and heavier than it.
+      /// Of the current group, by the mass that its impactors need.
       std::map<PlateMass, PlateModel> plate_models = {};
 
       /// Whatever goes wrong becomes the failure of the row.
@@ -118,6 +118,12 @@ namespace PlateImpact
         if (mesh == nullptr)
           throw ComputationError("the plate of this point: " + failure);
 
+        if (parameters.sweep.estimate_error)
+          {
+            Parameters on_mesh          = parameters;
+            on_mesh.adaptivity.strategy = AdaptationStrategy::none;
+            return analyse(on_mesh, copy_of(*mesh));
+          }
         const PlateMass mass = parameters.discretization.mass;
         if (plate_models.count(mass) == 0)
           {
@@ -125,14 +131,6 @@ namespace PlateImpact
                                      parameters.plate,
                                      parameters.discretization,
                                      copy_of(*mesh));
-            ++work.plates;
-          }
-
-        if (parameters.sweep.estimate_error)
-          {
-            Parameters on_mesh          = parameters;
-            on_mesh.adaptivity.strategy = AdaptationStrategy::none;
-            return analyse(on_mesh, copy_of(*mesh));
           }
         return strike(point, plate_models.at(mass));
       }

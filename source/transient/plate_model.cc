@@ -40,12 +40,14 @@ namespace PlateImpact
                    half_space = 2. * expected.peak_on_rigid_plate().time;
       if (!std::isfinite(compliance)) // free to move, it is left sooner
         return {of_zener, 100. * half_space, false};
-      const double half_period = half_space +
-        std::acos(-1.) * std::sqrt(expected.impactor.mass * compliance);
+      const double mass       = expected.impactor.mass,
+                   plate_mass = geometry_of(impact.plate).area *
+        expected.section.mass_per_area,
+                   half_period =
+                     half_space + std::acos(-1.) * std::sqrt(mass * compliance);
       // heavier than the plate it bends that as a whole, for half a period
-      return {expected.mass_ratio(impact.plate) > 1. ?
-                std::max(of_zener, 1.1 * half_period) :
-                of_zener,
+      return {mass > plate_mass ? std::max(of_zener, 1.1 * half_period) :
+                                  of_zener,
               2. * half_period,
               true};
     }

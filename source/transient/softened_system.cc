@@ -21,15 +21,14 @@ namespace PlateImpact
                  const ShareOf         &share_of)
     {
       // combinations without products in common, each of which has one of 1;
-      // what is left out is round-off or moves as a rigid body
+      // what is left out is round-off, or has no stiffness as a rigid body
       const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> apart(Z.transpose() *
                                                                  A_Z);
       const Eigen::ArrayXd products = apart.eigenvalues();
       const Eigen::Index   n_apart =
         (products > 1e-8 * products.maxCoeff()).count();
       if (n_apart == 0 || !products.allFinite() || !missed.allFinite())
-        throw ComputationError(
-          "the energies that the mesh misses are not finite");
+        throw ComputationError("what the mesh misses is not finite");
       const Eigen::MatrixXd unit = apart.eigenvectors().rightCols(n_apart) *
         products.tail(n_apart).rsqrt().matrix().asDiagonal();
       const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> of_missed(

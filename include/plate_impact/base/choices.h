@@ -83,8 +83,8 @@ namespace PlateImpact
     MITC9
   };
 
-  /// Of the deflection. `of_waves` gives waves of any length and direction
-  /// their frequency, which the consistent mass makes too large.
+  /// Of the deflection. `of_waves` gives bending waves in any direction nearly
+  /// their frequency, which the stiffness of a mesh makes too large.
   enum class PlateMass
   {
     consistent,

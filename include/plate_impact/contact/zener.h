@@ -73,9 +73,12 @@ namespace PlateImpact
                                    0.;
     }
 
-    /// Mass of the impactor over that of the whole plate.
+    /// When waves are back from an edge at a distance [m]. [s]
     double
-    mass_ratio(const PlateParameters &plate) const;
+    return_of_waves(const double distance) const
+    {
+      return 2. * distance / wave().group_speed;
+    }
 
     /// Zener's dimensionless loss factor for a sphere under Hertz's law,
     ///   lambda = m / (8 T sqrt(D rho t)),  T = (m / (k sqrt(v)))^{2/5},

@@ -129,14 +129,15 @@ namespace PlateImpact
     mass(const CellShape &shape, const PlateSection &section) const;
 
     /// What PlateMass::of_waves adds to the consistent mass of the deflection,
-    /// so that waves of any direction have their speed: m/15 times the integral
-    /// of w_xx v_xx + w_yy v_yy - (w_xx v_yy + w_yy v_xx) / 2 with the mass per
-    /// area m and derivatives in coordinates of the cell from -1 to 1. Without
-    /// it the stiffness of cells of length h makes the squares of frequencies
-    /// too large by (kh)^4 (c^6 + s^6) / 240 for waves of wave number k in the
-    /// direction (c, s). Not negative. In one dimension it is twice the
-    /// difference to the mass with Gauss-Lobatto points, a blend as that of
-    /// Ainsworth & Wajid 2010, doi:10.1137/090754017. [kg, by pairs of nodes]
+    /// so that bending waves nearly have their frequency: m/15 times the
+    /// integral of w_xx v_xx + w_yy v_yy - (w_xx v_yy + w_yy v_xx) / 2 with the
+    /// mass per area m and derivatives in coordinates of the cell from -1 to 1.
+    /// Without it the stiffness of cells of length h makes the squares of
+    /// frequencies too large by (kh)^4 (c^6 + s^6) / 240 for waves of wave
+    /// number k in the direction (c, s). Not negative. In one dimension it is
+    /// twice the difference to the mass with Gauss-Lobatto points, a blend as
+    /// that of Ainsworth & Wajid 2010, doi:10.1137/090754017. [kg, by pairs of
+    /// nodes]
     Eigen::MatrixXd
     wave_mass(const CellShape &shape, const PlateSection &section) const;
   };

@@ -29,8 +29,8 @@ namespace PlateImpact
   /// left. Its mass is M - M Z m^-1 G m^-1 Z^T M with m = Z^T M Z, so that m
   /// becomes m - G. With what a mesh misses, it is the plate of a finer mesh,
   /// as far as one mesh can tell. By Sherman, Morrison and Woodbury a step
-  /// costs as much as one of the plate and four products with two vectors per
-  /// motion.
+  /// costs as much as one of the plate, two products with a vector per motion
+  /// and two with two.
   class SoftenedSystem : public SemidiscreteSystem
   {
   public:
