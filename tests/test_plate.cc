@@ -243,9 +243,7 @@ namespace PlateImpact
          const std::vector<LoadPoint> &load,
          const double                  multiplicity)
   {
-    const PlateElement  element(parameters.discretization.element,
-                               Stretching::none,
-                               parameters.discretization.mass);
+    const PlateElement  element(parameters.discretization.element);
     PlateDiscretization model(mesh, element, parameters.plate, multiplicity);
     model.assemble();
     FullSystem plate(std::make_shared<EffectiveStiffness>(

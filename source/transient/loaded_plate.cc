@@ -178,8 +178,7 @@ namespace PlateImpact
   LoadedPlate::returns_of_waves(const double time) const
   {
     return time /
-      make_zener_impact(parameters)
-        .return_of_waves(geometry_of(parameters.plate).distance_to_edge);
+      return_of_waves(parameters.plate, make_zener_impact(parameters));
   }
 
 

@@ -206,9 +206,6 @@ namespace PlateImpact
 
     void
     declare_entries(Entries &entries);
-
-    // what follows from the entries
-    PlateMass mass = PlateMass::consistent;
   };
 
   struct TimeParameters
