@@ -38,13 +38,6 @@ namespace PlateImpact
       {
         return "--set 'Plate/Outline=" + write(text) + "' ";
       }
-
-      nlohmann::json
-      last_with(const std::string &sets)
-      {
-        EXPECT_EQ(run(main_scene, sets), 0) << err;
-        return last_cycle();
-      }
     };
 
 

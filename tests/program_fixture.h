@@ -48,6 +48,8 @@ namespace PlateImpact
                    const std::string &out,
                    const std::string &err);
 
+  const std::string main_scene = SCENES "/sphere-on-steel-plate.prm";
+
   /// The program as a user runs it, in a directory of its own.
   class Program : public testing::Test
   {
@@ -221,6 +223,14 @@ namespace PlateImpact
       return summary()["cycles"].back();
     }
 
+    /// Of the main scene with other entries.
+    nlohmann::json
+    last_with(const std::string &sets)
+    {
+      EXPECT_EQ(run(main_scene, sets), 0) << err;
+      return last_cycle();
+    }
+
     std::string
     write_scene(const std::string &content)
     {
@@ -264,7 +274,6 @@ namespace PlateImpact
                 relative_tolerance);
   }
 
-  const std::string main_scene = SCENES "/sphere-on-steel-plate.prm";
 
   /// Plate theory on a half-space, as the paper has it and the references of
   /// tests/reference/impact_cases.json.
