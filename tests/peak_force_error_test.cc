@@ -118,7 +118,7 @@ namespace PlateImpact
                                                              recovery,
                                                              system,
                                                              {mode, mode, 1.});
-      return {of_all_cells / missed, errors.missed_energies(0, 0) / missed};
+      return {of_all_cells / missed, errors.missed.energies(0, 0) / missed};
     }
 
 

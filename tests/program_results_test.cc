@@ -146,8 +146,8 @@ namespace PlateImpact
         "'Time/End time=5' --set 'Time/Time step=0.01'";
       ASSERT_EQ(run(SCENES "/course/05-locking.prm", slow), 0) << err;
       EXPECT_NE(out.find("    at s    end s"), std::string::npos) << out;
-      EXPECT_NE(out.find(" 1.73   3.8022 "), std::string::npos) << out;
-      EXPECT_NE(out.find("515.7 nN, error not known\n"), std::string::npos)
+      EXPECT_NE(out.find(" 1.84   3.8134 "), std::string::npos) << out;
+      EXPECT_NE(out.find("515.8 nN, error not known\n"), std::string::npos)
         << out;
     }
 

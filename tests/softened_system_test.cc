@@ -29,6 +29,12 @@ namespace PlateImpact
       }
 
       void
+      multiply_mass(const Eigen::VectorXd &x, Eigen::VectorXd &y) const override
+      {
+        y = M * x;
+      }
+
+      void
       solve(const double           c,
             const Eigen::VectorXd &b,
             Eigen::VectorXd       &x) override
@@ -68,9 +74,16 @@ namespace PlateImpact
         motions   = Eigen::MatrixXd::Random(6, 3);
         of_missed = Eigen::MatrixXd::Random(3, 3);
         missed    = of_missed * of_missed.transpose();
+        masses    = 0.5 * motions.transpose() * motions;
       }
 
-      Eigen::MatrixXd root, motions, missed;
+      MissedByMesh
+      by_mesh(const Eigen::MatrixXd &energies) const
+      {
+        return {motions, energies, masses};
+      }
+
+      Eigen::MatrixXd root, motions, missed, masses;
     };
 
 
@@ -82,7 +95,7 @@ namespace PlateImpact
                             Z = motions * S.inverse(),
                             expected =
                               plate.K.inverse() + Z * missed * Z.transpose();
-      const SoftenedSystem softer(plate, motions, missed);
+      const SoftenedSystem softer(plate, by_mesh(missed));
       EXPECT_LT((stiffness_of(softer).inverse() - expected).norm(),
                 1e-7 * expected.norm());
       EXPECT_EQ(softer.load, plate.load);
@@ -98,7 +111,7 @@ namespace PlateImpact
         return Eigen::MatrixXd(
           S -
           motions.transpose() *
-            stiffness_of(SoftenedSystem(plate, motions, E)) * motions);
+            stiffness_of(SoftenedSystem(plate, by_mesh(E))) * motions);
       };
       EXPECT_LT((lost(1e-3 * missed) - 1e-3 * missed).norm(),
                 3e-3 * missed.norm());
@@ -109,16 +122,42 @@ namespace PlateImpact
 
 
 
+    TEST_F(SoftenedSystemTest, LosesTheMassesThatAreMissed)
+    {
+      DenseSystem           plate(root * root.transpose());
+      const SoftenedSystem  lighter(plate, by_mesh(0. * missed));
+      const Eigen::MatrixXd m        = motions.transpose() * plate.M * motions;
+      Eigen::MatrixXd       products = motions;
+      Eigen::VectorXd       product;
+      for (Eigen::Index i = 0; i < 3; ++i)
+        {
+          lighter.multiply_mass(motions.col(i), product);
+          products.col(i) = product;
+        }
+      EXPECT_LT((motions.transpose() * products - (m - masses)).norm(),
+                1e-12 * m.norm());
+      // motions that have no mass in common with these lose nothing
+      const Eigen::VectorXd x     = Eigen::VectorXd::Random(6),
+                            apart = x -
+        motions * m.inverse() * motions.transpose() * plate.M * x;
+      lighter.multiply_mass(apart, product);
+      EXPECT_LT((product - plate.M * apart).norm(), 1e-12 * x.norm());
+    }
+
+
+
     TEST_F(SoftenedSystemTest, SolvesForEveryShift)
     {
       DenseSystem           plate(root * root.transpose());
-      SoftenedSystem        softer(plate, motions, missed);
+      SoftenedSystem        softer(plate, by_mesh(missed));
       const Eigen::VectorXd x = Eigen::VectorXd::Random(6);
       Eigen::VectorXd       b, solved;
       for (const double c : {0.1, 10., 0.1})
         {
+          Eigen::VectorXd inertia;
           softer.multiply_stiffness(x, b);
-          b += c * plate.M * x;
+          softer.multiply_mass(x, inertia);
+          b += c * inertia;
           softer.solve(c, b, solved);
           EXPECT_LT((solved - x).norm(), 1e-9 * x.norm()) << c;
         }
@@ -133,11 +172,12 @@ namespace PlateImpact
       combined << Eigen::Matrix3d::Identity(),
         Eigen::MatrixXd::Constant(3, 1, 2.), Eigen::MatrixXd::Zero(3, 1);
       const Eigen::MatrixXd expected =
-        stiffness_of(SoftenedSystem(plate, motions, missed));
+        stiffness_of(SoftenedSystem(plate, by_mesh(missed)));
       EXPECT_LT((stiffness_of(
                    SoftenedSystem(plate,
-                                  motions * combined,
-                                  combined.transpose() * missed * combined)) -
+                                  {motions * combined,
+                                   combined.transpose() * missed * combined,
+                                   combined.transpose() * masses * combined})) -
                  expected)
                   .norm(),
                 1e-6 * expected.norm());
@@ -149,8 +189,8 @@ namespace PlateImpact
     {
       DenseSystem plate(root * root.transpose());
       missed(0, 0) = std::numeric_limits<double>::quiet_NaN();
-      EXPECT_THROW(SoftenedSystem(plate, motions, missed), ComputationError);
-      EXPECT_THROW(SoftenedSystem(plate, 0. * motions, 0. * missed),
+      EXPECT_THROW(SoftenedSystem(plate, by_mesh(missed)), ComputationError);
+      EXPECT_THROW(SoftenedSystem(plate, {0. * motions, 0. * missed, masses}),
                    ComputationError);
     }
 
@@ -166,7 +206,7 @@ namespace PlateImpact
       motions.col(0) = rigid;
       missed.row(0).setZero();
       missed.col(0).setZero();
-      const SoftenedSystem  softer(plate, motions, missed);
+      const SoftenedSystem  softer(plate, by_mesh(missed));
       const Eigen::MatrixXd K = stiffness_of(softer);
       ASSERT_TRUE(K.allFinite());
       EXPECT_LT((K * rigid).norm(), 1e-6 * K.norm());

@@ -243,7 +243,9 @@ namespace PlateImpact
          const std::vector<LoadPoint> &load,
          const double                  multiplicity)
   {
-    const PlateElement  element(parameters.discretization.element);
+    const PlateElement  element(parameters.discretization.element,
+                               Stretching::none,
+                               parameters.discretization.mass);
     PlateDiscretization model(mesh, element, parameters.plate, multiplicity);
     model.assemble();
     FullSystem plate(std::make_shared<EffectiveStiffness>(

@@ -38,6 +38,12 @@ namespace PlateImpact
       }
 
       void
+      multiply_mass(const Eigen::VectorXd &x, Eigen::VectorXd &y) const override
+      {
+        y = m * x;
+      }
+
+      void
       solve(const double           c,
             const Eigen::VectorXd &b,
             Eigen::VectorXd       &x) override

@@ -70,8 +70,8 @@ namespace PlateImpact
 
       // the bar says more than the target of eta
       ASSERT_EQ(run(SCENES "/drop-weight.prm",
-                    "--set 'Adaptivity/Goal=energy norm' --set "
-                    "'Adaptivity/Target error=0.2'"),
+                    "--set Plate/Thickness=0.003 --set 'Adaptivity/Goal=energy "
+                    "norm' --set 'Adaptivity/Target error=0.1'"),
                 0)
         << err;
       EXPECT_GT(last_cycle()["peak_force_error_bar"].get<double>(), 0.01);

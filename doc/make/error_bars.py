@@ -304,7 +304,8 @@ def bars_of_scene(program, number, known=None, of_class="elastic"):
                 result["meshes"].append(
                     {"run": name, "cells": cycle["cells"], "bar": bar, "error": error,
                      "space": cycle.get("peak_force_error_space"),
-                     "time": cycle.get("peak_force_error_time"), "last": is_last,
+                     "time": cycle.get("peak_force_error_time"),
+                     "estimate": cycle.get("peak_force_error_estimate"), "last": is_last,
                      "late": cycle["returns_of_waves"] > 1,
                      "outcome": summary["outcome"] if is_last else ""})
     return result

@@ -2,7 +2,6 @@
 
 #include "plate_impact/base/exceptions.h"
 #include "plate_impact/estimator/energy_norm_estimator.h"
-#include "plate_impact/transient/softened_system.h"
 
 namespace PlateImpact
 {
@@ -16,8 +15,8 @@ namespace PlateImpact
                            const DualWeightedErrors &errors,
                            const ContactHistory     &history)
     {
-      SemidiscreteSystem &system = *problem.system;
-      SoftenedSystem softer(system, errors.motions, errors.missed_energies);
+      SemidiscreteSystem  &system = *problem.system;
+      SoftenedSystem       softer(system, errors.missed);
       const ContactHistory of_softer = loaded.on_other_plate(softer, history);
       // in the same steps and vectors, which have errors of their own
       const ContactHistory here = loaded.on_other_plate(system, history);
@@ -72,22 +71,35 @@ namespace PlateImpact
       coordinates.leftCols(n) * coordinates.rightCols(n).transpose();
     const Eigen::MatrixXd products = 0.5 * (product + product.transpose());
     DualWeightedErrors    result;
-    result.motions = system.states(span, combinations);
     result.cells.resize(discretization.mesh().n_active_cells());
-    result.missed_energies.setZero(combinations.cols(), combinations.cols());
-    const bool leaves_out = leaves_soft_edges_out(discretization);
+    MissedByMesh &missed = result.missed;
+    missed.motions       = system.states(span, combinations);
+    missed.energies.setZero(combinations.cols(), combinations.cols());
+    missed.masses                    = missed.energies;
+    const Eigen::MatrixXd fields     = span.vectors * combinations;
+    const PlateElement   &element    = discretization.element;
+    const bool            leaves_out = leaves_soft_edges_out(discretization);
     // integrals are over one of the parts of the plate
     const double n_parts = discretization.n_parts;
-    visit_energies(discretization,
-                   recovery,
-                   span.vectors * combinations,
-                   [&](const auto &cell, const auto &, const auto &e, auto &) {
-                     result.cells[cell->active_cell_index()] =
-                       n_parts * (e * products).cwiseProduct(e).sum();
-                     if (!leaves_out || !discretization.is_at_soft_edge(cell))
-                       result.missed_energies.selfadjointView<Eigen::Lower>()
-                         .rankUpdate(e.transpose(), n_parts);
-                   });
+    visit_energies(
+      discretization,
+      recovery,
+      fields,
+      [&](const auto &cell, const auto &, const auto &e, auto &) {
+        const unsigned int i = cell->active_cell_index();
+        result.cells[i]      = n_parts * (e * products).cwiseProduct(e).sum();
+        if (!leaves_out || !discretization.is_at_soft_edge(cell))
+          missed.energies.selfadjointView<Eigen::Lower>()
+            .rankUpdate(e.transpose(), n_parts);
+        if (element.mass_of_deflection == PlateMass::consistent)
+          return;
+        const Eigen::MatrixXd w =
+          discretization.cell_values(i, fields)(element.dofs_of(deflection),
+                                                Eigen::all);
+        missed.masses += n_parts * w.transpose() *
+          element.wave_mass(discretization.shape(i), discretization.section) *
+          w;
+      });
     return result;
   }
 

@@ -195,7 +195,36 @@ namespace PlateImpact
       M(dofs_of(c), dofs_of(c)) = of_component *
         (c == rotation_x || c == rotation_y ? section.rotary_inertia :
                                               section.mass_per_area);
+    if (mass_of_deflection == PlateMass::of_waves)
+      M(dofs_of(deflection), dofs_of(deflection)) += wave_mass(shape, section);
     return M;
+  }
+
+
+
+  Eigen::MatrixXd
+  PlateElement::wave_mass(const CellShape    &shape,
+                          const PlateSection &section) const
+  {
+    Eigen::MatrixXd along_x(quadrature.size(),
+                            scalar_element.n_dofs_per_cell()),
+      along_y = along_x;
+    for (Eigen::Index q = 0; q < along_x.rows(); ++q)
+      for (Eigen::Index node = 0; node < along_x.cols(); ++node)
+        {
+          // the unit cell's coordinates run from 0 to 1
+          const Tensor<2, 2> second =
+            0.25 * scalar_element.shape_grad_grad(node, quadrature.point(q));
+          along_x(q, node) = second[0][0];
+          along_y(q, node) = second[1][1];
+        }
+    const auto of = [&](const Eigen::MatrixXd &A, const Eigen::MatrixXd &B) {
+      return Eigen::MatrixXd(A.transpose() * shape.weights.asDiagonal() * B);
+    };
+    const Eigen::MatrixXd of_both = of(along_x, along_y);
+    return section.mass_per_area / 15. *
+      (of(along_x, along_x) + of(along_y, along_y) -
+       0.5 * (of_both + of_both.transpose()));
   }
 
 

@@ -15,6 +15,32 @@
 
 namespace PlateImpact
 {
+  namespace
+  {
+    /// Whether the peak is expected after waves have crossed the plate, which
+    /// have to keep their frequency: a heavy impactor bends a plate that is
+    /// held as a whole. Other waves only leave. They carry away energy as the
+    /// root of stiffness times mass, so that more mass would add to the error
+    /// of the stiffness, and tension changes their frequency.
+    bool
+    waves_come_back(const Parameters &scene, const ZenerImpact &expected)
+    {
+      const PlateGeometry geometry = geometry_of(scene.plate);
+      const double plate_mass = geometry.area * expected.section.mass_per_area,
+                   back = expected.return_of_waves(geometry.distance_to_edge);
+      const auto &supports = scene.plate.supports;
+      const bool  is_held =
+        std::any_of(supports.begin(), supports.end(), [](const auto &on_edge) {
+          return on_edge.support != EdgeSupport::free;
+        });
+      return expected.impactor.mass > 0.5 * plate_mass && is_held &&
+        (scene.time.end_time == 0. || scene.time.end_time > back) &&
+        !scene.plate.has_large_deflection;
+    }
+  } // namespace
+
+
+
   void
   SceneChecker::complete()
   {
@@ -38,6 +64,8 @@ namespace PlateImpact
                       "m/s gives no finite force in Zener's equation: " +
                         std::string(error.what()));
       }
+    if (waves_come_back(*this, *expected))
+      discretization.mass = PlateMass::of_waves;
     complete_time();
     complete_contact();
     if (!contact.has_patch() || contact.patch_radius > 0.)

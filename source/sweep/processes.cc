@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <map>
 #include <memory>
 #include <new>
 #include <optional>
@@ -62,12 +63,14 @@ namespace PlateImpact
       SweepScene        &scene;
       const SweepGroups &groups;
 
-      SweepWork                   work          = {}; ///< since the last point
-      std::optional<std::size_t>  current_group = {};
-      double                      min_cell_size = 0.; ///< of its mesh [m]
-      std::unique_ptr<PlateModel> plate_model   = {}; ///< of the current group
-      std::string                 failure       = {}; ///< why there is none
-      std::vector<std::string>    mesh_warnings = {}; ///< of its mesh
+      SweepWork                         work = {}; ///< since the last point
+      std::optional<std::size_t>        current_group = {};
+      std::unique_ptr<Triangulation<2>> mesh          = {}; ///< of this group
+      std::string                       failure = {}; ///< why there is none
+      std::vector<std::string>          mesh_warnings = {}; ///< of this mesh
+
+      /// Of the current group, by the mass that its impactors need.
+      std::map<PlateMass, PlateModel> plate_models = {};
 
       /// Whatever goes wrong becomes the failure of the row.
       SweepRow
@@ -106,55 +109,54 @@ namespace PlateImpact
 
         if (current_group != group)
           {
-            plate_model.reset();
+            plate_models.clear();
+            mesh.reset();
             mesh_warnings.clear();
             current_group = group;
-            failure       = failure_of([&] {
-              auto mesh     = make_mesh(group, point);
-              min_cell_size = smallest_cell_size(*mesh);
-              plate_model =
-                std::make_unique<PlateModel>(parameters.plate,
-                                             parameters.discretization,
-                                             std::move(mesh));
-              ++work.plates;
-            });
+            failure       = failure_of([&] { mesh = make_mesh(group, point); });
           }
-        if (plate_model == nullptr)
+        if (mesh == nullptr)
           throw ComputationError("the plate of this point: " + failure);
 
         if (parameters.sweep.estimate_error)
           {
             Parameters on_mesh          = parameters;
             on_mesh.adaptivity.strategy = AdaptationStrategy::none;
-            return analyse(on_mesh,
-                           copy_of(plate_model->discretization().mesh()));
+            return analyse(on_mesh, copy_of(*mesh));
           }
-        return strike(point);
+        const PlateMass mass = parameters.discretization.mass;
+        if (plate_models.count(mass) == 0)
+          {
+            plate_models.try_emplace(mass,
+                                     parameters.plate,
+                                     parameters.discretization,
+                                     copy_of(*mesh));
+          }
+        return strike(point, plate_models.at(mass));
       }
 
       /// The impact on the struck plate.
       Computed
-      strike(const SweepPoint &point)
+      strike(const SweepPoint &point, PlateModel &plate_model)
       {
-        const unsigned int loads_before = plate_model->work().loads;
+        const unsigned int loads_before = plate_model.work().loads;
         const bool         needs_states = point.parameters.needs_estimator();
         const Parameters   parameters =
-          until_contact_ends(*plate_model, point.parameters, needs_states);
-        const LoadedPlate plate  = plate_model->under(parameters, needs_states);
+          until_contact_ends(plate_model, point.parameters, needs_states);
+        const LoadedPlate plate  = plate_model.under(parameters, needs_states);
         const Impact      impact = plate.strike();
-        work.loads += plate_model->work().loads - loads_before;
+        work.loads += plate_model.work().loads - loads_before;
 
         CycleResult result;
         result.history       = impact.history;
         result.impulse       = impact.impulse;
         result.sensitivity   = plate.sensitivity(impact.history);
-        result.min_cell_size = min_cell_size;
+        result.min_cell_size = smallest_cell_size(*mesh);
         // an adapted mesh was judged with the worst point
         const Warnings warnings =
           impact_warnings({parameters, point.expected, result},
-                          parameters.adaptivity.is_adaptive() ?
-                            nullptr :
-                            &plate_model->discretization().mesh());
+                          parameters.adaptivity.is_adaptive() ? nullptr :
+                                                                mesh.get());
         return {std::move(result), warnings.all()};
       }
 

@@ -178,7 +178,8 @@ namespace PlateImpact
   LoadedPlate::returns_of_waves(const double time) const
   {
     return time /
-      return_of_waves(parameters.plate, make_zener_impact(parameters));
+      make_zener_impact(parameters)
+        .return_of_waves(geometry_of(parameters.plate).distance_to_edge);
   }
 
 

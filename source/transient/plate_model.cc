@@ -99,7 +99,9 @@ namespace PlateImpact
   PlateModel::PlateModel(const PlateParameters          &plate,
                          const DiscretizationParameters &discretization,
                          std::unique_ptr<dealii::Triangulation<2>> part)
-    : element(discretization.element, PlateSection(plate).stretching)
+    : element(discretization.element,
+              PlateSection(plate).stretching,
+              discretization.mass)
     , mesh(std::move(part))
     , linear_solver(discretization.linear_solver)
     , loss_factor(plate.loss_factor)

@@ -143,7 +143,8 @@ namespace PlateImpact
       const ZenerImpact expected = make_zener_impact(scene);
       if (!expected.loss_factor())
         return false;
-      const double back = return_of_waves(scene.plate, expected);
+      const double back =
+        expected.return_of_waves(geometry_of(scene.plate).distance_to_edge);
       return time.end_time > back &&
         time.end_time < returns_until_it_rings * back &&
         expected.contact_time() < 16. * time.time_step;
@@ -214,7 +215,8 @@ namespace PlateImpact
     const double followed =
       std::min(time.end_time,
                returns_until_it_rings *
-                 return_of_waves(rounded.plate, expected));
+                 expected.return_of_waves(
+                   geometry_of(rounded.plate).distance_to_edge));
     const int octave = half_octave(expected.contact_time(), followed);
     // Waves run along the vectors at this speed, and should not be back from
     // their end. The third basis is the first that is judged.

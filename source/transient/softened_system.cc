@@ -7,39 +7,65 @@
 
 namespace PlateImpact
 {
-  SoftenedSystem::SoftenedSystem(SemidiscreteSystem    &plate,
-                                 const Eigen::MatrixXd &motions,
-                                 const Eigen::MatrixXd &missed)
+  namespace
+  {
+    /// L such that the matrix A of a plate loses L L^T, for A Z of motions Z.
+    /// @param missed    by pairs of motions, in the unit of Z^T A Z
+    /// @param share_of  which share of a product of 1 is lost for what is
+    /// missed
+    template <typename ShareOf>
+    Eigen::MatrixXd
+    root_of_lost(const Eigen::MatrixXd &Z,
+                 const Eigen::MatrixXd &A_Z,
+                 const Eigen::MatrixXd &missed,
+                 const ShareOf         &share_of)
+    {
+      // combinations without products in common, each of which has one of 1;
+      // what is left out is round-off, or has no stiffness as a rigid body
+      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> apart(Z.transpose() *
+                                                                 A_Z);
+      const Eigen::ArrayXd products = apart.eigenvalues();
+      const Eigen::Index   n_apart =
+        (products > 1e-8 * products.maxCoeff()).count();
+      if (n_apart == 0 || !products.allFinite() || !missed.allFinite())
+        throw ComputationError("what the mesh misses is not finite");
+      const Eigen::MatrixXd unit = apart.eigenvectors().rightCols(n_apart) *
+        products.tail(n_apart).rsqrt().matrix().asDiagonal();
+      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> of_missed(
+        unit.transpose() * missed.selfadjointView<Eigen::Lower>() * unit);
+      const Eigen::ArrayXd shares = share_of(of_missed.eigenvalues().array());
+      // the last ones: no force shows less
+      const Eigen::Index n = (shares > 1e-7).count();
+      return A_Z * unit * of_missed.eigenvectors().rightCols(n) *
+        shares.tail(n).sqrt().matrix().asDiagonal();
+    }
+  } // namespace
+
+
+
+  SoftenedSystem::SoftenedSystem(SemidiscreteSystem &plate,
+                                 const MissedByMesh &missed)
     : SemidiscreteSystem(plate.load, plate.damping)
     , plate(plate)
   {
-    Eigen::MatrixXd forces(motions.rows(), motions.cols()); // K Z
-    Eigen::VectorXd force;
-    for (Eigen::Index i = 0; i < motions.cols(); ++i)
+    const Eigen::MatrixXd &Z   = missed.motions;
+    Eigen::MatrixXd        K_Z = Z, M_Z = Z;
+    Eigen::VectorXd        product;
+    for (Eigen::Index i = 0; i < Z.cols(); ++i)
       {
-        plate.multiply_stiffness(motions.col(i), force);
-        forces.col(i) = force;
+        plate.multiply_stiffness(Z.col(i), product);
+        K_Z.col(i) = product;
+        plate.multiply_mass(Z.col(i), product);
+        M_Z.col(i) = product;
       }
-    // combinations without energies in common, each of which has one of 1;
-    // what is left out is round-off or moves as a rigid body
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> apart(
-      motions.transpose() * forces);
-    const Eigen::ArrayXd energies = apart.eigenvalues();
-    const Eigen::Index   n_apart =
-      (energies > 1e-8 * energies.maxCoeff()).count();
-    if (n_apart == 0 || !energies.allFinite() || !missed.allFinite())
-      throw ComputationError(
-        "the energies that the mesh misses are not finite");
-    const Eigen::MatrixXd unit = apart.eigenvectors().rightCols(n_apart) *
-      energies.tail(n_apart).rsqrt().matrix().asDiagonal();
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> of_missed(
-      unit.transpose() * missed.selfadjointView<Eigen::Lower>() * unit);
-    const Eigen::ArrayXd of_each = of_missed.eigenvalues(),
-                         loss    = of_each / (1. + of_each);
-    // the last ones: no force shows less
-    const Eigen::Index n = (loss > 1e-7).count();
-    lost = forces * unit * of_missed.eigenvectors().rightCols(n) *
-      loss.tail(n).sqrt().matrix().asDiagonal();
+    lost_stiffness =
+      root_of_lost(Z, K_Z, missed.energies, [](const Eigen::ArrayXd &e) {
+        return Eigen::ArrayXd(e / (1. + e));
+      });
+    // less than 1, since the mass without it is positive
+    lost_mass = root_of_lost(Z, M_Z, missed.masses, [](const auto &g) {
+      return Eigen::ArrayXd(g);
+    });
   }
 
 
@@ -51,6 +77,8 @@ namespace PlateImpact
   {
     if (c != factorized_for)
       {
+        lost.resize(load.size(), lost_stiffness.cols() + lost_mass.cols());
+        lost << lost_stiffness, std::sqrt(c) * lost_mass;
         responses.resize(lost.rows(), lost.cols());
         for (Eigen::Index i = 0; i < lost.cols(); ++i)
           {

@@ -44,7 +44,8 @@ namespace PlateImpact
     TimeControl(const Parameters &scene, const ZenerImpact &expected)
       : expected(expected)
       , scene(scene)
-      , waves_are_back(return_of_waves(scene.plate, expected))
+      , waves_are_back(
+          expected.return_of_waves(geometry_of(scene.plate).distance_to_edge))
     {}
 
     /// The first window on the first mesh.

@@ -83,6 +83,14 @@ namespace PlateImpact
     MITC9
   };
 
+  /// Of the deflection. `of_waves` gives bending waves in any direction nearly
+  /// their frequency, which the stiffness of a mesh makes too large.
+  enum class PlateMass
+  {
+    consistent,
+    of_waves
+  };
+
   enum class SolverType
   {
     CHOLMOD,

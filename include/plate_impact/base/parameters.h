@@ -206,6 +206,9 @@ namespace PlateImpact
 
     void
     declare_entries(Entries &entries);
+
+    // what follows from the entries
+    PlateMass mass = PlateMass::consistent;
   };
 
   struct TimeParameters

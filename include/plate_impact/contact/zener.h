@@ -73,6 +73,13 @@ namespace PlateImpact
                                    0.;
     }
 
+    /// When waves are back from an edge at a distance [m]. [s]
+    double
+    return_of_waves(const double distance) const
+    {
+      return 2. * distance / wave().group_speed;
+    }
+
     /// Zener's dimensionless loss factor for a sphere under Hertz's law,
     ///   lambda = m / (8 T sqrt(D rho t)),  T = (m / (k sqrt(v)))^{2/5},
     /// on which alone the restitution depends; empty for other laws.

@@ -3,6 +3,7 @@
 #include "plate_impact/estimator/stress_recovery.h"
 #include "plate_impact/plate/plate_discretization.h"
 #include "plate_impact/transient/loaded_plate.h"
+#include "plate_impact/transient/softened_system.h"
 
 #include <Eigen/Core>
 
@@ -15,8 +16,8 @@ namespace PlateImpact
   /// Cover what estimates miss, by a sum of contributions, by the peak on a
   /// softer plate and by the force around it: calibrated on random scenes
   /// (doc/theory.md).
-  constexpr double safety_of_bar = 1.55, safety_on_softer_plate = 2.,
-                   safety_around_peak = 1.15;
+  constexpr double safety_of_bar = 1.55, safety_on_softer_plate = 1.6,
+                   safety_around_peak = 1.;
 
   /// Estimated error of the peak force by the mesh: computed less exact,
   /// relative to the peak.
@@ -71,13 +72,12 @@ namespace PlateImpact
     ///   int_i (sigma* - sigma)^T_motion D^-1 (sigma* - sigma)_dual. [N]
     Eigen::VectorXd cells;
 
-    /// Motions that those above are combinations of, states of the system, a
-    /// column each, and for every pair of them
+    /// Of the motions that those above are combinations of. Energies are
     ///   int (sigma* - sigma)^T_i D^-1 (sigma* - sigma)_j
     /// over the plate, less cells at soft simply supported edges where the
     /// shear strain is reduced: recovery finds energy in the layer there that
-    /// such a stiffness does not miss. [J]
-    Eigen::MatrixXd motions, missed_energies;
+    /// such a stiffness does not miss.
+    MissedByMesh missed;
   };
 
   /// @param recovery  of the mesh

@@ -30,6 +30,12 @@ namespace PlateImpact
     }
 
     void
+    multiply_mass(const Eigen::VectorXd &x, Eigen::VectorXd &y) const override
+    {
+      y.noalias() = as_eigen(matrices->discretization.mass()) * x;
+    }
+
+    void
     solve(const double c, const Eigen::VectorXd &b, Eigen::VectorXd &x) override
     {
       matrices->solve(c, b, x);

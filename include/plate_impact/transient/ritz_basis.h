@@ -13,6 +13,16 @@ namespace PlateImpact
   struct TridiagonalMatrix
   {
     Eigen::VectorXd diagonal, beside;
+
+    /// y = A x of this matrix A.
+    void
+    multiply(const Eigen::VectorXd &x, Eigen::VectorXd &y) const
+    {
+      const Eigen::Index n_beside = beside.size();
+      y                           = diagonal.cwiseProduct(x);
+      y.head(n_beside) += beside.cwiseProduct(x.tail(n_beside));
+      y.tail(n_beside) += beside.cwiseProduct(x.head(n_beside));
+    }
   };
 
 
@@ -140,10 +150,13 @@ namespace PlateImpact
     multiply_stiffness(const Eigen::VectorXd &x,
                        Eigen::VectorXd       &y) const override
     {
-      const Eigen::Index n_beside = stiffness.beside.size();
-      y                           = stiffness.diagonal.cwiseProduct(x);
-      y.head(n_beside) += stiffness.beside.cwiseProduct(x.tail(n_beside));
-      y.tail(n_beside) += stiffness.beside.cwiseProduct(x.head(n_beside));
+      stiffness.multiply(x, y);
+    }
+
+    void
+    multiply_mass(const Eigen::VectorXd &x, Eigen::VectorXd &y) const override
+    {
+      mass.multiply(x, y);
     }
 
     void

@@ -13,15 +13,6 @@
 
 namespace PlateImpact
 {
-  /// When waves are back from the nearest edge. [s]
-  inline double
-  return_of_waves(const PlateParameters &plate, const ZenerImpact &expected)
-  {
-    return 2. * geometry_of(plate).distance_to_edge /
-      expected.wave().group_speed;
-  }
-
-
   /// What Newmark's method integrates for one impactor after another, with one
   /// load, time step and integration of the contact force: the system of the
   /// mesh, if `time.integrator` names it and for plates with large deflections,

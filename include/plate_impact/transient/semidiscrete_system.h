@@ -133,6 +133,10 @@ namespace PlateImpact
     virtual void
     multiply_stiffness(const Eigen::VectorXd &x, Eigen::VectorXd &y) const = 0;
 
+    /// y = M x.
+    virtual void
+    multiply_mass(const Eigen::VectorXd &x, Eigen::VectorXd &y) const = 0;
+
     /// Solves (K + c M) x = b, eq. 6 with c = 1/(beta dt^2) [1/s^2]. The
     /// factorization is kept until another c is asked for.
     virtual void
