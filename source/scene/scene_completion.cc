@@ -21,7 +21,7 @@ namespace PlateImpact
     /// have to keep their frequency: a heavy impactor bends a plate that is
     /// held as a whole. Other waves only leave. They carry away energy as the
     /// root of stiffness times mass, so that more mass would add to the error
-    /// of the stiffness, and tension changes their frequency.
+    /// of the stiffness.
     bool
     waves_come_back(const Parameters &scene, const ZenerImpact &expected)
     {
@@ -34,8 +34,7 @@ namespace PlateImpact
           return on_edge.support != EdgeSupport::free;
         });
       return expected.impactor.mass > 0.5 * plate_mass && is_held &&
-        (scene.time.end_time == 0. || scene.time.end_time > back) &&
-        !scene.plate.has_large_deflection;
+        (scene.time.end_time == 0. || scene.time.end_time > back);
     }
   } // namespace
 

@@ -131,6 +131,7 @@ namespace PlateImpact
                                      parameters.plate,
                                      parameters.discretization,
                                      copy_of(*mesh));
+            ++work.plates;
           }
         return strike(point, plate_models.at(mass));
       }

@@ -16,7 +16,7 @@ namespace PlateImpact
   /// Cover what estimates miss, by a sum of contributions, by the peak on a
   /// softer plate and by the force around it: calibrated on random scenes
   /// (doc/theory.md).
-  constexpr double safety_of_bar = 1.55, safety_on_softer_plate = 1.6,
+  constexpr double safety_of_bar = 1.55, safety_on_softer_plate = 1.7,
                    safety_around_peak = 1.;
 
   /// Estimated error of the peak force by the mesh: computed less exact,
