@@ -283,8 +283,8 @@ def main():
     struck = {"Within the limits of the model": True, "Zener": True, "change in the last cycle": True}
     still = {"Nothing strikes": False, "Zener": False, "Histories": False, "Animation": False, "η": False}
     alone = {"Zener": True, "change in the last cycle": False, "every cell halved": True,
-             "by the peak of a softer plate": False}
-    late = {"by the peak of a softer plate": True, "too coarse to tell": False}
+             "by the late peak on a softer plate": False}
+    late = {"by the late peak on a softer plate": True, "too coarse to tell": False}
     blind = {"too coarse to tell": True, "Far outside the limits of the model": False}
     # command, scene, entries; what the page has at least: plots, maps, meshes; whether a film; words that it has or not
     cases = [

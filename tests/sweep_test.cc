@@ -310,6 +310,8 @@ namespace PlateImpact
                                       "set Values 1 = 1:2:4\n";
       const std::string thicknesses = "set Entry 2 = Plate/Thickness\n"
                                       "set Values 2 = 0.008, 0.006\n";
+      const std::string masses      = "set Entry 2 = Impactor/Mass\n"
+                                      "set Values 2 = 0.01, 10\n";
       const auto        numbers     = [](const std::string &text) {
         std::smatch made;
         EXPECT_TRUE(std::regex_search(
@@ -331,6 +333,7 @@ namespace PlateImpact
              {velocities, "Sweep/Estimate error=true"},
              {velocities, "Adaptivity/Strategy=hanging nodes"},
              {velocities + thicknesses, half_space},
+             {velocities + masses, "Contact/Patch radius=0.0005"},
              {velocities + thicknesses, "Adaptivity/Strategy=hanging nodes"}})
         {
           const std::string scene = write_scene(on_one_mesh + swept(entries));

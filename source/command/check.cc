@@ -86,6 +86,18 @@ namespace PlateImpact
 
 
 
+    /// Whether impactors may be light and heavy, which the plate has different
+    /// masses for.
+    bool
+    sweeps_impactor_mass(const SweepPlan &plan)
+    {
+      return plan.sweeps("Impactor/Mass") || plan.sweeps("Impactor/Density") ||
+        plan.sweeps("Impactor/Radius") || plan.sweeps("Impactor/Length") ||
+        plan.sweeps("Impactor/Shape");
+    }
+
+
+
     /// What is printed: nothing is said of a scene that fails.
     class ExpectationText
     {
@@ -358,28 +370,33 @@ namespace PlateImpact
           is_adaptive && given.sweep.adapts_each_point;
         const SweepGroups groups(plan, given);
         const std::string reason = what_keeps_loads_apart(given, plan);
-        const std::size_t n_plates =
-          has_own_meshes ? plan.n_points : groups.groups.size();
+        const bool        has_own_plates =
+          has_own_meshes || given.sweep.estimate_error;
+        const bool may_need_two = !has_own_plates && sweeps_impactor_mass(plan);
+        const std::size_t n_masses = may_need_two ? 2 : 1,
+                          n_plates = has_own_plates ?
+          plan.n_points :
+          n_masses * groups.groups.size(),
+                          n_fewest = n_masses * groups.n_loads;
         // what impactors choose is rounded, so that they differ in some hundred
         // ways
-        const bool has_own_loads = has_own_meshes || given.sweep.estimate_error;
-        const std::size_t n_loads = has_own_loads ? plan.n_points :
-          reason.empty()                          ? groups.n_loads :
-                           std::min(plan.n_points, 200 * groups.n_loads);
+        const std::size_t n_loads = has_own_plates ? plan.n_points :
+          reason.empty()                           ? n_fewest :
+                           std::min(plan.n_points, 200 * n_fewest);
 
         text += "\nSweep\n";
         line("points",
              counted(plan.n_points, "impact") + " of " + plan.names());
         line("models",
-             format(
-               "{}{}{}{} to a load{}",
-               counted(n_plates, "plate"),
-               is_adaptive ? " on adapted meshes, " : ", ",
-               has_own_loads || reason.empty() ? "" : "up to ",
-               counted(n_loads, "response"),
-               !has_own_meshes && n_loads > groups.n_loads ?
-                 format(": {}; otherwise {} would do", reason, groups.n_loads) :
-                 ""));
+             format("{}{}{}{}{} to a load{}",
+                    may_need_two ? "up to " : "",
+                    counted(n_plates, "plate"),
+                    is_adaptive ? " on adapted meshes, " : ", ",
+                    has_own_plates || reason.empty() ? "" : "up to ",
+                    counted(n_loads, "response"),
+                    !has_own_meshes && n_loads > n_fewest ?
+                      format(": {}; otherwise {} would do", reason, n_fewest) :
+                      ""));
       }
 
       const Scene      &scene;

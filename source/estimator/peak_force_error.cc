@@ -8,7 +8,8 @@ namespace PlateImpact
   namespace
   {
     /// How the force changes on a plate that is softer by what recovery finds
-    /// missing: the peak, which may agree by accident, and all around it.
+    /// missing, and lighter by what the mass has for waves: the peak, which may
+    /// agree by accident, and all around it.
     PeakForceError::Change
     change_on_softer_plate(const LoadedPlate        &loaded,
                            const PeakForceProblem   &problem,
@@ -143,10 +144,11 @@ namespace PlateImpact
     // much on a first mesh says nothing
     if (!before && (!resolves_load || bar > safety_of_bar * 0.05))
       return {};
-    if (resolves_load)
+    if (!before || (resolves_load && !estimate.on_softer_plate))
       return bar;
-    const double of_peak   = std::abs(peak - before->force) / peak;
-    const bool   was_blind = !before->space || of_peak > *before->space;
-    return std::max(bar, was_blind ? of_peak : 0.);
+    const double of_peak = std::abs(peak - before->force) / peak;
+    const bool   was_blind =
+      before->space ? of_peak > *before->space : !resolves_load;
+    return was_blind ? std::max(bar, of_peak) : bar;
   }
 } // namespace PlateImpact

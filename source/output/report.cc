@@ -268,7 +268,7 @@ namespace PlateImpact
            !last.result.peak_force_error ?
                 "by the mesh with every cell halved" :
                 is_on_softer_plate ?
-                "by the peak of a softer plate, " +
+                "by the late peak on a softer plate, " +
                number(force * (1. - last.result.peak_force_error->estimate())) +
                " N, and its force around it" :
                 "by the dual problem, with a factor of safety of " +

@@ -210,10 +210,8 @@ namespace PlateImpact
         analysis.run();
         const CycleResult &last = analysis.last_cycle().result;
         if (parameters.adaptivity.is_adaptive())
-          {
-            work.meshes += last.cycle;
-            work.plates += last.cycle;
-          }
+          work.meshes += last.cycle;
+        work.plates += last.cycle;
         work.loads += last.cycle;
         return {last, analysis.all_warnings().all()};
       }

@@ -17,7 +17,7 @@ namespace PlateImpact
   /// softer plate and by the force around it: calibrated on random scenes
   /// (doc/theory.md).
   constexpr double safety_of_bar = 1.55, safety_on_softer_plate = 1.7,
-                   safety_around_peak = 1.;
+                   safety_around_peak = 1.6;
 
   /// Estimated error of the peak force by the mesh: computed less exact,
   /// relative to the peak.
@@ -28,8 +28,8 @@ namespace PlateImpact
     Eigen::VectorXd cells;
 
     /// Of a peak that comes after waves are back: how the force changes where
-    /// the plate is softer by the energies that the recovery finds missing.
-    /// Relative to the peak.
+    /// the plate is softer by the energies that the recovery finds missing, and
+    /// lighter by what its mass has for waves. Relative to the peak.
     struct Change
     {
       double of_peak            = 0.; ///< with its sign
@@ -49,15 +49,15 @@ namespace PlateImpact
     /// The mesh's part of the error bar. Where waves pass once it is the sum of
     /// absolute values, since contributions of an assumed shear strain may have
     /// the wrong sign. What they bring that have come back adds up with either
-    /// sign, and not to first order alone; the more often they have crossed the
-    /// plate, the more of it cancels at the peak.
+    /// sign, and not to first order alone: at the peak as a sum of as many
+    /// random terms as they have crossed the plate.
     double
     bar() const
     {
       return on_softer_plate ?
         std::hypot(safety_on_softer_plate * on_softer_plate->of_peak,
                    safety_around_peak * on_softer_plate->around_it /
-                     std::cbrt(on_softer_plate->crossings_of_waves)) :
+                     std::sqrt(on_softer_plate->crossings_of_waves)) :
         safety_of_bar * cells.lpNorm<1>();
     }
   };
@@ -123,9 +123,10 @@ namespace PlateImpact
     std::size_t           n_cells = 0;
   };
 
-  /// The part of a bar that is the mesh's: its bar(). Where the load is not
-  /// resolved, no less than the change of the force from the mesh before, if
-  /// that was more than the bar there; and empty on a first mesh, as is any
+  /// The part of a bar that is the mesh's: its bar(). No less than the change
+  /// of the force from the mesh before, if that was more than the bar there:
+  /// for late peaks, and where the load is not resolved, also if there was no
+  /// bar. Empty on a first mesh that does not resolve the load, as is any
   /// estimate above a twentieth of the force there.
   /// @param resolves_load  whether cells at the load are no larger than it
   std::optional<double>
