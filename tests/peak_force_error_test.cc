@@ -47,6 +47,19 @@ namespace PlateImpact
       EXPECT_NEAR(change({110., 0.03}), 0.1, 1e-12);
       EXPECT_NEAR(change({110., {}}), 0.1, 1e-12);
       EXPECT_NEAR(change({102., 0.03}), safety_of_bar * 0.002, 1e-12);
+
+      // where the load is resolved, late peaks only
+      PeakForceError late  = estimate;
+      late.on_softer_plate = PeakForceError::Change{0.002, 0., 1.};
+      const double alone   = 0.002 * safety_on_softer_plate;
+      EXPECT_NEAR(bar(estimate, PeakOnMesh{110., 0.03}, true).value(),
+                  safety_of_bar * 0.002,
+                  1e-12);
+      EXPECT_NEAR(bar(late, PeakOnMesh{110., 0.03}, true).value(), 0.1, 1e-12);
+      EXPECT_NEAR(bar(late, PeakOnMesh{102., 0.03}, true).value(),
+                  alone,
+                  1e-12);
+      EXPECT_NEAR(bar(late, PeakOnMesh{110., {}}, true).value(), alone, 1e-12);
     }
 
 
@@ -54,7 +67,7 @@ namespace PlateImpact
     TEST(PeakForceBar, OfALatePeakIsThatOfTheSofterPlate)
     {
       const PeakForceError estimate{Eigen::Vector2d(0.3, -0.4),
-                                    PeakForceError::Change{-0.01, 0.03, 8.}};
+                                    PeakForceError::Change{-0.01, 0.03, 4.}};
       EXPECT_EQ(estimate.estimate(), 0.01);
       EXPECT_NEAR(bar(estimate, {}, true).value(),
                   std::hypot(0.01 * safety_on_softer_plate,
