@@ -325,6 +325,8 @@ namespace PlateImpact
       };
       const std::string half_space =
         "Contact/Patch radius=0' --set 'Contact/Local response=half-space";
+      const std::string until_waves_are_back =
+        "Contact/Patch radius=0.0005' --set 'Time/End time=3e-4";
       for (const auto &[entries, set] :
            std::vector<std::pair<std::string, std::string>>{
              {velocities, half_space},
@@ -333,7 +335,7 @@ namespace PlateImpact
              {velocities, "Sweep/Estimate error=true"},
              {velocities, "Adaptivity/Strategy=hanging nodes"},
              {velocities + thicknesses, half_space},
-             {velocities + masses, "Contact/Patch radius=0.0005"},
+             {velocities + masses, until_waves_are_back},
              {velocities + thicknesses, "Adaptivity/Strategy=hanging nodes"}})
         {
           const std::string scene = write_scene(on_one_mesh + swept(entries));
