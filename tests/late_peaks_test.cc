@@ -128,7 +128,7 @@ namespace PlateImpact
         std::stringstream arguments;
         arguments << std::setprecision(17) << goal
                   << "--set Plate/Thickness=0.004 --set Impactor/Radius=0.02 "
-                     "--set Impactor/Mass=12 --set Impactor/Velocity=0.3 --set "
+                     "--set Impactor/Mass=3 --set Impactor/Velocity=0.3 --set "
                      "Adaptivity/Strategy=uniform --set "
                      "'Adaptivity/Maximum cycles=2' --set 'Time/End time=0' "
                      "--set 'Time/Time step="
