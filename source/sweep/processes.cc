@@ -66,8 +66,9 @@ namespace PlateImpact
       SweepWork                         work = {}; ///< since the last point
       std::optional<std::size_t>        current_group = {};
       std::unique_ptr<Triangulation<2>> mesh          = {}; ///< of this group
-      std::string                       failure = {}; ///< why there is none
-      std::vector<std::string>          mesh_warnings = {}; ///< of this mesh
+      double                   min_cell_size = 0.; ///< of this mesh [m]
+      std::string              failure       = {}; ///< why there is none
+      std::vector<std::string> mesh_warnings = {}; ///< of this mesh
 
       /// Of the current group, by the mass that its impactors need.
       std::map<PlateMass, PlateModel> plate_models = {};
@@ -113,7 +114,10 @@ namespace PlateImpact
             mesh.reset();
             mesh_warnings.clear();
             current_group = group;
-            failure       = failure_of([&] { mesh = make_mesh(group, point); });
+            failure       = failure_of([&] {
+              mesh          = make_mesh(group, point);
+              min_cell_size = smallest_cell_size(*mesh);
+            });
           }
         if (mesh == nullptr)
           throw ComputationError("the plate of this point: " + failure);
@@ -152,7 +156,7 @@ namespace PlateImpact
         result.history       = impact.history;
         result.impulse       = impact.impulse;
         result.sensitivity   = plate.sensitivity(impact.history);
-        result.min_cell_size = smallest_cell_size(*mesh);
+        result.min_cell_size = min_cell_size;
         // an adapted mesh was judged with the worst point
         const Warnings warnings =
           impact_warnings({parameters, point.expected, result},
