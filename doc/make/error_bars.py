@@ -270,7 +270,7 @@ CLASSES = {"elastic": (random_scene, 200, partial(true_force, TRUE_TARGETS)),
            "yielding": (yielding_scene, 100, partial(true_force, TRUE_TARGETS)),
            "heavy impactors": (late_scene, 170, partial(true_force, LATE_TARGETS)),
            "damped": (damped_scene, 30, partial(true_force, LATE_TARGETS)),
-           "simply supported": (simply_supported_scene, 90, by_modes)}
+           "simply supported": (simply_supported_scene, 136, by_modes)}
 
 
 def bars_of_scene(program, number, known=None, of_class="elastic"):
