@@ -195,6 +195,22 @@ namespace PlateImpact
 
 
 
+    TEST_F(ReportPage, FilmShowsTheLargestForceAtTheEnd)
+    {
+      // the force rises to the last step, and four samples make a frame
+      const nlohmann::json film =
+        report(main_scene,
+               "--set 'Time/Time step=2e-8' --set 'Time/End time=1.612e-5' "
+               "--set Adaptivity/Strategy=none")["film"];
+      const auto forces = film["forces"].get<std::vector<double>>();
+      EXPECT_EQ(forces.size(), film["times"].size());
+      expect_near(*std::max_element(forces.begin(), forces.end()),
+                  last_cycle()["peak_force"],
+                  1e-6);
+    }
+
+
+
     /// The name and unit of its fields, a mesh having xi' before them.
     std::vector<std::string>
     names_of(const nlohmann::json &fields, const std::size_t begin = 0)

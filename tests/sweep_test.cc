@@ -156,6 +156,27 @@ namespace PlateImpact
 
 
 
+    TEST_F(Sweep, ShapesOnACircleHaveTheirOwnPlates)
+    {
+      // a sphere off the centre is turned onto an axis, a cylinder is not
+      const std::string more = half_space +
+        "--set Plate/Outline=circle --set 'Plate/Impact point=0.01, 0.01' "
+        "--set 'Impactor/Length=0.01' --set 'Time/End time=2e-5'";
+      for (const std::string shapes : {"sphere, cylinder", "cylinder, sphere"})
+        {
+          const std::string scene =
+            write_scene(on_one_mesh +
+                        swept("set Entry 1 = Impactor/Shape\n"
+                              "set Values 1 = " +
+                              shapes));
+          ASSERT_EQ(sweep(scene, more), 0) << err;
+          for (const Row &row : rows())
+            expect_run(row, scene, more);
+        }
+    }
+
+
+
     TEST_F(Sweep, AdaptivePointsEqualTheirRunsOrThatOfTheWorst)
     {
       const std::string scene = write_scene(

@@ -162,12 +162,15 @@ namespace PlateImpact
         "" :
         fmt::format(
           "the error bar of the peak force is {}: Adaptivity/Target peak force "
-          "error, {}, is not met; choose more Maximum cycles, a smaller Time "
-          "step or Minimum cell size, or a larger target",
+          "error, {}, is not met; choose {}, or a larger target",
           result.peak_force_bar ?
             about_percentage(result.peak_force_bar->total()) :
             "not known",
-          target);
+          target,
+          adaptivity.is_adaptive() ?
+            "more Maximum cycles, a smaller Time step or Minimum cell size" :
+            "Adaptivity/Strategy = hanging nodes, more Initial cells, a "
+            "smaller Time step");
     if (!result.error)
       return {};
     const std::string eta = about_percentage(result.error->eta);

@@ -119,7 +119,10 @@ namespace PlateImpact
                                                            recovery,
                                                            *problem->system,
                                                            problem->motions);
-    PeakForceError           result{errors.cells / history.peak().force, {}};
+    PeakForceError           result{errors.cells / history.peak().force,
+                          {},
+                          safety_of_bar *
+                            discretization.element.error_over_recovered()};
     // the sum of absolute values, which is larger, stays where that fails
     try
       {
@@ -142,7 +145,7 @@ namespace PlateImpact
   {
     const double bar = estimate.bar();
     // much on a first mesh says nothing
-    if (!before && (!resolves_load || bar > safety_of_bar * 0.05))
+    if (!before && (!resolves_load || bar > estimate.safety * 0.05))
       return {};
     if (!before || (resolves_load && !estimate.on_softer_plate))
       return bar;

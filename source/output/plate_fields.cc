@@ -195,15 +195,21 @@ namespace PlateImpact
     {
       const auto &peak = result.peak_state;
       std::vector<std::pair<const Snapshot *, std::size_t>> chosen;
+      const auto                                            is_next = [&] {
+        return peak &&
+          (chosen.empty() || peak->time > chosen.back().first->time);
+      };
       for (std::size_t i = 1; i <= n; ++i)
         {
           const std::size_t sample = i * result.frames.size() / n - 1;
           const Snapshot   &frame  = result.frames[sample];
-          if (peak && peak->time < frame.time &&
-              (chosen.empty() || peak->time > chosen.back().first->time))
+          if (is_next() && peak->time < frame.time)
             chosen.emplace_back(&*peak, sample);
           chosen.emplace_back(&frame, sample);
         }
+      // where the steps end before the next frame
+      if (is_next() && n > 0)
+        chosen.emplace_back(&*peak, result.frames.size() - 1);
       return chosen;
     }
   } // namespace

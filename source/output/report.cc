@@ -272,7 +272,7 @@ namespace PlateImpact
                number(force * (1. - last.result.peak_force_error->estimate())) +
                " N, and its force around it" :
                 "by the dual problem, with a factor of safety of " +
-               number(safety_of_bar)},
+               number(last.result.peak_force_error->safety)},
              {"force", with_error(force, bar ? bar->total() * force : 0., "N")},
              {"load", load_in_words(parameters)},
              {"model", model_in_words(verdict)}};

@@ -17,13 +17,14 @@ namespace PlateImpact
       std::string  word;
       bool         constrains_deflection, constrains_others; ///< at the centre
       AssumedShear assumed_shear;
+      double       error_over_recovered = 1.;
     };
 
     const AssumedShear gauss_2 = shear_at_gauss_points(2),
                        gauss_3 = shear_at_gauss_points(3);
 
     const std::vector<ElementRow> elements = {
-      {ElementType::serendipity, "serendipity", true, true, gauss_2},
+      {ElementType::serendipity, "serendipity", true, true, gauss_2, 1.2},
       {ElementType::serendipity_full, "serendipity full", true, true, gauss_3},
       {ElementType::heterosis, "heterosis", true, false, gauss_2},
       {ElementType::Lagrange, "Lagrange", false, false, gauss_2},
@@ -37,6 +38,14 @@ namespace PlateImpact
   {
     return row_of(type, elements).assumed_shear.tying_points.size() ==
       gauss_2.tying_points.size();
+  }
+
+
+
+  double
+  PlateElement::error_over_recovered() const
+  {
+    return row_of(type, elements).error_over_recovered;
   }
 
 

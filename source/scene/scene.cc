@@ -135,8 +135,11 @@ namespace PlateImpact
     level(const std::string &path)
     {
       const std::string section = path.substr(0, path.find('/'));
-      if (path == "Impactor/Length" || path == "Impactor/Shape")
+      if (path == "Impactor/Length")
         return Level::load;
+      // spheres on a circle lie on its axis, cylinders anywhere
+      if (path == "Impactor/Shape")
+        return Level::plate;
       if (section == "Impactor" || path == "Contact/Law" ||
           path == "Plate/Yield strength" || path == "Ply/Mode II toughness")
         return Level::impactor;

@@ -71,13 +71,14 @@ namespace PlateImpact
       for (const std::string &item : split_list(value))
         {
           std::smatch parts;
+          double      number = 0.;
           if (of_entry == units.end() ||
               !std::regex_match(item, parts, number_and_unit) ||
-              of_entry->second.count(parts[2]) == 0)
+              of_entry->second.count(parts[2]) == 0 ||
+              !to_number(parts[1].str(), number))
             return {};
           all += (all.empty() ? "" : ", ") +
-            fmt::format("{:.6g}",
-                        std::stod(parts[1]) * of_entry->second.at(parts[2]));
+            fmt::format("{:.6g}", number * of_entry->second.at(parts[2]));
         }
       return all;
     }
@@ -91,6 +92,9 @@ namespace PlateImpact
     std::string
     hint_for(const std::string &value, const Entry &entry)
     {
+      // regular expressions need stack for every character
+      if (value.size() > 1000)
+        return {};
       const std::string unit = entry.unit();
       if (const std::string number = converted(value, unit); !number.empty())
         return "; write " + number + (unit == "-" ? "" : ", in " + unit);

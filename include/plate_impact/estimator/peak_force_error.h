@@ -16,7 +16,7 @@ namespace PlateImpact
   /// Cover what estimates miss, by a sum of contributions, by the peak on a
   /// softer plate and by the force around it: calibrated on random scenes
   /// (doc/theory.md).
-  constexpr double safety_of_bar = 1.55, safety_on_softer_plate = 1.7,
+  constexpr double safety_of_bar = 1.5, safety_on_softer_plate = 1.7,
                    safety_around_peak = 1.6;
 
   /// Estimated error of the peak force by the mesh: computed less exact,
@@ -38,6 +38,8 @@ namespace PlateImpact
     };
     std::optional<Change> on_softer_plate;
 
+    double safety = safety_of_bar; ///< of the sum of contributions
+
     /// Of the computed peak, positive if it is too large. Late peaks have
     /// errors of phase, of which the contributions of cells say nothing.
     double
@@ -58,7 +60,7 @@ namespace PlateImpact
         std::hypot(safety_on_softer_plate * on_softer_plate->of_peak,
                    safety_around_peak * on_softer_plate->around_it /
                      std::sqrt(on_softer_plate->crossings_of_waves)) :
-        safety_of_bar * cells.lpNorm<1>();
+        safety * cells.lpNorm<1>();
     }
   };
 

@@ -105,6 +105,11 @@ namespace PlateImpact
     bool
     has_reduced_shear() const;
 
+    /// By this factor the recovery of stresses finds less of an error than with
+    /// other elements: chosen on random scenes (doc/theory.md).
+    double
+    error_over_recovered() const;
+
     /// Strains at points of the reference cell.
     CellStrains
     strains_at(const dealii::Triangulation<2>::active_cell_iterator &cell,
