@@ -34,13 +34,11 @@ namespace PlateImpact
       EXPECT_FALSE(bar(much, {}, true));
       EXPECT_TRUE(bar(much, PeakOnMesh{100., {}}, true));
       record("factor of safety", bar(some, {}, true).value() / 0.01);
-      const PeakForceError of_serendipity{
-        some.cells,
-        {},
-        safety_of_bar *
-          PlateElement(ElementType::serendipity).error_over_recovered()};
+      const double of_serendipity =
+        PlateElement(ElementType::serendipity).error_over_recovered();
+      EXPECT_GT(of_serendipity, 1.);
       record("factor of safety with serendipity",
-             bar(of_serendipity, {}, true).value() / 0.01);
+             safety_of_bar * of_serendipity);
     }
 
 
@@ -283,7 +281,7 @@ namespace PlateImpact
       ASSERT_EQ(run(main_scene, goal + "1e-4' --set Adaptivity/Strategy=none"),
                 0);
       EXPECT_NE(err.find("peak force error, 0.01 %, is not met; choose "
-                         "Adaptivity/Strategy = hanging nodes"),
+                         "smaller cells"),
                 std::string::npos)
         << err;
     }

@@ -22,7 +22,7 @@ def measure(program):
     # on which constants were chosen, and not
     n_chosen = 90
     chosen = supported[:n_chosen] + [scene for name in ("elastic", "heavy impactors", "damped")
-                               for scene in by_class[name]]
+                                     for scene in by_class[name]]
     others = [scene for name in ("yielding", "laminates") for scene in by_class[name]]
     return {**error_bars.summary(elastic),
             "halves": [error_bars.summary(part)["all"]

@@ -87,7 +87,7 @@ def errors_of_equal_cells(program, scene, force, step, end):
 
 def beside_equal_cells(program, scene, force, entries, target, values):
     """A mesh for the middle one of three targets. The errors that are the mesh's own are those in
-    an eighth of the steps that the program chooses for it. Meshes for the other two targets have
+    steps an eighth as long as the program chooses for it. Meshes for the other two targets have
     the same steps, since an adapted mesh may have a small error by accident, too. As many equal
     cells stand beside each."""
     chosen = process(program, {"Time/Time step": 0, **entries, target: values[1]}, scene)

@@ -7,7 +7,6 @@
 #include "plate_impact/plate/plate_geometry.h"
 #include "plate_impact/plate/plate_mesh.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 

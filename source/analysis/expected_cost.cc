@@ -21,12 +21,12 @@ namespace PlateImpact
           const auto &bar = result.peak_force_bar;
           if (!bar || bar->total() <= adaptivity.target())
             return 1.;
+          const double factor = bar->total() / adaptivity.target();
           // cells are halved once at least where a plate is not divided anew
-          const bool is_divided = result.waves_are_everywhere &&
-            may_have_equal_cells(cycle.parameters);
-          return std::max(is_divided ? 1.21 : 4.,
-                          growth_for_late_peak(bar->total() /
-                                               adaptivity.target()));
+          return result.waves_are_everywhere &&
+              may_have_equal_cells(cycle.parameters) ?
+            growth_for_late_peak(factor / aim_for_late_peak) :
+            std::max(4., growth_for_late_peak(factor));
         }
       // Target sizes take about twice as many cells, since cells are halved and
       // sizes change slowly from cell to cell. Strategies without target sizes

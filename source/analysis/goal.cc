@@ -6,7 +6,6 @@
 #include "plate_impact/plate/plate_mesh.h"
 
 #include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
 
 namespace PlateImpact
@@ -66,7 +65,9 @@ namespace PlateImpact
         return {};
       auto         longest = longest_extents(cycle.mesh());
       const double size    = std::max(longest[0], longest[1]) /
-        std::clamp(std::sqrt(growth_for_late_peak(factor)), 1.1, 2.);
+        std::clamp(std::sqrt(growth_for_late_peak(factor / aim_for_late_peak)),
+                   1.1,
+                   2.);
       if (size < cycle.parameters.adaptivity.minimum_cell_size)
         return {};
       for (double &length : longest)
@@ -169,8 +170,7 @@ namespace PlateImpact
           target,
           adaptivity.is_adaptive() ?
             "more Maximum cycles, a smaller Time step or Minimum cell size" :
-            "Adaptivity/Strategy = hanging nodes, more Initial cells, a "
-            "smaller Time step");
+            "smaller cells, a smaller Time step");
     if (!result.error)
       return {};
     const std::string eta = about_percentage(result.error->eta);

@@ -3,7 +3,6 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 
-#include <algorithm>
 #include <cstdint>
 
 namespace PlateImpact

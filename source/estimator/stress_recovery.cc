@@ -24,19 +24,6 @@ namespace PlateImpact
     /// large one. A change of level halves the size; the cells of a
     /// quadrilateral mesh scatter less.
     constexpr double smallest_share = 0.75;
-
-
-
-    /// Whether a resultant (M_x, M_y, M_xy, Q_x, Q_y, N_x, N_y, N_xy) changes
-    /// its sign in a mirror image across x = 0, and across y = 0.
-    constexpr bool is_odd[][2] = {{false, false},
-                                  {false, false},
-                                  {true, true},
-                                  {true, false},
-                                  {false, true},
-                                  {false, false},
-                                  {false, false},
-                                  {true, true}};
   } // namespace
 
 
@@ -241,9 +228,12 @@ namespace PlateImpact
           patch_samples.middleRows<samples_per_cell>(samples_per_cell * i);
         rows = samples[images[i].cell];
         for (unsigned int k = 0; k < n_resultants; ++k)
-          if ((images[i].mirrored_x && is_odd[k][0]) !=
-              (images[i].mirrored_y && is_odd[k][1]))
-            rows.middleCols(n_fields * k, n_fields) *= -1.;
+          {
+            const auto [across_x, across_y] = resultant_fields[k].is_odd;
+            if ((images[i].mirrored_x && across_x) !=
+                (images[i].mirrored_y && across_y))
+              rows.middleCols(n_fields * k, n_fields) *= -1.;
+          }
       }
     return *fit * patch_samples;
   }

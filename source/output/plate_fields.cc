@@ -208,7 +208,7 @@ namespace PlateImpact
           chosen.emplace_back(&frame, sample);
         }
       // where the steps end before the next frame
-      if (is_next() && n > 0)
+      if (is_next())
         chosen.emplace_back(&*peak, result.frames.size() - 1);
       return chosen;
     }

@@ -8,7 +8,6 @@
 #include "plate_impact/plate/plate_mesh.h"
 #include "plate_impact/plate/plate_section.h"
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>

@@ -21,7 +21,6 @@
 #include <cmath>
 #include <iterator>
 #include <map>
-#include <set>
 #include <stdexcept>
 
 namespace PlateImpact

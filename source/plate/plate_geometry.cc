@@ -171,18 +171,10 @@ namespace PlateImpact
 
 
     unsigned int
-    n_quarters(const PlateParameters &parameters)
-    {
-      const auto [across_x, across_y] = geometry_of(parameters).is_symmetric;
-      return across_x && across_y ? 1 : across_x || across_y ? 2 : 4;
-    }
-
-
-
-    unsigned int
     n_circle_cells(const PlateParameters &parameters, const unsigned int n)
     {
-      return n_quarters(parameters) * 5 * n * n;
+      // five times n x n in a quarter
+      return 5 * n * n * (4 / geometry_of(parameters).n_parts());
     }
 
 
@@ -248,10 +240,11 @@ namespace PlateImpact
       while (n_circle_cells(parameters, n) < n_cells[0] * n_cells[1])
         ++n;
       // x > 0 is between the last quarter and the first, y > 0 before the third
-      const bool is_right = geometry_of(parameters).is_symmetric[0];
+      const PlateGeometry                   plate    = geometry_of(parameters);
+      const bool                            is_right = plate.is_symmetric[0];
       std::list<Triangulation<2>>           quarters;
       std::vector<const Triangulation<2> *> all;
-      for (unsigned int q = 0; q < n_quarters(parameters); ++q)
+      for (unsigned int q = 0; q < 4 / plate.n_parts(); ++q)
         {
           quarters.push_back(quarter_of_circle(n));
           GridTools::rotate((is_right ? -0.5 : 0.5) * numbers::PI * q,

@@ -322,18 +322,22 @@ namespace PlateImpact
 
 
 
+  const std::vector<SectionField> resultant_fields = {
+    {"moment M_x", "N", "moment_x", {{false, false}}, {}},
+    {"moment M_y", "N", "moment_y", {{false, false}}, {}},
+    {"moment M_xy", "N", "moment_xy", {{true, true}}, {}},
+    {"shear force Q_x", "N/m", "shear_force_x", {{true, false}}, {}},
+    {"shear force Q_y", "N/m", "shear_force_y", {{false, true}}, {}},
+    {"membrane force N_x", "N/m", "membrane_force_x", {{false, false}}, {}},
+    {"membrane force N_y", "N/m", "membrane_force_y", {{false, false}}, {}},
+    {"membrane force N_xy", "N/m", "membrane_force_xy", {{true, true}}, {}}};
+
+
+
   std::vector<SectionField>
   section_fields(const PlateSection &section, const Eigen::MatrixXd &resultants)
   {
-    std::vector<SectionField> fields = {
-      {"moment M_x", "N", "moment_x", {{false, false}}, {}},
-      {"moment M_y", "N", "moment_y", {{false, false}}, {}},
-      {"moment M_xy", "N", "moment_xy", {{true, true}}, {}},
-      {"shear force Q_x", "N/m", "shear_force_x", {{true, false}}, {}},
-      {"shear force Q_y", "N/m", "shear_force_y", {{false, true}}, {}},
-      {"membrane force N_x", "N/m", "membrane_force_x", {{false, false}}, {}},
-      {"membrane force N_y", "N/m", "membrane_force_y", {{false, false}}, {}},
-      {"membrane force N_xy", "N/m", "membrane_force_xy", {{true, true}}, {}}};
+    std::vector<SectionField> fields = resultant_fields;
     fields.resize(resultants.rows());
     for (std::size_t i = 0; i < fields.size(); ++i)
       fields[i].values = resultants.row(i);

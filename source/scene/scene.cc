@@ -135,11 +135,8 @@ namespace PlateImpact
     level(const std::string &path)
     {
       const std::string section = path.substr(0, path.find('/'));
-      if (path == "Impactor/Length")
+      if (path == "Impactor/Length" || path == "Impactor/Shape")
         return Level::load;
-      // spheres on a circle lie on its axis, cylinders anywhere
-      if (path == "Impactor/Shape")
-        return Level::plate;
       if (section == "Impactor" || path == "Contact/Law" ||
           path == "Plate/Yield strength" || path == "Ply/Mode II toughness")
         return Level::impactor;
@@ -192,6 +189,11 @@ namespace PlateImpact
     const bool is_adaptive = plan.may_adapt(parameters),
                law_changes_plate =
                  parameters.plate.is_laminate() || plan.sweeps("Plate/Layup");
+    // a sphere off the centre of a circle is turned onto the x axis, a cylinder
+    // is not
+    const bool shape_changes_plate =
+      parameters.plate.outline.shape == PlateOutline::circle ||
+      plan.sweeps("Plate/Outline");
     // numbers in the order in which their first points come
     std::map<std::string, std::size_t> number_of_group, number_of_load;
     std::vector<std::size_t>           load_of;
@@ -205,6 +207,7 @@ namespace PlateImpact
             const Level        changes = level(path);
             if (changes == Level::plate ||
                 (law_changes_plate && path == "Contact/Law") ||
+                (shape_changes_plate && path == "Impactor/Shape") ||
                 (is_adaptive && changes == Level::load))
               plate_key += values[i] + '\n';
             else if (changes == Level::load)

@@ -5,6 +5,7 @@
 #include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -75,10 +76,10 @@ namespace PlateImpact
           if (of_entry == units.end() ||
               !std::regex_match(item, parts, number_and_unit) ||
               of_entry->second.count(parts[2]) == 0 ||
-              !to_number(parts[1].str(), number))
+              !to_number(parts[1].str(), number) ||
+              !std::isfinite(number *= of_entry->second.at(parts[2])))
             return {};
-          all += (all.empty() ? "" : ", ") +
-            fmt::format("{:.6g}", number * of_entry->second.at(parts[2]));
+          all += (all.empty() ? "" : ", ") + fmt::format("{:.6g}", number);
         }
       return all;
     }

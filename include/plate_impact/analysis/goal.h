@@ -33,14 +33,16 @@ namespace PlateImpact
 
   /// By how much the number of cells grows for an error of a late peak that is
   /// this factor smaller: with cells halved it falls to a ninth, the median of
-  /// random heavy impactors (doc/make/error_bars.py). Half of the meshes would
-  /// miss what they aim at, so that they aim at less than what is asked for.
+  /// random heavy impactors (doc/make/error_bars.py).
   inline double
   growth_for_late_peak(const double factor)
   {
-    constexpr double aim = 0.6;
-    return std::pow(factor / aim, std::log(4.) / std::log(9.));
+    return std::pow(factor, std::log(4.) / std::log(9.));
   }
+
+  /// What a mesh of equal cells is made for, by the target: half of the meshes
+  /// that are made for the target itself miss it.
+  constexpr double aim_for_late_peak = 0.6;
 
 
   /// Says in place of a target which cells are too large.

@@ -128,8 +128,8 @@ namespace PlateImpact
   /// The part of a bar that is the mesh's: its bar(). No less than the change
   /// of the force from the mesh before, if that was more than the bar there:
   /// for late peaks, and where the load is not resolved, also if there was no
-  /// bar. Empty on a first mesh that does not resolve the load, as is any
-  /// estimate above a twentieth of the force there.
+  /// bar. Empty on a first mesh that does not resolve the load, or where it is
+  /// above a twentieth of the factor of safety.
   /// @param resolves_load  whether cells at the load are no larger than it
   std::optional<double>
   peak_force_error_by_mesh(const PeakForceError            &estimate,

@@ -219,6 +219,9 @@ namespace PlateImpact
     Eigen::VectorXd     values;
   };
 
+  /// In the order of Resultants, without values.
+  extern const std::vector<SectionField> resultant_fields;
+
   /// The resultants, and the largest stresses of the section under them: von
   /// Mises at the faces, or the three of the plies.
   /// @param resultants  n_resultants() in the order of Resultants, a column per
