@@ -31,6 +31,19 @@ namespace PlateImpact
       EXPECT_NE(out.find("late: the fastest waves cross the plate"),
                 std::string::npos)
         << out;
+      // and a plate that waves cross 49 times before the peak
+      const std::string shaken =
+        " --set Plate/Outline=circle --set 'Plate/Side lengths=0.25, 0.25' "
+        "--set Plate/Thickness=0.005 --set \"Plate/Young's modulus=7e10\" "
+        "--set \"Plate/Poisson's ratio=0.33\" --set Plate/Density=2700 --set "
+        "'Plate/Support=simply supported' --set Impactor/Radius=0.012 --set "
+        "Impactor/Mass=2 --set Impactor/Velocity=0.6 --set 'Time/End time=0' "
+        "--set 'Time/Time step=0' --set 'Adaptivity/Goal=peak force' --set "
+        "'Adaptivity/Target peak force error=0.05'";
+      ASSERT_EQ(run(main_scene, shaken), 0) << err;
+      ASSERT_EQ(execute("check '" + main_scene + "'" + shaken), 0) << err;
+      EXPECT_NEAR(force() / last_cycle()["peak_force"].get<double>(), 1., 0.1)
+        << out;
       ASSERT_EQ(execute("check '" SCENES "/paper-cylinder.prm'"), 0);
       EXPECT_NEAR(force() / 9091., 1., 0.03) << out;
       // a roller whose waves are shorter than those of Zener's infinite plate,

@@ -33,7 +33,7 @@ namespace PlateImpact
 
     /// The impact on a coarse mesh, in steps of 1/64 of the contact, up to its
     /// end: where the contact outlasts what Zener's equation expects, end and
-    /// step are extended together.
+    /// step are extended together, and the steps at last made finer.
     CycleResult
     coarse_impact(Parameters parameters, const ZenerImpact &expected)
     {
@@ -55,14 +55,25 @@ namespace PlateImpact
       CycleResult result;
       result.cells         = plate.discretization().mesh().n_active_cells();
       result.min_cell_size = smallest_cell_size(plate.discretization().mesh());
-      for (time.end_time = 1.5 * expected.contact_time();; time.end_time *= 2.)
+      const auto strike    = [&] {
+        result.history = plate.under(parameters, false).strike().history;
+      };
+      const double first_end = 1.5 * expected.contact_time();
+      for (time.end_time = first_end;; time.end_time *= 2.)
         {
           time.time_step = time.end_time / 96.;
-          result.history = plate.under(parameters, false).strike().history;
+          strike();
           if (result.history->end_of_impact(is_held) ||
               time.end_time > 1e6 * expected.contact_time())
-            return result;
+            break;
         }
+      // waves that are back shake a late peak faster than it rises
+      if (time.end_time > first_end)
+        {
+          time.time_step /= 16.;
+          strike();
+        }
+      return result;
     }
 
 
