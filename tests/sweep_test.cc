@@ -160,7 +160,8 @@ namespace PlateImpact
     {
       // a sphere off the centre is turned onto an axis, a cylinder is not
       const std::string more =
-        "--set 'Contact/Local response=half-space' --set Plate/Outline=circle --set 'Plate/Impact point=0.01, 0.01' "
+        "--set 'Contact/Local response=half-space' "
+        "--set Plate/Outline=circle --set 'Plate/Impact point=0.01, 0.01' "
         "--set 'Impactor/Length=0.01' --set 'Time/End time=2e-5'";
       for (const std::string shapes : {"sphere, cylinder", "cylinder, sphere"})
         {
